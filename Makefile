@@ -1,0 +1,187 @@
+# footpoint: `make help` lists the targets.
+SCENE       ?=
+RANKS       ?= 2
+GENERATIONS ?= 200
+SEED        ?= 1
+CONFIG      ?= release
+CXX         ?= g++
+ifeq ($(origin CC),default)
+CC  := gcc
+CXX := g++
+endif
+
+MAKEFLAGS += --no-builtin-rules
+.SUFFIXES:
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := all
+
+ifeq ($(V),1)
+Q :=
+else
+Q := @
+endif
+
+ifeq ($(CONFIG),release)
+BIN := build
+else
+BIN := build/$(CONFIG)/bin
+endif
+OBJ := build/$(CONFIG)
+
+WARN := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+OPT_release := -O3 -DNDEBUG
+OPT_debug   := -O0 -g
+OPT_asan    := -O1 -g -fsanitize=address,undefined,float-divide-by-zero -fno-sanitize-recover=all -fno-omit-frame-pointer
+OPT_fma     := -O3 -mfma -ffp-contract=fast
+CONTRACT    := -ffp-contract=off
+ifeq ($(CONFIG),fma)
+CONTRACT :=
+endif
+CFLAGS := -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA_CFLAGS)
+
+# What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
+codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
+evolve_mpi  := $(wildcard evolve/migrate*.c)
+evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c))
+genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c
+runtime_lib := $(wildcard runtime/*.c)
+test_main   := $(wildcard tests/test_*.c)
+test_lib    := $(filter-out $(test_main) %_main.c,$(wildcard tests/*.c))
+
+object = $(patsubst %.c,$(OBJ)/%.o,$(1))
+pkg     = $(shell pkg-config $(1) 2>/dev/null)
+include_dirs = $(filter -I%,$(1))
+
+LIBS_codegen := $(call pkg,--libs libmd) -lflint -lmpfr -lgmp -lm
+LIBS_evolve  := $(call pkg,--libs gsl libconfig libmd) -lm
+LIBS_mpi      = $(call pkg,--libs ompi-c)
+LIBS_test    := $(call pkg,--libs cmocka gsl libconfig libmd) -lflint -lmpfr -lgmp -lm
+CFLAGS_mpi    = $(call pkg,--cflags ompi-c)
+
+$(OBJ)/%.o: %.c $(OBJ)/flags
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -MMD -MP -c $< -o $@
+
+$(OBJ)/evolve/migrate.o $(OBJ)/evolve/evolve_main.o: CFLAGS += $(CFLAGS_mpi)
+
+# New flags rebuild everything.
+$(OBJ)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' > $@
+FORCE:
+
+-include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
+
+# ---- programs and libraries -------------------------------------------------------------------------------------------
+
+LIB := $(BIN)/libfootpoint
+GENERATED := $(sort $(wildcard generated/*.h))
+
+all: codegen runtime evolve bench-program ## build the tools and the runtime library
+codegen: $(BIN)/footpoint-codegen
+evolve: $(BIN)/footpoint-evolve
+runtime: $(LIB).a $(LIB).so
+bench-program: $(BIN)/footpoint-bench
+
+$(BIN)/footpoint-codegen: $(call object,codegen/codegen_main.c $(codegen_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_codegen)
+
+$(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evolve_lib) $(genome_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
+
+$(BIN)/footpoint-bench: $(call object,tests/bench_main.c $(test_lib) $(evolve_lib) $(genome_lib) $(runtime_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
+
+$(LIB).a: $(call object,$(runtime_lib))
+	@mkdir -p $(@D) && rm -f $@
+	$(Q)ar rcs $@ $^
+
+$(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libfootpoint.so $^ -o $@ -lm
+
+$(OBJ)/pic/%.o: %.c $(OBJ)/flags
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) -fPIC -MMD -MP -c $< -o $@
+
+# What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
+$(OBJ)/methods.h: $(GENERATED) Makefile
+	@mkdir -p $(@D)
+	$(Q)for h in $(GENERATED); do echo "#include \"$$PWD/$$h\""; done > $@
+
+$(OBJ)/methods.inc: $(GENERATED) tests/methods.awk Makefile
+	@mkdir -p $(@D)
+	$(Q)awk -f tests/methods.awk $(GENERATED) > $@
+
+$(OBJ)/rival_counts.inc: tests/count_rivals.cpp tests/rivals.h
+	@mkdir -p $(@D)
+	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
+
+$(OBJ)/tests/bench_main.o $(OBJ)/tests/test_headers.o: CFLAGS += -I$(OBJ)
+$(OBJ)/tests/bench_main.o $(OBJ)/tests/test_headers.o: $(OBJ)/methods.h $(OBJ)/methods.inc
+$(OBJ)/tests/bench_main.o: $(OBJ)/rival_counts.inc
+
+# ---- the main job -----------------------------------------------------------------------------------------------------
+
+SCENES := $(patsubst evolve/scenes/%.scene,%,$(sort $(wildcard evolve/scenes/*.scene)))
+MPIRUN ?= mpirun $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe -n $(RANKS)
+
+regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch
+	$(Q)for scene in $(or $(SCENE),$(SCENES)); do \
+	    $(MPIRUN) $(BIN)/footpoint-evolve --scene $$scene --generations $(GENERATIONS) --seed $(SEED) \
+	        $(if $(filter scratch,$(FROM)),--from-scratch) || exit $$?; \
+	    name=$$(basename $$scene .scene); \
+	    header=generated/footpoint_$$(echo $$name | tr - _).h; \
+	    $(BIN)/footpoint-codegen evolve/genomes/$$name.gen -o $$header || exit $$?; \
+	    echo "$$header"; \
+	done
+
+# ---- tests ------------------------------------------------------------------------------------------------------------
+
+TESTS := $(patsubst tests/%.c,$(BIN)/tests/%,$(test_main))
+
+$(BIN)/tests/%: $(OBJ)/tests/%.o $(call object,$(test_lib) $(evolve_lib) $(codegen_lib) $(runtime_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_test)
+
+check: all $(TESTS) ## run the tests (some minutes)
+	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh
+
+check-long: all $(TESTS) ## the tests and the long ones
+	$(Q)FOOTPOINT_LONG=1 BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh tests/long/*.sh
+
+bench: bench-program ## speed against error of every method on held-out samples: SCENE=
+	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
+
+# ---- housekeeping -----------------------------------------------------------------------------------------------------
+
+PREFIX ?= /usr/local
+PACKAGES := gcc g++ clang make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev libmpfr-dev libgmp-dev \
+            libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
+
+deps: ## install the packages that are missing (Debian); needs no privileges when all are there
+	$(Q)missing=; for p in $(PACKAGES); do \
+	    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'install ok installed' || missing="$$missing $$p"; \
+	done; \
+	if [ -n "$$missing" ]; then \
+	    sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
+	    $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo apt-get install -y -qq $$missing; \
+	fi
+
+install: runtime codegen evolve ## install library, headers and tools under PREFIX=
+	install -d $(DESTDIR)$(PREFIX)/include/footpoint $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/bin
+	install -m 644 runtime/footpoint.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 $(GENERATED) $(DESTDIR)$(PREFIX)/include/footpoint
+	install -m 644 $(LIB).a $(LIB).so $(DESTDIR)$(PREFIX)/lib
+	install -m 755 $(BIN)/footpoint-codegen $(BIN)/footpoint-evolve $(DESTDIR)$(PREFIX)/bin
+
+clean: ## remove everything that was built
+	rm -rf build
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+
+.PHONY: all codegen evolve runtime bench-program regenerate check check-long bench report paper deps install clean help FORCE

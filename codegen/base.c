@@ -1,0 +1,132 @@
+/* Diagnostics, memory and whole-file output; see base.h. */
+#include "base.h"
+
+#include <errno.h>
+#include <sha256.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+bool diag_at(struct diag *d, const char *file, int line, int column, const char *format, ...)
+{
+    char where[300], what[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    if (line > 0 && column > 0)
+        snprintf(where, sizeof where, "%.200s:%d:%d", file, line, column);
+    else if (line > 0)
+        snprintf(where, sizeof where, "%.200s:%d", file, line);
+    else
+        snprintf(where, sizeof where, "%.200s", file);
+    d->code = EXIT_INPUT;
+    snprintf(d->text, sizeof d->text, "%.210s: error: %.280s", where, what);
+    return false;
+}
+
+bool diag_system(struct diag *d, const char *file, const char *what)
+{
+    const char *reason = strerror(errno);
+    diag_at(d, file, 0, 0, "%s: %s", what, reason);
+    d->code = EXIT_SYSTEM;
+    return false;
+}
+
+static void out_of_memory(size_t n, size_t size)
+{
+    fprintf(stderr, "error: out of memory (%zu elements of %zu bytes)\n", n, size);
+    exit(EXIT_SYSTEM);
+}
+
+void *new_array(size_t n, size_t size)
+{
+    void *p = calloc(n ? n : 1, size);
+    if (!p)
+        out_of_memory(n, size);
+    return p;
+}
+
+void grow_array(void *array, size_t n, size_t *room, size_t size)
+{
+    void *p;
+    if (n < *room)
+        return;
+    const size_t more = *room ? 2 * *room : 16;
+    memcpy(&p, array, sizeof p);
+    p = more > SIZE_MAX / size ? NULL : realloc(p, more * size);
+    if (!p)
+        out_of_memory(more, size);
+    memset((char *)p + *room * size, 0, (more - *room) * size);
+    memcpy(array, &p, sizeof p);
+    *room = more;
+}
+
+char *new_text(const char *text, size_t n)
+{
+    char *copy = new_array(n + 1, 1);
+    memcpy(copy, text, n);
+    return copy;
+}
+
+char *read_text(const char *path, size_t *size, struct diag *d)
+{
+    FILE *f = fopen(path, "rb");
+    char *text = NULL;
+    size_t n = 0, room = 0;
+    if (!f) {
+        diag_system(d, path, "cannot open");
+        return NULL;
+    }
+    for (;;) {
+        while (room < n + 4096)
+            grow_array(&text, room, &room, 1);
+        const size_t got = fread(text + n, 1, room - n - 1, f);
+        n += got;
+        if (got == 0)
+            break;
+    }
+    if (ferror(f)) {
+        diag_system(d, path, "cannot read");
+        fclose(f);
+        free(text);
+        return NULL;
+    }
+    fclose(f);
+    text[n] = '\0';
+    *size = n;
+    return text;
+}
+
+bool outfile_open(struct outfile *f, const char *path, struct diag *d)
+{
+    if (strlen(path) >= sizeof f->path)
+        return diag_at(d, path, 0, 0, "path is too long");
+    snprintf(f->path, sizeof f->path, "%s", path);
+    snprintf(f->aside, sizeof f->aside, "%s.%ld.tmp", path, (long)getpid());
+    f->stream = fopen(f->aside, "wb");
+    return f->stream ? true : diag_system(d, path, "cannot write");
+}
+
+bool outfile_commit(struct outfile *f, struct diag *d)
+{
+    const bool written = !ferror(f->stream) && fflush(f->stream) == 0 && fsync(fileno(f->stream)) == 0;
+    const bool closed = fclose(f->stream) == 0;
+    if (written && closed && rename(f->aside, f->path) == 0)
+        return true;
+    diag_system(d, f->path, "cannot write");
+    unlink(f->aside);
+    return false;
+}
+
+void outfile_discard(struct outfile *f)
+{
+    fclose(f->stream);
+    unlink(f->aside);
+}
+
+void sha256_hex(const void *data, size_t size, char hex[65])
+{
+    SHA256Data(data, size, hex);
+}

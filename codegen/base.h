@@ -1,0 +1,54 @@
+/* What every tool of the project shares: one-line diagnostics, the memory gateway, and files that are written whole or
+ * not at all.  A leaf: C library only. */
+#ifndef FOOTPOINT_BASE_H
+#define FOOTPOINT_BASE_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#define FOOTPOINT_VERSION "0.1.0"
+
+/** Exit codes of every program. */
+enum exit_code { EXIT_DONE = 0, EXIT_INPUT = 1, EXIT_USAGE = 2, EXIT_SYSTEM = 3 };
+
+/** One diagnostic, ready to print: "file:line:column: error: ...". */
+struct diag {
+    enum exit_code code; /* EXIT_INPUT: the text is at fault; EXIT_SYSTEM: the machine is */
+    char text[512];
+};
+
+/** Fill *d with "file:line:column: error: message"; line 0 and column 0 leave their part out.  Returns false, so that a
+ *  reader can `return diag_at(...)`. */
+bool diag_at(struct diag *d, const char *file, int line, int column, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/** The same for a failed system call on a file: "file: error: what: strerror(errno)", code EXIT_SYSTEM. */
+bool diag_system(struct diag *d, const char *file, const char *what);
+
+/** Zeroed array of n elements; on lack of memory prints one line and exits with EXIT_SYSTEM. Free with free(). */
+void *new_array(size_t n, size_t size);
+
+/** Grow *array (n elements used, *room allocated) so that one more fits; exits like new_array. */
+void grow_array(void *array, size_t n, size_t *room, size_t size);
+
+/** Copy of n characters of text, NUL-terminated; exits like new_array. */
+char *new_text(const char *text, size_t n);
+
+/** Whole file as NUL-terminated text (*size without the NUL), or NULL with *d filled. Free with free(). */
+char *read_text(const char *path, size_t *size, struct diag *d);
+
+/** A file under construction: written aside, renamed over `path` by outfile_commit. */
+struct outfile {
+    FILE *stream;
+    char path[1024], aside[1100];
+};
+bool outfile_open(struct outfile *f, const char *path, struct diag *d);
+bool outfile_commit(struct outfile *f, struct diag *d); /* flush, sync, close, rename; removes the aside on failure */
+void outfile_discard(struct outfile *f);
+
+/** SHA-256 of `size` bytes as 64 hexadecimal digits and a NUL. */
+void sha256_hex(const void *data, size_t size, char hex[65]);
+
+#endif

@@ -1,0 +1,46 @@
+/* The pipeline of passes; see compile.h. */
+#include "compile.h"
+
+#include "horner.h"
+#include "share.h"
+#include "simplify.h"
+
+#include <stdlib.h>
+
+long operations_cost(const struct operations *ops)
+{
+    return ops->mul + ops->add + 8 * (ops->div + ops->sqrt) + ops->compare;
+}
+
+static struct emission run_passes(const struct genome_file *f, const struct dag *g, bool factor)
+{
+    struct dag *shaped = factor ? horner_factor(g) : NULL;
+    struct emission e;
+    if (!shaped)
+        shaped = dag_copy(g);
+    share_pairs(shaped);
+    struct schedule *s = schedule_new(shaped);
+    emit_statements(f, s, &e);
+    schedule_free(s);
+    dag_free(shaped);
+    return e;
+}
+
+bool compile_genome(const struct genome_file *f, const struct genome *genome, struct compiled *c, struct diag *d)
+{
+    *c = (struct compiled){0};
+    for (int variant = 0; variant < 4; variant++) {
+        struct dag *g = simplify_genome(f, genome, variant & 1 ? KEEP_ALL : KEEP_QUOTIENTS, d);
+        if (!g)
+            return false;
+        struct emission e = run_passes(f, g, variant < 2);
+        c->removed = g->removed;
+        dag_free(g);
+        if (!c->emission.text || operations_cost(&e.ops) < operations_cost(&c->emission.ops)) {
+            free(c->emission.text);
+            c->emission = e;
+        } else
+            free(e.text);
+    }
+    return true;
+}

@@ -1,0 +1,18 @@
+/* The pipeline for one genome: simplify, horner, share, schedule, emit; the cheapest of a few variants wins. */
+#ifndef FOOTPOINT_COMPILE_H
+#define FOOTPOINT_COMPILE_H
+
+#include "emit.h"
+
+struct compiled {
+    struct emission emission; /* owned text */
+    size_t removed;           /* divisions that cancelled: singularities of the genome that the code does not have */
+};
+
+/** Cost of a count: mul + add + 8 div (a vector division costs about as much as 8 fused multiply-adds). */
+long operations_cost(const struct operations *ops);
+
+/** False with *d filled when the genome divides by 0 everywhere. */
+bool compile_genome(const struct genome_file *f, const struct genome *genome, struct compiled *c, struct diag *d);
+
+#endif

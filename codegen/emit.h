@@ -1,0 +1,27 @@
+/* The statements of one function in C, and their operation counts. */
+#ifndef FOOTPOINT_EMIT_H
+#define FOOTPOINT_EMIT_H
+
+#include "genome.h"
+#include "schedule.h"
+
+/** Operations as written: every *, /, + or -, and square root that the statements hold; constant quotients such as
+ *  (7.0 / 3.0), which a compiler folds, are none. */
+struct operations {
+    long mul, div, add, sqrt;
+    long compare;     /* min, max, abs and the test of a protected quotient */
+    long temporaries; /* named values */
+};
+
+struct emission {
+    char *text; /* owned: indented lines, the last ones set *out_... (segment: *xi, *eta) */
+    struct operations ops;
+};
+
+/** Never fails; free e->text. */
+void emit_statements(const struct genome_file *f, const struct schedule *s, struct emission *e);
+
+/** A rational as exact C text: a decimal, or a quotient of two. Free with free(). */
+char *emit_rational(const fmpq_t c);
+
+#endif

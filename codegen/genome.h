@@ -1,0 +1,135 @@
+/* Genome text: a small straight-line program with named inputs, named values (`let`) and any number of genomes.
+ *
+ *   footpoint-genome 1
+ *   # comment
+ *   note scene quad4                      free provenance: a key and the rest of the line
+ *   input xA yA zA xB                     names of the inputs; may be repeated
+ *   segment quad4 any                     optional: the inputs are the nodes of a segment and the slave node; then the
+ *                                         assumed order of its corners (any | nearest | nearest-shorter)
+ *   let c1x = - xB xA                     one prefix expression, may use inputs and earlier lets
+ *   genome fast
+ *   note error_xi 1.2e-3 ...
+ *   xi = + * 0.05 c1x yA                  one output, prefix expression
+ *   eta = yA
+ *   end
+ *
+ * An expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
+ * leaf +1); it may run over several lines.  Operators: + - * / (quotient) % (protected quotient: 1 where the divisor is
+ * 0) min max, and neg sqrt abs with one operand.  Numbers are decimal and exact: 0.05 means 1/20. */
+#ifndef FOOTPOINT_GENOME_H
+#define FOOTPOINT_GENOME_H
+
+#include "base.h"
+
+#define GENOME_FORMAT 1
+
+/** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
+ *  -1-k: constant k of the file's table. */
+enum gene_operator {
+    GENE_ADD,
+    GENE_SUB,
+    GENE_MUL,
+    GENE_DIV,
+    GENE_PDIV, /* 1 where the divisor is 0 */
+    GENE_MIN,
+    GENE_MAX,
+    GENE_NEG,
+    GENE_SQRT,
+    GENE_ABS,
+    GENE_OPERATORS,
+    GENE_SYMBOL = 64
+};
+
+/** Operands of a gene: 2, 1 or 0. */
+int gene_arity(int gene);
+/** Text of an operator gene: "+", "min", ... */
+const char *gene_name(int gene);
+/** Length of the subtree that starts at gene[0] (Tokui and Iba: stack counts add up to 1), or 0 if `n` genes do not
+ * hold one. */
+size_t gene_span(const int *gene, size_t n);
+
+/** A named prefix expression. */
+struct genome_expr {
+    char *name; /* owned */
+    int *gene;  /* owned, length genes */
+    size_t length;
+    int line; /* where it stands in the file; 0 when made by a program */
+};
+
+/** A provenance line. */
+struct genome_note {
+    char *key, *text; /* owned */
+};
+
+/** Corner order that a genome of a segment assumes. */
+enum corner_order {
+    CORNERS_ANY,            /* as the mesh has them */
+    CORNERS_NEAREST,        /* A is the corner nearest to the slave node */
+    CORNERS_NEAREST_SHORTER /* and |AD| <= |AB| */
+};
+
+/** "any", "nearest", "nearest-shorter". */
+const char *corner_order_name(enum corner_order order);
+
+struct genome {
+    char *name;               /* owned */
+    struct genome_note *note; /* owned */
+    size_t notes, note_room;
+    struct genome_expr *out; /* owned */
+    size_t outs, out_room;
+    int line;
+};
+
+/** A constant keeps its decimal text, so that exact arithmetic can read it. */
+struct genome_constant {
+    char *text; /* owned */
+    double value;
+};
+
+struct genome_file {
+    char *path; /* owned */
+    struct genome_note *note;
+    size_t notes, note_room;
+    char *segment; /* owned; NULL when the inputs are not nodes */
+    enum corner_order order;
+    char **input; /* owned */
+    size_t inputs, input_room;
+    struct genome_constant *constant;
+    size_t constants, constant_room;
+    struct genome_expr *let;
+    size_t lets, let_room;
+    struct genome *genome;
+    size_t genomes, genome_room;
+    void *symbol_tree, *constant_tree; /* owned; name -> index, see genome_find_symbol */
+};
+
+/** Read and check a file.  Returns NULL with *d filled ("file:line:column: error: ...") on malformed text. */
+struct genome_file *genome_read(const char *path, struct diag *d);
+/** The same from `size` characters of text; `path` is used in diagnostics only. */
+struct genome_file *genome_parse(const char *path, const char *text, size_t size, struct diag *d);
+struct genome_file *genome_file_new(const char *path);
+void genome_file_free(struct genome_file *f);
+
+/** Print; genome_parse of what is printed gives the same program. */
+void genome_print(const struct genome_file *f, FILE *stream);
+/** One expression in prefix text, without a newline. */
+void genome_print_expr(const struct genome_file *f, const struct genome_expr *e, FILE *stream);
+
+/** Index of a symbol (inputs, then lets) or -1. */
+long genome_find_symbol(const struct genome_file *f, const char *name);
+const char *genome_symbol_name(const struct genome_file *f, size_t k);
+/** Index of a constant of the given decimal text, added if new. */
+size_t genome_add_constant(struct genome_file *f, const char *text);
+/** Append; text is copied. */
+void genome_add_note(struct genome_note **note, size_t *n, size_t *room, const char *key, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+/** Text of the first note of that key, or NULL. */
+const char *genome_find_note(const struct genome_note *note, size_t n, const char *key);
+struct genome *genome_add(struct genome_file *f, const char *name);
+void genome_add_input(struct genome_file *f, const char *name);
+/** Append a named value; its name must be new. Copies `length` genes. */
+void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length);
+/** Append an output of a genome: genome_add_expr(&g->out, &g->outs, &g->out_room, ...). Copies `length` genes. */
+void genome_add_expr(struct genome_expr **e, size_t *n, size_t *room, const char *name, const int *gene, size_t length);
+
+#endif
