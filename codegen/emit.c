@@ -152,10 +152,8 @@ static char *whole_text(const struct text *t, enum precedence *level)
 static char *scaled_text(struct emitter *e, const fmpq_t coef, const struct text *t)
 {
     enum precedence level;
-    if (fmpq_is_one(coef)) {
-        char *all = whole_text(t, &level);
-        return all;
-    }
+    if (fmpq_is_one(coef))
+        return t->den ? whole_text(t, &level) : factor_text(t);
     char *c = emit_rational(coef), *all;
     if (!t->num) {
         all = t->den ? join(c, " / ", t->den) : join(c, "", "");
@@ -393,10 +391,11 @@ static void print_output(struct emitter *e, size_t o)
     fmpq_init(coef);
     fmpq_div(coef, v->coef, &e->s->scale[v->node]);
     const bool negative = fmpq_sgn(coef) < 0;
+    enum precedence level;
     fmpq_abs(coef, coef);
-    char *size = scaled_text(e, coef, &e->text[v->node]);
-    const bool sum = fmpq_is_one(coef) && e->text[v->node].level == SUM && !e->text[v->node].den;
-    value = !negative ? join(size, "", "") : sum ? join("-(", size, ")") : join("-", size, "");
+    char *size = fmpq_is_one(coef) && !negative ? whole_text(&e->text[v->node], &level)
+                                                : scaled_text(e, coef, &e->text[v->node]);
+    value = join(negative ? "-" : "", size, "");
     snprintf(head, sizeof head, "*%s%s = ", e->file->segment ? "" : "out_", e->s->dag->output_name[o]);
     write_statement(e, head, value);
     free(size);

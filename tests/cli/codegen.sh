@@ -1,0 +1,51 @@
+# footpoint-codegen: usage, diagnostics, exit statuses, and that nothing is half-written.
+. tests/cli/expect.inc
+codegen=$BIN/footpoint-codegen
+g=$work/g.gen
+
+genome() { printf '%s\n' "footpoint-genome 1" "$@" > "$g"; }
+refused() { # refused NAME LINE:COLUMN MESSAGE  (the genome is in $g)
+    expect "$1" 1 '' "$g:$2: error: $3" "$codegen" --count "$g"
+}
+
+expect 'help' 0 '*' '' "$codegen" --help
+expect 'version' 0 'footpoint-codegen 0.1.0' '' "$codegen" --version
+expect 'no file' 2 '' 'footpoint-codegen: one genome file, please (try --help)' "$codegen" --count
+expect 'neither output nor count' 2 '' 'footpoint-codegen: either -o HEADER or --count, please (try --help)' "$codegen" "$g"
+expect 'unknown option' 2 '' 'footpoint-codegen: unknown option or missing value: --fast (try --help)' "$codegen" --fast "$g"
+expect 'bad prefix' 2 '' 'footpoint-codegen: not a C identifier: 3x (try --help)' "$codegen" --prefix 3x "$g"
+expect 'missing file' 3 '' "$work/none.gen: error: cannot open: No such file or directory" "$codegen" --count "$work/none.gen"
+
+: > "$g";                                           refused 'empty file' 1:1 "not a genome file: the first word must be 'footpoint-genome'"
+echo 'footpoint-genome 2' > "$g";                   refused 'wrong version' 1:18 "format version '2' is not supported (this program reads version 1)"
+genome 'input x' 'genome g' 'r = sqr x' 'end';      refused 'unknown gene' 4:5 "unknown gene 'sqr'"
+genome 'input x' 'genome g' 'r = + x' 'end';        refused 'stack underflow' 5:1 "the expression of 'r' ends early: 1 operand is missing"
+genome 'input x' 'genome g' 'r = + x x x' 'end';    refused 'stack overflow' 4:11 "gene 'x' follows a complete expression"
+genome 'input x' 'genome g' 'r = * x';              refused 'truncated in an expression' 5:1 "the expression of 'r' ends early: 1 operand is missing"
+genome 'input x' 'genome g' 'r = x';                refused 'truncated before end' 5:1 "the file ends inside genome 'g'"
+genome 'input x' 'genome g' 'end';                  refused 'no output' 4:1 "genome 'g' has no output"
+genome 'input x x' 'genome g' 'r = x' 'end';        refused 'input twice' 2:9 "name 'x' is defined already"
+genome 'input x' 'let y = / x - x x' 'genome g' 'r = y' 'end'; refused 'division by nothing' 3:1 "'y' divides by a value that is always 0"
+genome 'input x' 'genome g' 'r = 1.2.3' 'end';      refused 'bad number' 4:5 "'1.2.3' is not a decimal number"
+genome 'input x' 'genome g' 'r = 1e400' 'end';      refused 'huge number' 4:5 "number '1e400' is out of range"
+genome 'speed 3';                                   refused 'unknown keyword' 2:1 "unknown keyword 'speed'"
+genome 'segment quad5 any';                         refused 'unknown segment' 2:9 "unknown segment kind 'quad5'"
+genome 'input x';                                   expect 'no genome' 1 '' "$g: error: the file holds no genome" "$codegen" --count "$g"
+
+genome 'input x y' 'genome g' 'r = + * x y * x 2' 's = - x x' 'end'
+expect 'count' 0 'genome,mul,div,add,sqrt,compare
+g,1,0,1,0,0' '' "$codegen" --count "$g"
+genome 'input x y' 'genome g' 'r = / * x y x' 's = % x x' 'end'
+expect 'a removed singularity is told' 0 'genome,mul,div,add,sqrt,compare
+g,0,0,0,0,0' "$g:3: warning: genome 'g': 1 division cancelled (a removed singularity)" "$codegen" --count "$g"
+
+genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
+expect 'output folder missing' 3 '' "$work/none/h.h: error: cannot write: No such file or directory" \
+    "$codegen" "$g" -o "$work/none/h.h"
+"$codegen" "$g" -o "$work/h.h"
+cp "$work/h.h" "$work/before.h"
+"$codegen" "$g" -o "$work/h.h"
+cmp -s "$work/h.h" "$work/before.h"; report $((! $?)) 'same input, same bytes'
+genome 'input x y' 'genome g' 'r = + * x y * x'
+"$codegen" "$g" -o "$work/h.h" 2> /dev/null
+cmp -s "$work/h.h" "$work/before.h" && [ "$(ls "$work" | grep -c 'h\.h')" = 1 ]; report $((! $?)) 'a refused genome leaves the old header alone'
