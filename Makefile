@@ -31,7 +31,7 @@ OBJ := build/$(CONFIG)
 WARN := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 OPT_release := -O3 -DNDEBUG
 OPT_debug   := -O0 -g
-OPT_asan    := -O1 -g -fsanitize=address,undefined,float-divide-by-zero -fno-sanitize-recover=all -fno-omit-frame-pointer
+OPT_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT_fma     := -O3 -mfma -ffp-contract=fast
 CONTRACT    := -ffp-contract=off
 ifeq ($(CONFIG),fma)

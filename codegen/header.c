@@ -60,13 +60,11 @@ static void print_helpers(FILE *out)
           "{\n"
           "    const double sum = (xA[0] + xA[1] + xA[2]) + (xB[0] + xB[1] + xB[2]) + (xC[0] + xC[1] + xC[2]) +\n"
           "                       (xD[0] + xD[1] + xD[2]) + (xS[0] + xS[1] + xS[2]);\n"
-          "    if (!(sum - sum == 0.0))\n"
-          "        return FOOTPOINT_ERR_NOT_FINITE;\n"
-          "    if (footpoint_quad4_coincide(xA, xB) | footpoint_quad4_coincide(xB, xC) |\n"
-          "        footpoint_quad4_coincide(xC, xD) | footpoint_quad4_coincide(xD, xA) |\n"
-          "        footpoint_quad4_coincide(xA, xC) | footpoint_quad4_coincide(xB, xD))\n"
-          "        return FOOTPOINT_ERR_DEGENERATE;\n"
-          "    return FOOTPOINT_OK;\n"
+          "    const int coincide = footpoint_quad4_coincide(xA, xB) | footpoint_quad4_coincide(xB, xC) |\n"
+          "                         footpoint_quad4_coincide(xC, xD) | footpoint_quad4_coincide(xD, xA) |\n"
+          "                         footpoint_quad4_coincide(xA, xC) | footpoint_quad4_coincide(xB, xD);\n"
+          "    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : "
+          "FOOTPOINT_ERR_NOT_FINITE;\n"
           "}\n\n"
           "/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 "
           "open. */\n"
@@ -185,14 +183,13 @@ static void print_segment_functions(const struct genome_file *f, const char *nam
     if (f->order != CORNERS_ANY)
         fprintf(out, ", u, v%s;\n    const double *x[4];\n    int k%s", f->order == CORNERS_NEAREST ? "" : ", w",
                 f->order == CORNERS_NEAREST ? "" : ", mirror");
-    fputs(";\n    const int status = footpoint_quad4_inspect(xA, xB, xC, xD, xS);\n"
-          "    if (status != FOOTPOINT_OK)\n        return status;\n",
-          out);
+    fputs(";\n    int status = footpoint_quad4_inspect(xA, xB, xC, xD, xS);\n", out);
     print_ordered_call(name, f->order, out);
     fputs("    g = footpoint_quad4_signed_gap(xA, xB, xC, xD, xS, xi, eta);\n"
-          "    if (!((xi - xi) + (eta - eta) + (g - g) == 0.0))\n"
-          "        return FOOTPOINT_ERR_DEGENERATE;\n"
-          "    loc[0] = xi;\n    loc[1] = eta;\n    *gap = g;\n    return FOOTPOINT_OK;\n}\n",
+          "    if (status == FOOTPOINT_OK && !((xi - xi) + (eta - eta) + (g - g) == 0.0))\n"
+          "        status = FOOTPOINT_ERR_DEGENERATE;\n"
+          "    if (status == FOOTPOINT_OK) {\n        loc[0] = xi;\n        loc[1] = eta;\n        *gap = g;\n    }\n"
+          "    return status;\n}\n",
           out);
 }
 

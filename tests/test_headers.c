@@ -1,0 +1,142 @@
+/* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene
+ * and must show the figures of its banner; and the checked function must agree with the unchecked one however the
+ * corners are numbered. */
+#include "../evolve/scene.h"
+#include "../runtime/footpoint.h"
+#include "error_stats.h"
+#include "methods.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+typedef const double node[3];
+typedef void straight(node, node, node, node, node, double *, double *);
+typedef int checked(node, node, node, node, node, double[2], double *);
+
+static const struct method {
+    const char *scene, *name;
+    straight *at;
+    checked *locate;
+} methods[] = {
+#define METHOD(scene, name, mul, div, add, sqrt) {scene, #name, name##_at, name},
+#include "methods.inc"
+#undef METHOD
+};
+
+enum { METHODS = sizeof methods / sizeof *methods };
+
+/* Genome of a method in evolve/genomes/<scene>.gen: that whose name ends the function's. */
+static const struct genome *find_genome(const struct genome_file *f, const char *function)
+{
+    for (size_t i = 0; i < f->genomes; i++) {
+        const size_t n = strlen(f->genome[i].name), all = strlen(function);
+        if (all > n && function[all - n - 1] == '_' && strcmp(function + all - n, f->genome[i].name) == 0)
+            return &f->genome[i];
+    }
+    return NULL;
+}
+
+static void check_note(const struct genome *g, const char *key, const struct error_stats *e)
+{
+    double mean, p99, max;
+    size_t n;
+    const char *text = genome_find_note(g->note, g->notes, key);
+    assert_non_null(text);
+    assert_int_equal(sscanf(text, "n %zu mean %lf p99 %lf max %lf", &n, &mean, &p99, &max), 4);
+    const double stated[3] = {mean, p99, max}, measured[3] = {e->mean, e->p99, e->max};
+    for (int i = 0; i < 3;
+         i++) /* three decimals in the text; below 1e-12 rounding errors depend on the order of sums */
+        if (!(fabs(measured[i] - stated[i]) <= 1e-3 * stated[i] + 1e-12))
+            fail_msg("%s %s: the banner says %g, measured %g", g->name, key, stated[i], measured[i]);
+    assert_int_equal(e->failures, 0);
+}
+
+static void measure(const struct method *m, const struct genome *g, const struct sample_set *set, const char *part)
+{
+    double *error[2];
+    char key[60];
+    for (int k = 0; k < 2; k++)
+        error[k] = calloc(set->n, sizeof **error);
+    for (size_t i = 0; i < set->n; i++) {
+        const struct sample *s = &set->s[i];
+        double xi, eta;
+        m->at(s->x[0], s->x[1], s->x[2], s->x[3], s->xs, &xi, &eta);
+        error[0][i] = fabs(xi - s->xi);
+        error[1][i] = fabs(eta - s->eta);
+    }
+    for (int k = 0; k < 2; k++) {
+        const struct error_stats e = error_stats_of(error[k], set->n);
+        snprintf(key, sizeof key, "%s_%s", part, k ? "eta" : "xi");
+        check_note(g, key, &e);
+        free(error[k]);
+    }
+}
+
+/* Rotations and reflections of the numbering give the same point of the segment. */
+static void renumber(const struct method *m, enum corner_order order, const struct sample *s)
+{
+    double loc[2], gap, first[2];
+    assert_int_equal(m->locate(s->x[0], s->x[1], s->x[2], s->x[3], s->xs, first, &gap), FOOTPOINT_OK);
+    for (int turn = 0; order != CORNERS_ANY && turn < 4; turn++) {
+        const double *const x[4] = {s->x[turn], s->x[(turn + 1) % 4], s->x[(turn + 2) % 4], s->x[(turn + 3) % 4]};
+        double g;
+        assert_int_equal(m->locate(x[0], x[1], x[2], x[3], s->xs, loc, &g), FOOTPOINT_OK);
+        const double xi = turn == 0 ? loc[0] : turn == 1 ? -loc[1] : turn == 2 ? -loc[0] : loc[1];
+        const double eta = turn == 0 ? loc[1] : turn == 1 ? loc[0] : turn == 2 ? -loc[1] : -loc[0];
+        if (!(fabs(xi - first[0]) <= 1e-9 && fabs(eta - first[1]) <= 1e-9 && fabs(g - gap) <= 1e-9 * (1 + fabs(gap))))
+            fail_msg("%s turn %d: (%a,%a) not (%a,%a)", m->name, turn, xi, eta, first[0], first[1]);
+    }
+}
+
+static void check_scene(const char *name)
+{
+    static const enum sample_part part[] = {PART_HELDOUT, PART_HELDOUT_RANDOM};
+    static const char *const key[] = {"heldout", "heldout_random"};
+    struct diag d = {0};
+    char path[300];
+    snprintf(path, sizeof path, "evolve/genomes/%s.gen", name);
+    struct genome_file *f = genome_read(path, &d);
+    struct scene *scene = f ? scene_read(".", name, &d) : NULL;
+    for (int p = 0; scene && p < 2; p++) {
+        struct sample_set set = {0};
+        if (!scene_samples(scene, part[p], &set, &d))
+            fail_msg("%s", d.text);
+        for (size_t i = 0; i < METHODS; i++) {
+            if (strcmp(methods[i].scene, name) != 0)
+                continue;
+            const struct genome *g = find_genome(f, methods[i].name);
+            assert_non_null(g);
+            measure(&methods[i], g, &set, key[p]);
+            for (size_t k = 0; p == 1 && k < set.n; k += 1 + set.n / 500) /* off the grid: there corners tie */
+                renumber(&methods[i], scene->order, &set.s[k]);
+        }
+        sample_set_free(&set);
+    }
+    if (!scene)
+        fail_msg("%s", d.text);
+    scene_free(scene);
+    genome_file_free(f);
+}
+
+static void test_scene(void **state)
+{
+    check_scene(*state);
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[METHODS];
+    size_t n = 0;
+    for (size_t i = 0; i < METHODS; i++)
+        if (i == 0 || strcmp(methods[i].scene, methods[i - 1].scene) != 0)
+            tests[n++] =
+                (struct CMUnitTest){methods[i].scene, test_scene, NULL, NULL, (void *)(uintptr_t)methods[i].scene};
+    return _cmocka_run_group_tests("headers", tests, n, NULL, NULL);
+}
