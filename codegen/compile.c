@@ -12,6 +12,12 @@ long operations_cost(const struct operations *ops)
     return ops->mul + ops->add + 8 * (ops->div + ops->sqrt) + ops->compare;
 }
 
+static bool cheaper(const struct operations *a, const struct operations *b)
+{
+    const long x = operations_cost(a), y = operations_cost(b);
+    return x < y || (x == y && a->mul < b->mul);
+}
+
 static struct emission run_passes(const struct genome_file *f, const struct dag *g, bool factor)
 {
     struct dag *shaped = factor ? horner_factor(g) : NULL;
@@ -36,7 +42,7 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, st
         struct emission e = run_passes(f, g, variant < 2);
         c->removed = g->removed;
         dag_free(g);
-        if (!c->emission.text || operations_cost(&e.ops) < operations_cost(&c->emission.ops)) {
+        if (!c->emission.text || cheaper(&e.ops, &c->emission.ops)) {
             free(c->emission.text);
             c->emission = e;
         } else

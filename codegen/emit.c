@@ -148,10 +148,21 @@ static char *whole_text(const struct text *t, enum precedence *level)
     return all;
 }
 
-/* coef * text for a coefficient > 0; counts the multiplication. */
+static bool is_two(const fmpq_t coef)
+{
+    return fmpz_is_one(fmpq_denref(coef)) && fmpz_cmpabs(fmpq_numref(coef), (fmpz[1]){2}) == 0;
+}
+
+/* coef * text for a coefficient > 0, as a factor or term; counts the operation. */
 static char *scaled_text(struct emitter *e, const fmpq_t coef, const struct text *t)
 {
     enum precedence level;
+    if (t->num && !t->den && t->level == ATOM && is_two(coef)) {
+        char *left = join("(", t->num, " + "), *twice = join(left, t->num, ")"); /* an addition, at no rounding error */
+        e->out->ops.add++;
+        free(left);
+        return twice;
+    }
     if (fmpq_is_one(coef))
         return t->den ? whole_text(t, &level) : factor_text(t);
     char *c = emit_rational(coef), *all;
@@ -367,20 +378,27 @@ static void print_node(struct emitter *e, int n)
     free(all);
 }
 
-/* Values that are written twice need names; so does a divisor of more than one factor or term, and what is inverted by
- * several users. */
+/* Values that are written twice (a square, 2x as x + x) need names; so does a divisor of more than one factor or term,
+ * and what is inverted by several users. */
 static void mark_named(struct emitter *e)
 {
     const struct dag *g = e->s->dag;
+    fmpq_t coef;
+    fmpq_init(coef);
     for (size_t i = 0; i < e->s->n; i++) {
         const struct node *n = &g->node[e->s->order[i]];
         for (size_t k = 0; k < n->edges; k++) {
-            const bool twice = n->edge[k].power > 1 || n->kind >= NODE_PDIV;
+            bool twice = n->edge[k].power > 1 || n->kind >= NODE_PDIV;
+            if (n->kind == NODE_SUM) {
+                schedule_coefficient(e->s, e->s->order[i], k, coef);
+                twice = is_two(coef);
+            }
             const bool divisor = n->kind == NODE_INVERSE && g->node[n->edge[k].node].kind != NODE_SUM;
             if (twice || divisor)
                 e->named[n->edge[k].node] = true;
         }
     }
+    fmpq_clear(coef);
 }
 
 static void print_output(struct emitter *e, size_t o)

@@ -130,7 +130,14 @@ static void factor_terms(struct factoring *f, struct term *t, size_t n, struct v
     fmpq_clear(one);
 }
 
-/* Terms of a sum, those of sums inside it that nothing else uses spread (iteratively: they may nest deep). */
+static bool joins(const struct factoring *f, const struct edge *e)
+{
+    return f->from->node[e->node].kind == NODE_SUM && f->uses[e->node] == 1 && fmpz_is_one(fmpq_denref(e->coef)) &&
+           fmpz_is_pm1(fmpq_numref(e->coef));
+}
+
+/* Terms of a sum, those of sums inside it that nothing else uses and that are not multiplied spread (iteratively: they
+ * may nest deep). */
 static void gather(const struct factoring *f, size_t node, struct edges *terms)
 {
     const struct node *n = &f->from->node[node];
@@ -138,7 +145,7 @@ static void gather(const struct factoring *f, size_t node, struct edges *terms)
         edges_add(terms, n->edge[i].coef, n->edge[i].node, 1);
     for (size_t i = 0; i < terms->n;) {
         const int k = terms->edge[i].node;
-        if (f->from->node[k].kind != NODE_SUM || f->uses[k] > 1) {
+        if (!joins(f, &terms->edge[i])) {
             i++;
             continue;
         }
@@ -222,11 +229,9 @@ struct dag *horner_factor(const struct dag *g)
     /* a sum spread into its only user is not built on its own */
     bool *spread = new_array(g->nodes, sizeof *spread);
     for (size_t n = 0; n < g->nodes; n++)
-        for (size_t i = 0; f.uses[n] && g->node[n].kind == NODE_SUM && i < g->node[n].edges; i++) {
-            const int k = g->node[n].edge[i].node;
-            if (g->node[k].kind == NODE_SUM && f.uses[k] == 1)
-                spread[k] = true;
-        }
+        for (size_t i = 0; f.uses[n] && g->node[n].kind == NODE_SUM && i < g->node[n].edges; i++)
+            if (joins(&f, &g->node[n].edge[i]))
+                spread[g->node[n].edge[i].node] = true;
     for (size_t n = 0; n < g->nodes; n++) {
         const struct node *node = &g->node[n];
         value_init(&f.image[n]);

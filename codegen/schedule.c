@@ -1,12 +1,12 @@
 /* Order: depth first from the outputs.  Scales: a sum may be computed as any multiple of itself, since whoever uses it
- * can take the multiple back; a local search picks, sum by sum, the multiple that leaves the fewest different
- * coefficients other than 1 and -1 (equal ones are taken out together when emitted). */
+ * can take the multiple back.  A local search moves the scales of like sums together (the x, y and z of a vector) and
+ * lets everything homogeneous in them follow, to leave the fewest coefficients other than 1 and -1. */
 #include "schedule.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SEARCHED = 300, SWEEPS = 3 };
+enum { MOST_SEARCHED = 1000, MOST_TERMS = 12, SWEEPS = 3 };
 
 static void order_nodes(struct schedule *s)
 {
@@ -69,12 +69,18 @@ static void derive_scale(struct schedule *s, int n)
     fmpq_clear(power);
 }
 
-static bool is_unit(const fmpq_t c)
+static bool is_whole(const fmpq_t c, long size)
 {
-    return fmpz_is_one(fmpq_denref(c)) && fmpz_is_pm1(fmpq_numref(c));
+    return fmpz_is_one(fmpq_denref(c)) && fmpz_cmpabs(fmpq_numref(c), (fmpz[1]){size}) == 0;
 }
 
-/* Different coefficients of a sum other than +-1, and one for a sum without any positive term. */
+/* Cost of multiplying by a coefficient: nothing for +-1, an addition for +-2, else a multiplication. */
+static long coefficient_cost(const fmpq_t c)
+{
+    return is_whole(c, 1) ? 0 : is_whole(c, 2) ? 1 : 2;
+}
+
+/* Equal coefficients of a sum are taken out together and count once; a sum without any positive term counts, too. */
 static long sum_cost(const struct schedule *s, int n, fmpq *coef)
 {
     const struct node *node = &s->dag->node[n];
@@ -84,92 +90,163 @@ static long sum_cost(const struct schedule *s, int n, fmpq *coef)
         schedule_coefficient(s, n, i, &coef[i]);
         positive |= fmpq_sgn(&coef[i]) > 0;
         fmpq_abs(&coef[i], &coef[i]);
-        bool counts = node->edge[i].node != 0 && !is_unit(&coef[i]);
+        bool counts = node->edge[i].node != 0;
         for (size_t k = 0; counts && k < i; k++)
             counts = !fmpq_equal(&coef[i], &coef[k]) || node->edge[k].node == 0;
-        cost += counts;
+        cost += counts ? 2 * coefficient_cost(&coef[i]) : 0;
     }
-    return 2 * cost + !positive;
+    return cost + !positive;
 }
 
-static long total_cost(struct schedule *s, fmpq *work)
+static long node_cost(const struct schedule *s, int n, fmpq *work)
 {
-    const struct dag *g = s->dag;
-    fmpq_t c;
+    const struct node *node = &s->dag->node[n];
     long cost = 0;
-    fmpq_init(c);
-    for (size_t i = 0; i < s->n; i++) {
-        const int n = s->order[i];
-        const enum node_kind kind = g->node[n].kind;
-        if (kind == NODE_SUM)
-            cost += sum_cost(s, n, work);
-        else {
-            derive_scale(s, n);
-            for (size_t k = 0; kind >= NODE_PDIV && k < g->node[n].edges; k++) {
-                schedule_coefficient(s, n, k, c);
-                cost += is_unit(c) ? 0 : 2;
-            }
-        }
+    if (node->kind == NODE_SUM)
+        return sum_cost(s, n, work);
+    for (size_t k = 0; node->kind >= NODE_PDIV && k < node->edges; k++) {
+        schedule_coefficient(s, n, k, &work[0]);
+        cost += 2 * coefficient_cost(&work[0]);
     }
-    for (size_t o = 0; o < g->outputs; o++) {
-        fmpq_div(c, g->output[o].coef, &s->scale[g->output[o].node]);
-        cost += is_unit(c) || g->output[o].node == 0 ? 0 : 2;
-        cost += fmpq_sgn(c) < 0;
-    }
-    fmpq_clear(c);
     return cost;
 }
 
-/* Tries scale `candidate` for sum n; keeps it if the total falls. */
-static void try_scale(struct schedule *s, int n, const fmpq_t candidate, long *least, fmpq *work)
+static long total_cost(const struct schedule *s, fmpq *work)
 {
-    fmpq_t kept;
-    fmpq_init(kept);
-    fmpq_set(kept, &s->scale[n]);
-    fmpq_set(&s->scale[n], candidate);
-    const long cost = total_cost(s, work);
-    if (cost < *least)
-        *least = cost;
-    else
-        fmpq_set(&s->scale[n], kept);
-    fmpq_clear(kept);
+    long cost = 0;
+    for (size_t i = 0; i < s->n; i++)
+        cost += node_cost(s, s->order[i], work);
+    for (size_t o = 0; o < s->dag->outputs; o++) {
+        const struct value *v = &s->dag->output[o];
+        fmpq_div(&work[0], v->coef, &s->scale[v->node]);
+        cost += v->node == 0 ? 0 : 2 * coefficient_cost(&work[0]) + (fmpq_sgn(&work[0]) < 0);
+    }
+    return cost;
+}
+
+/* State of the search: `trial` are the scales of a move under way, the schedule's own are the best so far. */
+struct search {
+    struct schedule *s;
+    fmpq *best, *work, *chosen; /* owned: by node; by edge; two */
+    int *level;                 /* owned: longest way from an input */
+    long least;
+};
+
+/* A sum whose terms have changed by factors takes the one of them that makes it cheapest: if all are the same, its
+ * coefficients stay as they are. */
+static void follow(struct search *x, int n)
+{
+    const struct node *node = &x->s->dag->node[n];
+    fmpq *scale = &x->s->scale[n], *cheapest = &x->chosen[0], *ratio = &x->chosen[1];
+    long least = node_cost(x->s, n, x->work);
+    fmpq_set(cheapest, scale);
+    for (size_t i = 0; i < node->edges && i < MOST_TERMS; i++) {
+        const int k = node->edge[i].node;
+        fmpq_div(ratio, &x->s->scale[k], &x->best[k]);
+        if (fmpq_is_one(ratio))
+            continue;
+        fmpq_mul(scale, &x->best[n], ratio);
+        const long cost = node_cost(x->s, n, x->work);
+        if (cost < least) {
+            least = cost;
+            fmpq_set(cheapest, scale);
+        }
+    }
+    fmpq_set(scale, cheapest);
+}
+
+/* Multiplies the scales of all sums like n (same level, same coefficients) by `factor`; what uses them follows.  The
+ * move stands if the total falls. */
+static void try_factor(struct search *x, int n, const fmpq_t factor)
+{
+    struct schedule *s = x->s;
+    const struct node *model = &s->dag->node[n];
+    if (fmpq_is_one(factor))
+        return;
+    for (size_t i = 0; i < s->n; i++) {
+        const int m = s->order[i];
+        const struct node *node = &s->dag->node[m];
+        bool alike = node->kind == NODE_SUM && x->level[m] == x->level[n] && node->edges == model->edges;
+        for (size_t k = 0; alike && k < node->edges; k++)
+            alike = fmpq_equal(node->edge[k].coef, model->edge[k].coef);
+        if (alike)
+            fmpq_mul(&s->scale[m], &s->scale[m], factor);
+        else if (node->kind == NODE_SUM)
+            follow(x, m);
+        else
+            derive_scale(s, m);
+    }
+    const long cost = total_cost(s, x->work);
+    const bool better = cost < x->least;
+    for (size_t i = 0; i < s->n; i++) {
+        const int m = s->order[i];
+        if (better)
+            fmpq_set(&x->best[m], &s->scale[m]);
+        else
+            fmpq_set(&s->scale[m], &x->best[m]);
+    }
+    if (better)
+        x->least = cost;
+}
+
+/* Factors that make one coefficient of the sum, or of a user, 1 or -1. */
+static void improve_sum(struct search *x, size_t position)
+{
+    struct schedule *s = x->s;
+    const struct dag *g = s->dag;
+    const int n = s->order[position];
+    fmpq_t c;
+    fmpq_init(c);
+    for (size_t k = 0; k < g->node[n].edges && k < MOST_TERMS; k++) {
+        schedule_coefficient(s, n, k, c);
+        fmpq_inv(c, c);
+        try_factor(x, n, c);
+    }
+    for (size_t j = position + 1; j < s->n; j++)
+        for (size_t k = 0; k < g->node[s->order[j]].edges; k++)
+            if (g->node[s->order[j]].kind == NODE_SUM && g->node[s->order[j]].edge[k].node == n) {
+                schedule_coefficient(s, s->order[j], k, c);
+                try_factor(x, n, c);
+            }
+    for (size_t o = 0; o < g->outputs; o++)
+        if (g->output[o].node == n) {
+            fmpq_div(c, g->output[o].coef, &s->scale[n]);
+            try_factor(x, n, c);
+        }
+    for (long factor = -1; factor <= 2; factor += 3) {
+        fmpq_set_si(c, factor, 1);
+        try_factor(x, n, c);
+    }
+    fmpq_clear(c);
 }
 
 static void search_scales(struct schedule *s, size_t widest)
 {
-    fmpq *work = _fmpq_vec_init((slong)widest);
-    fmpq_t c;
-    fmpq_init(c);
-    long least = total_cost(s, work);
+    struct search x = {.s = s};
+    x.best = _fmpq_vec_init((slong)s->dag->nodes);
+    x.work = _fmpq_vec_init((slong)widest);
+    x.chosen = _fmpq_vec_init(2);
+    x.level = new_array(s->dag->nodes, sizeof *x.level);
+    for (size_t i = 0; i < s->n; i++) {
+        const struct node *node = &s->dag->node[s->order[i]];
+        fmpq_one(&x.best[s->order[i]]);
+        for (size_t k = 0; k < node->edges; k++)
+            if (x.level[s->order[i]] <= x.level[node->edge[k].node])
+                x.level[s->order[i]] = x.level[node->edge[k].node] + 1;
+    }
+    x.least = total_cost(s, x.work);
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        const long before = least;
-        for (size_t i = 0; i < s->n; i++) {
-            const int n = s->order[i];
-            const struct node *node = &s->dag->node[n];
-            if (node->kind != NODE_SUM)
-                continue;
-            for (size_t k = 0; k < node->edges && k < 12; k++) { /* make this term's coefficient 1 */
-                fmpq_div(c, &s->scale[node->edge[k].node], node->edge[k].coef);
-                try_scale(s, n, c, &least, work);
-            }
-            for (size_t j = i + 1; j < s->n; j++) /* make a user's coefficient 1 */
-                for (size_t k = 0; k < s->dag->node[s->order[j]].edges; k++)
-                    if (s->dag->node[s->order[j]].kind == NODE_SUM && s->dag->node[s->order[j]].edge[k].node == n) {
-                        fmpq_mul(c, s->dag->node[s->order[j]].edge[k].coef, &s->scale[s->order[j]]);
-                        try_scale(s, n, c, &least, work);
-                    }
-            for (size_t o = 0; o < s->dag->outputs; o++)
-                if (s->dag->output[o].node == n)
-                    try_scale(s, n, s->dag->output[o].coef, &least, work);
-            fmpq_neg(c, &s->scale[n]);
-            try_scale(s, n, c, &least, work);
-        }
-        if (least == before)
+        const long before = x.least;
+        for (size_t i = 0; i < s->n; i++)
+            if (s->dag->node[s->order[i]].kind == NODE_SUM)
+                improve_sum(&x, i);
+        if (x.least == before)
             break;
     }
-    total_cost(s, work); /* leaves the derived scales of the choice kept */
-    fmpq_clear(c);
-    _fmpq_vec_clear(work, (slong)widest);
+    _fmpq_vec_clear(x.best, (slong)s->dag->nodes);
+    _fmpq_vec_clear(x.work, (slong)widest);
+    _fmpq_vec_clear(x.chosen, 2);
+    free(x.level);
 }
 
 struct schedule *schedule_new(const struct dag *g)
