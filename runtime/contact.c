@@ -1,0 +1,45 @@
+/* Normal, gap and forces of one contact pair: (6), (9), (10), (11); see footpoint.h. */
+#include "footpoint.h"
+#include "quad4.h"
+#include "vector.h"
+
+int footpoint_normal(const double corner[3], const double next[3], const double previous[3], double m[3])
+{
+    double c1[3], c2[3];
+    if (!vector_finite(corner) || !vector_finite(next) || !vector_finite(previous))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    vector_sub(next, corner, c1);
+    vector_sub(previous, corner, c2);
+    return vector_normal(c1, c2, m);
+}
+
+int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                  const double loc[2], const double m[3], double *gap)
+{
+    double d[3];
+    footpoint_quad4_offset(xA, xB, xC, xD, xS, loc[0], loc[1], d);
+    const double g = vector_dot(m, d);
+    if (!isfinite(g))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3], double fm[4][3])
+{
+    double phi[4], f[3];
+    if (!isfinite(gap) || !isfinite(stiffness) || !vector_finite(m) || !isfinite(loc[0]) || !isfinite(loc[1]))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    if (stiffness < 0.0)
+        return FOOTPOINT_ERR_ARGUMENT;
+    const double pressure = gap < 0.0 ? -gap * stiffness : 0.0;
+    footpoint_quad4_shape(loc[0], loc[1], phi);
+    for (int k = 0; k < 3; k++)
+        f[k] = pressure * m[k];
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            fm[i][k] = -phi[i] * f[k];
+    for (int k = 0; k < 3; k++)
+        fs[k] = f[k];
+    return FOOTPOINT_OK;
+}

@@ -1,0 +1,123 @@
+/* footpoint: where a slave node meets a four-node master segment, without iteration.
+ *
+ * A master segment is the bilinear surface r(xi,eta) = sum phi_i x_i of four corners
+ *     A = (-1,-1)   B = (1,-1)   C = (1,1)   D = (-1,1)        in (xi,eta),
+ * counter-clockwise seen from outside, so that normals point to where slave nodes come from.  Each node is passed as a
+ * pointer to its three coordinates, which may lie anywhere in the caller's arrays.  Coordinates are in any one unit of
+ * length ("mesh length"); edges between 1e-70 and 1e70 keep all products within the range of double.
+ *
+ * Functions return a status.  Unless it is FOOTPOINT_OK, outputs are untouched.  Nothing here allocates, prints, keeps
+ * state or takes anything but a C library's <math.h>; every function may be called from several threads.
+ *
+ * Equation numbers are those of Oishi and Yoshimura, "Genetic approaches to iteration-free local contact search",
+ * CMES 2008. */
+#ifndef FOOTPOINT_H
+#define FOOTPOINT_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Generated headers define the same macros; the values never change. */
+#ifndef FOOTPOINT_OK
+#define FOOTPOINT_OK 0
+#endif
+#ifndef FOOTPOINT_ERR_NOT_FINITE
+#define FOOTPOINT_ERR_NOT_FINITE 1 /* a coordinate is an infinity or not a number */
+#endif
+#ifndef FOOTPOINT_ERR_DEGENERATE
+#define FOOTPOINT_ERR_DEGENERATE 2 /* two corners coincide, or there is no area to take a normal from */
+#endif
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN 3 /* no such segment; the point lies outside what the answer holds for */
+#endif
+#ifndef FOOTPOINT_ERR_NO_CONVERGENCE
+#define FOOTPOINT_ERR_NO_CONVERGENCE 4 /* an iteration did not settle */
+#endif
+#ifndef FOOTPOINT_ERR_ARGUMENT
+#define FOOTPOINT_ERR_ARGUMENT 5 /* an index, count or parameter is out of range */
+#endif
+#ifndef FOOTPOINT_STATUS_COUNT
+#define FOOTPOINT_STATUS_COUNT 6
+#endif
+
+/** What a status means, as a short English phrase in lower case; "unknown status" for a number that is none. */
+const char *footpoint_strerror(int status);
+
+/** Foot point of one slave node on one segment: approximates (7), (8) by a fixed sequence of operations.  How far off
+ *  it may be stands in the banner of generated/footpoint_quad4.h, for the segments named there.
+ *  @param[out] loc  {xi, eta}, dimensionless; in [-1,1] if the foot point lies on the segment, not clamped to it
+ *  @param[out] gap  (xS - r(xi,eta)) . n with n the segment's own unit normal r_xi x r_eta / |r_xi x r_eta| at the foot
+ *                   point; mesh length, > 0 open, < 0 penetrating.  For (9) with the normal (6), call footpoint_gap.
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE */
+int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                     double loc[2], double *gap);
+
+/** footpoint_locate for n pairs of a slave node and a segment, out of one array of coordinates.
+ *  @param[in]  xyz     nodes x 3, mesh length
+ *  @param[in]  seg     n x 4 node indices A, B, C, D, from 0
+ *  @param[in]  slave   n node indices
+ *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is not FOOTPOINT_OK
+ *  @param[out] gap     n, as in footpoint_locate; likewise
+ *  @param[out] status  n, or NULL: as footpoint_locate, or FOOTPOINT_ERR_ARGUMENT where an index is out of range
+ *  @return how many pairs have a status other than FOOTPOINT_OK */
+size_t footpoint_locate_pairs(size_t n, const double *xyz, size_t nodes, const int *seg, const int *slave, double *loc,
+                              double *gap, int *status);
+
+/** Foot point by iteration, as a reference and for what the iteration-free search is not made for: from the centre, up
+ *  to three Gauss-Newton steps, then Newton's method on (7), (8) with the full Hessian.  It finds a stationary point of
+ *  the distance, as a rule the nearest; far from the segment or near its centre of curvature it may be another.
+ *  @param[in]  max_iterations  at least 1; 20 is plenty
+ *  @param[in]  tolerance       > 0: done when neither xi nor eta moves by more; 1e-12 suits most segments
+ *  @param[out] loc, gap        as in footpoint_locate
+ *  @param[out] iterations      steps taken, or NULL
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_NO_CONVERGENCE,
+ *          FOOTPOINT_ERR_ARGUMENT */
+int footpoint_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                     int max_iterations, double tolerance, double loc[2], double *gap, int *iterations);
+
+/** The segment that a slave node hits, among those that share its nearest master node P_m: criterion (3), (4) with (5),
+ *  (6), where c1 and c2 are the edges from P_m to the next and to the previous corner, and (4) reads
+ *  (c1 x r) . (r x c2) > 0.  In words: seen along the corner's normal, the slave node lies between the two edges.
+ *  A slave node over an edge, where a product vanishes to rounding, or over P_m itself, belongs to all segments there:
+ *  the first of them in the caller's order is chosen, if none holds it strictly inside.  A segment without area at P_m
+ *  is passed over.
+ *  @param[in]  xyz         coordinates by node index, mesh length
+ *  @param[in]  master      index of P_m
+ *  @param[in]  candidates  how many segments
+ *  @param[in]  seg         candidates x 4 node indices A, B, C, D; each must contain `master`
+ *  @param[out] chosen      which of the candidates, from 0
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT, FOOTPOINT_ERR_DOMAIN (none of them) */
+int footpoint_select_segment(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
+                             int *chosen);
+
+/** Unit normal (6) at a corner: m = c1 x c2 / |c1 x c2|, c1 the edge to the next corner, c2 to the previous one.
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (edges parallel or of no length) */
+int footpoint_normal(const double corner[3], const double next[3], const double previous[3], double m[3]);
+
+/** Gap (9) along a given unit normal: g = m . (xS - r(xi,eta)); mesh length, > 0 open, < 0 penetrating.
+ *  @param[in] loc  {xi, eta}
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE */
+int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                  const double loc[2], const double m[3], double *gap);
+
+/** Contact forces (10), (11): fs = -gap k m on the slave node, and its reaction fm[i] = -phi_i(xi,eta) fs on corner i.
+ *  (11) is printed without the minus; with it the five forces add up to zero, and so do their moments about the contact
+ *  point if m is the normal there.  All forces are zero when gap >= 0.
+ *  @param[in]  gap        mesh length
+ *  @param[in]  stiffness  k >= 0, force per mesh length
+ *  @param[in]  m          unit normal
+ *  @param[in]  loc        {xi, eta}
+ *  @param[out] fs         force on the slave node
+ *  @param[out] fm         fm[4][3], forces on A, B, C, D
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT (k < 0) */
+int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3],
+                    double fm[4][3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,80 @@
+/* Converged Newton iteration for the foot point (7), (8).  With d = xS - r the equations are r_xi . d = r_eta . d = 0;
+ * since r_xixi = r_etaeta = 0 and r_xieta = c3, the Hessian of |d|^2/2 is
+ *     [ r_xi . r_xi             r_xi . r_eta - c3 . d ]
+ *     [ r_xi . r_eta - c3 . d   r_eta . r_eta         ].
+ * Gauss-Newton drops c3 . d: always a descent direction, hence the first steps. */
+#include "footpoint.h"
+#include "quad4.h"
+#include "vector.h"
+
+#include <float.h>
+
+enum { GAUSS_NEWTON_STEPS = 3 };
+
+/* r = c0 + c1 xi + c2 eta + c3 xi eta, and d0 = xS - c0. */
+struct surface {
+    double c1[3], c2[3], c3[3], d0[3];
+};
+
+static struct surface surface_of(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                 const double xS[3])
+{
+    struct surface f;
+    for (int i = 0; i < 3; i++) {
+        const double ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];
+        f.c1[i] = 0.25 * (ab + dc);
+        f.c2[i] = 0.25 * (ad + bc);
+        f.c3[i] = 0.25 * (dc - ab);
+        f.d0[i] = (xS[i] - xA[i]) - (f.c1[i] + f.c2[i] - f.c3[i]);
+    }
+    return f;
+}
+
+/* One step from (xi,eta); false if its equations have no finite solution. */
+static int step(const struct surface *f, int gauss_newton, double xi, double eta, double move[2])
+{
+    double a[3], b[3], d[3];
+    for (int i = 0; i < 3; i++) {
+        a[i] = f->c1[i] + f->c3[i] * eta;
+        b[i] = f->c2[i] + f->c3[i] * xi;
+        d[i] = f->d0[i] - f->c1[i] * xi - b[i] * eta;
+    }
+    const double aa = vector_dot(a, a), bb = vector_dot(b, b), ad = vector_dot(a, d), bd = vector_dot(b, d);
+    const double ab = vector_dot(a, b) - (gauss_newton ? 0.0 : vector_dot(f->c3, d));
+    const double determinant = aa * bb - ab * ab;
+    /* Parallel r_xi and r_eta leave nothing but rounding. */
+    if (!(fabs(determinant) > 4.0 * DBL_EPSILON * (aa * bb)) || !isfinite(determinant))
+        return 0;
+    move[0] = (bb * ad - ab * bd) / determinant;
+    move[1] = (aa * bd - ab * ad) / determinant;
+    return isfinite(move[0]) && isfinite(move[1]);
+}
+
+int footpoint_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                     int max_iterations, double tolerance, double loc[2], double *gap, int *iterations)
+{
+    double xi = 0.0, eta = 0.0, move[2];
+    int status = footpoint_quad4_check(xA, xB, xC, xD, xS);
+    if (max_iterations < 1 || !(tolerance > 0.0))
+        return FOOTPOINT_ERR_ARGUMENT;
+    if (status != FOOTPOINT_OK)
+        return status;
+    const struct surface f = surface_of(xA, xB, xC, xD, xS);
+    for (int n = 1; n <= max_iterations; n++) {
+        if (!step(&f, n <= GAUSS_NEWTON_STEPS, xi, eta, move))
+            return n == 1 ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_ERR_NO_CONVERGENCE;
+        xi += move[0];
+        eta += move[1];
+        if (fabs(move[0]) > tolerance || fabs(move[1]) > tolerance)
+            continue;
+        status = footpoint_quad4_gap(xA, xB, xC, xD, xS, xi, eta, gap);
+        if (status != FOOTPOINT_OK)
+            return status;
+        loc[0] = xi;
+        loc[1] = eta;
+        if (iterations)
+            *iterations = n;
+        return FOOTPOINT_OK;
+    }
+    return FOOTPOINT_ERR_NO_CONVERGENCE;
+}

@@ -1,0 +1,69 @@
+/* Which segment around the nearest master node a slave node hits: criterion (3)-(6).  With n = c1 x c2, all of c1 x r,
+ * r x c2 and n are parallel, and the part of t along m drops out of n . (c1 x r) = n . (c1 x t).  So (3) and (4) are
+ *     n . (c1 x t) > 0   and   n . (t x c2) > 0,
+ * without a root or a division. */
+#include "footpoint.h"
+#include "vector.h"
+
+#include <float.h>
+
+/* Where a slave node lies against the angle between two edges. */
+enum place { OUTSIDE, ON_EDGE, INSIDE };
+
+/* The sign of n . (a x b), 0 within rounding. */
+static int side(const double n[3], const double a[3], const double b[3])
+{
+    double c[3];
+    vector_cross(a, b, c);
+    const double product = vector_dot(n, c);
+    const double size = sqrt(vector_dot(n, n)) * sqrt(vector_dot(a, a) * vector_dot(b, b));
+    if (fabs(product) <= 16.0 * DBL_EPSILON * size)
+        return 0;
+    return product > 0.0 ? 1 : -1;
+}
+
+static enum place place_of(const double c1[3], const double c2[3], const double t[3])
+{
+    double n[3];
+    vector_cross(c1, c2, n);
+    if (!(vector_dot(n, n) > 0.0))
+        return OUTSIDE;
+    const int first = side(n, c1, t), second = side(n, t, c2);
+    return first < 0 || second < 0 ? OUTSIDE : first > 0 && second > 0 ? INSIDE : ON_EDGE;
+}
+
+int footpoint_select_segment(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
+                             int *chosen)
+{
+    int found = -1;
+    if (master < 0 || candidates < 0)
+        return FOOTPOINT_ERR_ARGUMENT;
+    const double *const x = xyz + 3 * (size_t)master;
+    if (!vector_finite(xS) || !vector_finite(x))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (int s = 0; s < candidates; s++) {
+        const int *const node = seg + 4 * (size_t)s;
+        double c1[3], c2[3], t[3];
+        int k = 0;
+        while (k < 4 && node[k] != master)
+            k++;
+        if (k == 4 || node[(k + 1) % 4] < 0 || node[(k + 3) % 4] < 0)
+            return FOOTPOINT_ERR_ARGUMENT;
+        vector_sub(xyz + 3 * (size_t)node[(k + 1) % 4], x, c1);
+        vector_sub(xyz + 3 * (size_t)node[(k + 3) % 4], x, c2);
+        vector_sub(xS, x, t);
+        if (!vector_finite(c1) || !vector_finite(c2))
+            return FOOTPOINT_ERR_NOT_FINITE;
+        const enum place place = place_of(c1, c2, t);
+        if (place == INSIDE) {
+            *chosen = s;
+            return FOOTPOINT_OK;
+        }
+        if (place == ON_EDGE && found < 0)
+            found = s;
+    }
+    if (found < 0)
+        return FOOTPOINT_ERR_DOMAIN;
+    *chosen = found;
+    return FOOTPOINT_OK;
+}

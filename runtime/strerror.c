@@ -1,0 +1,15 @@
+/* Words for status codes; see footpoint.h. */
+#include "footpoint.h"
+
+const char *footpoint_strerror(int status)
+{
+    static const char *const text[FOOTPOINT_STATUS_COUNT] = {
+        [FOOTPOINT_OK] = "success",
+        [FOOTPOINT_ERR_NOT_FINITE] = "a coordinate is not finite",
+        [FOOTPOINT_ERR_DEGENERATE] = "the segment is degenerate",
+        [FOOTPOINT_ERR_DOMAIN] = "outside the domain",
+        [FOOTPOINT_ERR_NO_CONVERGENCE] = "the iteration did not converge",
+        [FOOTPOINT_ERR_ARGUMENT] = "an argument is out of range",
+    };
+    return status >= 0 && status < FOOTPOINT_STATUS_COUNT ? text[status] : "unknown status";
+}
