@@ -5,12 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-namespace
-{
-
 struct Counts {
     long mul = 0, div = 0, add = 0, sqrt = 0;
-} counts;
+};
+static Counts counts;
 
 struct Real {
     double value = 0;
@@ -20,66 +18,61 @@ struct Real {
     }
 };
 
-Real operator+(Real a, Real b)
+static Real operator+(Real a, Real b)
 {
     counts.add++;
     return a.value + b.value;
 }
-Real operator-(Real a, Real b)
+static Real operator-(Real a, Real b)
 {
     counts.add++;
     return a.value - b.value;
 }
-Real operator*(Real a, Real b)
+static Real operator*(Real a, Real b)
 {
     counts.mul++;
     return a.value * b.value;
 }
-Real operator/(Real a, Real b)
+static Real operator/(Real a, Real b)
 {
     counts.div++;
     return a.value / b.value;
 }
-Real sqrt(Real a)
+static Real sqrt(Real a)
 {
     counts.sqrt++;
     return std::sqrt(a.value);
 }
-Real operator-(Real a)
+static Real operator-(Real a)
 {
     return -a.value;
 }
-Real fabs(Real a)
+static Real fabs(Real a)
 {
     return std::fabs(a.value);
 }
-bool operator<(Real a, Real b)
+static bool operator<(Real a, Real b)
 {
     return a.value < b.value;
 }
-bool operator<=(Real a, Real b)
+static bool operator<=(Real a, Real b)
 {
     return a.value <= b.value;
 }
 
-} // namespace
-
 #define FOOTPOINT_REAL Real
 #include "rivals.h"
 
-namespace
-{
-
 // A warped segment and a slave node off it; no iteration converges at once.
-const Real xA[3] = {0.0, 0.0, 0.0}, xB[3] = {1.0, 0.1, 0.0}, xC[3] = {1.2, 0.9, 0.2}, xD[3] = {-0.1, 1.0, 0.0};
-const Real xS[3] = {0.3, 0.6, 0.4};
+static const Real xA[3] = {0.0, 0.0, 0.0}, xB[3] = {1.0, 0.1, 0.0}, xC[3] = {1.2, 0.9, 0.2}, xD[3] = {-0.1, 1.0, 0.0};
+static const Real xS[3] = {0.3, 0.6, 0.4};
 
-void print(const char *name, const Counts &c)
+static void print(const char *name, const Counts &c)
 {
     std::printf("{\"%s\", %ld, %ld, %ld, %ld},\n", name, c.mul, c.div, c.add, c.sqrt);
 }
 
-template <typename Search> void count(const char *name, Search search)
+template <typename Search> static void count(const char *name, Search search)
 {
     Real xi, eta;
     counts = Counts();
@@ -87,15 +80,13 @@ template <typename Search> void count(const char *name, Search search)
     print(name, counts);
 }
 
-Counts newton_steps(int most)
+static Counts newton_steps(int most)
 {
     Real xi, eta;
     counts = Counts();
     rival_newton(xA, xB, xC, xD, xS, most, 0.0, &xi, &eta);
     return counts;
 }
-
-} // namespace
 
 int main()
 {

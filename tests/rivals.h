@@ -69,6 +69,15 @@ enum rival_start { RIVAL_CENTRE, RIVAL_QUARTER };
 enum { RIVAL_NEWTON_GAUSS = 3, RIVAL_NEWTON_MAX = 50 };
 #define RIVAL_NEWTON_TOLERANCE 1e-10
 
+/** The methods as a table, in the order of the lists above. */
+typedef void rival_search(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta);
+struct rival {
+    const char *name;
+    rival_search *search;
+};
+extern const struct rival rivals[];
+extern const int rival_count;
+
 /* The segment about its starting point, scaled. */
 struct rival_basis {
     FOOTPOINT_REAL e1[3], e2[3], c3[3], d[3];

@@ -48,7 +48,8 @@ static void test_rules(void **state)
     check("/ x x", "1.0");
     check("% x x", "1.0");
     check("% x 0", "1.0");
-    check("% * 4 x 2", "2.0 * in_x");
+    check("% * 6 x 2", "3.0 * in_x");
+    check("* 2 x", "(in_x + in_x)");
     check("% 0 x", "(in_x == 0.0 ? 1.0 : 0.0 / in_x)"); /* 1 at x = 0: protected division keeps its meaning */
     check("% * x y x", "(in_x == 0.0 ? 1.0 : t1 / in_x)");
     check("+ 1.25 * 2 0.125", "1.5");

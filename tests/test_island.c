@@ -86,7 +86,7 @@ static void same_seed_same_result(void **state)
 {
     const struct fixture *f = *state;
     int first[1 + MAX_LENGTH], second[1 + MAX_LENGTH], other[1 + MAX_LENGTH];
-    const struct plan plan = {4, 60, SELECT_ROULETTE, 6};
+    const struct plan plan = {4, 60, SELECT_ROULETTE, 0, 6};
     const double error = evolved(f, &plan, 0, 10, first);
     evolved(f, &plan, 1, 10, other);
     assert_true(evolved(f, &plan, 0, 10, second) == error);
@@ -100,7 +100,7 @@ static void finds_a_known_target(void **state)
     int parcel[1 + MAX_LENGTH];
     const enum selection selection[] = {SELECT_ROULETTE, SELECT_TOURNAMENT};
     for (int k = 0; k < 2; k++) {
-        const struct plan plan = {1, 200, selection[k], 20};
+        const struct plan plan = {1, 200, selection[k], 0, 20};
         const double error = evolved(f, &plan, 0, 60, parcel);
         if (!(error < 1e-15))
             fail_msg("selection %d: x y + 0.5 is missed by %a", k, error);
@@ -114,7 +114,7 @@ static void seeds_survive(void **state)
     int good[] = {GENE_ADD, GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1, 0};
     good[4] = f->genes.constant[15];
     const struct tree seed = {good, 5};
-    const struct plan plan = {1, 20, SELECT_ROULETTE, 2};
+    const struct plan plan = {1, 20, SELECT_ROULETTE, 0, 2};
     const struct goal goal = goal_of(f, 0);
     struct judge *judge = judge_new(f->program, &f->table, NORM_MAX);
     struct island *is = island_new(&plan, &goal, judge);
@@ -130,19 +130,19 @@ static void seeds_survive(void **state)
 static void guests_take_the_place_of_the_worst(void **state)
 {
     const struct fixture *f = *state;
-    const struct plan plan = {1, 30, SELECT_TOURNAMENT, 3};
+    const struct plan plan = {1, 30, SELECT_TOURNAMENT, 0.01, 3};
     const struct goal goal = goal_of(f, 0), there = goal_of(f, 1);
     int seed_gene[] = {GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1};
     const struct tree seed = {seed_gene, 3};
     struct island *is = island_new(&plan, &goal, f->judge), *other = island_new(&plan, &there, f->judge);
     island_start(is, &seed);
     island_start(other, NULL);
-    const double error = island_best(is)->error, best = fmin(error, island_best(other)->error);
+    const double best = fmin(island_best(is)->demerit, island_best(other)->demerit);
     int *parcel = new_array(island_parcel_size(is, 3), sizeof *parcel);
     island_pack(is, 3, parcel);
     island_receive(other, 3, parcel);
     island_receive(other, 3, parcel); /* those that live there already change nothing */
-    assert_true(island_best(other)->error == best);
+    assert_true(island_best(other)->demerit == best);
     free(parcel);
     island_free(is);
     island_free(other);

@@ -56,11 +56,11 @@ END {
     print "** Mesh: gmsh, from blocks.geo, by make-meshes.sh."
     print "*INCLUDE, INPUT=" include
     collect("LOWER", 0)
-    block("LOWER", 0, 0, 4)
+    block("LOWER", 0, 0, 40 / 14)
     layer("LOWER_TOP", 0, 5)
-    collect("UPPER", 1000)
-    block("UPPER", 1, 1000, 32 / 14)
-    layer("UPPER_BOTTOM", 1000, 1)
+    collect("UPPER", 5000)
+    block("UPPER", 1, 5000, 32 / 20)
+    layer("UPPER_BOTTOM", 5000, 1)
     print "**"
     print "*SURFACE, NAME=Master, TYPE=ELEMENT"
     print "LOWER_TOP, S2"

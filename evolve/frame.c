@@ -1,0 +1,141 @@
+/* Frames; see frame.h.  Lets are evaluated by the same kernel as genomes, one column after the other. */
+#include "frame.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { NODES = 5, INPUTS = 3 * NODES };
+
+const char *const frame_output[2] = {"xi", "eta"};
+
+/* Lets whose value is the scene's: the reference point and the box that its contact points lie in. */
+enum { FROM_SCENE = 6 };
+static const char *const scene_let[FROM_SCENE] = {"xi0", "eta0", "xi_lo", "xi_hi", "eta_lo", "eta_hi"};
+
+static void scene_values(const struct scene *s, double value[FROM_SCENE])
+{
+    const double mesh_overhang = 0.1; /* as mesh pairs are sampled */
+    const double reach = 1 + 2 * (s->source == SOURCE_RANDOM ? s->shapes.overhang : mesh_overhang);
+    const bool lattice = s->source == SOURCE_LATTICE;
+    for (int k = 0; k < 2; k++) {
+        value[k] = s->reference[k];
+        value[2 + k] = lattice ? s->lattice.xi[k] : k ? reach : -reach;
+        value[4 + k] = lattice ? s->lattice.eta[k] : k ? reach : -reach;
+    }
+}
+
+void frame_number(double v, char text[32])
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, 32, "%.*g", digits, v);
+        if (strtod(text, NULL) == v)
+            break;
+    }
+}
+
+bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, struct genome_file *to, int *gene,
+                  struct diag *d)
+{
+    for (size_t i = 0; i < e->length; i++) {
+        gene[i] = e->gene[i];
+        if (gene[i] < 0) {
+            gene[i] = -1 - (int)genome_add_constant(to, from->constant[-1 - gene[i]].text);
+        } else if (gene[i] >= GENE_SYMBOL) {
+            const char *name = genome_symbol_name(from, (size_t)(gene[i] - GENE_SYMBOL));
+            const long k = genome_find_symbol(to, name);
+            if (k < 0)
+                return diag_at(d, from->path, e->line, 0, "'%s' uses '%s', which no frame of the scene defines",
+                               e->name, name);
+            gene[i] = GENE_SYMBOL + (int)k;
+        }
+    }
+    return true;
+}
+
+static bool add_let(const struct genome_file *frame, const struct genome_expr *let, const struct scene *s,
+                    struct genome_file *program, struct diag *d)
+{
+    if (genome_find_symbol(program, let->name) >= 0)
+        return diag_at(d, frame->path, let->line, 0, "'%s' is a value of another frame of the scene already",
+                       let->name);
+    double value[FROM_SCENE];
+    scene_values(s, value);
+    for (int k = 0; k < FROM_SCENE; k++)
+        if (strcmp(let->name, scene_let[k]) == 0) {
+            char text[32];
+            frame_number(value[k], text);
+            const int gene = -1 - (int)genome_add_constant(program, text);
+            genome_add_let(program, let->name, &gene, 1);
+            return true;
+        }
+    int *gene = new_array(let->length, sizeof *gene);
+    const bool good = frame_rebind(frame, let, program, gene, d);
+    if (good)
+        genome_add_let(program, let->name, gene, let->length);
+    free(gene);
+    return good;
+}
+
+static bool frame_is_new(const struct scene *s, size_t tier)
+{
+    for (size_t i = 0; i < tier; i++)
+        if (strcmp(s->tier[i].frame, s->tier[tier].frame) == 0)
+            return false;
+    return true;
+}
+
+static bool add_frame(const char *root, const struct scene *s, size_t tier, struct genome_file *program, struct diag *d)
+{
+    char path[1024];
+    const struct tier *t = &s->tier[tier];
+    snprintf(path, sizeof path, "%s/evolve/frames/%s.gen", root, t->frame);
+    struct genome_file *frame = genome_read(path, d);
+    if (!frame)
+        return false;
+    bool good = frame->genomes == 0 || diag_at(d, path, frame->genome[0].line, 0, "a frame holds no genomes");
+    for (size_t i = 0; good && i < frame->lets && frame_is_new(s, tier); i++)
+        good = add_let(frame, &frame->let[i], s, program, d);
+    for (size_t i = 0; good && i < t->terminals; i++)
+        if (genome_find_symbol(frame, t->terminal[i]) < 0)
+            good = diag_at(d, s->path, 0, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],
+                           t->frame);
+    genome_file_free(frame);
+    return good;
+}
+
+struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d)
+{
+    struct genome_file *program = genome_file_new(path);
+    for (int i = 0; i < INPUTS; i++)
+        genome_add_input(program, (const char[]){"xyz"[i % 3], "ABCDS"[i / 3], '\0'});
+    program->segment = new_text(s->segment, strlen(s->segment));
+    program->order = s->order;
+    for (size_t i = 0; i < s->tiers; i++)
+        if (!add_frame(root, s, i, program, d)) {
+            genome_file_free(program);
+            return NULL;
+        }
+    return program;
+}
+
+size_t frame_target(const struct genome_file *program, int output)
+{
+    return program->inputs + program->lets + (size_t)output;
+}
+
+struct columns frame_columns(struct kernel *k, const struct genome_file *program, const struct sample *s, size_t n)
+{
+    struct columns c = columns_new(n, frame_target(program, 2));
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < INPUTS; j++)
+            columns_at(&c, j)[i] = j < 12 ? s[i].x[j / 3][j % 3] : s[i].xs[j - 12];
+        columns_at(&c, frame_target(program, 0))[i] = s[i].xi;
+        columns_at(&c, frame_target(program, 1))[i] = s[i].eta;
+    }
+    for (size_t j = 0; j < program->lets; j++) {
+        const struct genome_expr *let = &program->let[j];
+        const struct kernel_task task = {let->gene, let->length, program->constant, &c};
+        kernel_values(k, &task, columns_at(&c, program->inputs + j));
+    }
+    return c;
+}

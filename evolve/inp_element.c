@@ -1,0 +1,87 @@
+/* Element types and their faces, by the numbering that Abaqus and CalculiX share.  The codes list the corners of a
+ * solid's face so that some normals point inwards; here all point outwards.  One table serves the linear and the
+ * quadratic element of a shape: a linear face uses the corners alone. */
+#include "inp.h"
+
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+static const struct inp_shape tetrahedron = {
+    4, {{3, {1, 3, 2, 7, 6, 5}}, {3, {1, 2, 4, 5, 9, 8}}, {3, {2, 3, 4, 6, 10, 9}}, {3, {3, 1, 4, 7, 8, 10}}}};
+
+static const struct inp_shape wedge = {5,
+                                       {{3, {1, 3, 2, 9, 8, 7}},
+                                        {3, {4, 5, 6, 10, 11, 12}},
+                                        {4, {1, 2, 5, 4, 7, 14, 10, 13}},
+                                        {4, {2, 3, 6, 5, 8, 15, 11, 14}},
+                                        {4, {3, 1, 4, 6, 9, 13, 12, 15}}}};
+
+static const struct inp_shape hexahedron = {6,
+                                            {{4, {1, 4, 3, 2, 12, 11, 10, 9}},
+                                             {4, {5, 6, 7, 8, 13, 14, 15, 16}},
+                                             {4, {1, 2, 6, 5, 9, 18, 13, 17}},
+                                             {4, {2, 3, 7, 6, 10, 19, 14, 18}},
+                                             {4, {3, 4, 8, 7, 11, 20, 15, 19}},
+                                             {4, {4, 1, 5, 8, 12, 17, 16, 20}}}};
+
+static const struct inp_shape triangle = {2, {{3, {1, 3, 2, 6, 5, 4}}, {3, {1, 2, 3, 4, 5, 6}}}};
+
+static const struct inp_shape quadrilateral = {2, {{4, {1, 4, 3, 2, 8, 7, 6, 5}}, {4, {1, 2, 3, 4, 5, 6, 7, 8}}}};
+
+/* Names up to the letters that say how an element is integrated, coupled or modified. */
+static const struct inp_type types[] = {
+    {"C3D4", 4, false, false, &tetrahedron},  {"C3D10", 10, false, true, &tetrahedron},
+    {"C3D6", 6, false, false, &wedge},        {"C3D15", 15, false, true, &wedge},
+    {"C3D8", 8, false, false, &hexahedron},   {"C3D20", 20, false, true, &hexahedron},
+    {"S3", 3, true, false, &triangle},        {"S6", 6, true, true, &triangle},
+    {"S4", 4, true, false, &quadrilateral},   {"S8", 8, true, true, &quadrilateral},
+    {"STRI3", 3, true, false, &triangle},     {"STRI65", 6, true, true, &triangle},
+    {"M3D3", 3, true, false, &triangle},      {"M3D6", 6, true, true, &triangle},
+    {"M3D4", 4, true, false, &quadrilateral}, {"M3D8", 8, true, true, &quadrilateral},
+    {"R3D3", 3, true, false, &triangle},      {"R3D4", 4, true, false, &quadrilateral},
+};
+
+const struct inp_type *inp_type_find(struct inp_text name)
+{
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+        const size_t base = strlen(types[i].name);
+        if (name.n < base || strncasecmp(name.s, types[i].name, base) != 0)
+            continue;
+        const struct inp_text variant = {name.s + base, name.n - base};
+        bool known = true;
+        for (size_t k = 0; k < variant.n; k++)
+            known &= strchr("RIMHTPESW", toupper((unsigned char)variant.s[k])) != NULL;
+        if (known || inp_equals(variant, "R5"))
+            return &types[i];
+    }
+    return NULL;
+}
+
+static const char *const labels[] = {"S1", "S2", "S3", "S4", "S5", "S6", "SNEG", "SPOS"};
+
+const char *inp_face_name(int label)
+{
+    return labels[label];
+}
+
+bool inp_face_read(struct inp_text t, int *label)
+{
+    for (int i = 0; i < (int)(sizeof labels / sizeof *labels); i++)
+        if (inp_equals(t, labels[i])) {
+            *label = i;
+            return true;
+        }
+    return false;
+}
+
+/* CalculiX calls a shell's faces S1 (negative) and S2 (positive) as well; a shell without a label shows the positive
+ * one. */
+int inp_face_index(const struct inp_type *type, int label)
+{
+    if (label == INP_FACE_NONE)
+        return type->shell ? 1 : -1;
+    if (label >= INP_MAX_FACES)
+        return type->shell ? label - INP_MAX_FACES : -1;
+    return label < type->shape->faces ? label : -1;
+}

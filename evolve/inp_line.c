@@ -1,0 +1,273 @@
+/* Lines of Abaqus and CalculiX input files.  A file is read whole and cut into lines in place; *INCLUDE pushes another
+ * file on a stack, so that nesting costs no recursion.  Rules common to both codes: a line that begins with ** is a
+ * comment, with * a keyword line, which the next line continues if it ends with a comma; every other line holds data in
+ * fields between commas.  Case and blanks mean nothing outside file names. */
+#include "inp.h"
+
+#include <ctype.h>
+#include <limits.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { MAX_INCLUDES = 10000, MAX_REAL = 63 };
+
+struct inp_shown inp_show(struct inp_text t)
+{
+    struct inp_shown shown;
+    snprintf(shown.s, sizeof shown.s, "%.*s%s", t.n > 40 ? 40 : (int)t.n, t.s, t.n > 40 ? "..." : "");
+    for (char *c = shown.s; *c; c++)
+        if (!isprint((unsigned char)*c))
+            *c = '?';
+    return shown;
+}
+
+bool inp_fail(const struct inp_lines *l, struct inp_place at, const char *format, ...)
+{
+    char what[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
+    return diag_at(l->d, l->file[at.file].path, at.line, 0, "%s", what);
+}
+
+/* Without outer blanks, and without one pair of quotes around the rest. */
+static struct inp_text strip(struct inp_text t)
+{
+    while (t.n > 0 && isspace((unsigned char)t.s[0])) {
+        t.s++;
+        t.n--;
+    }
+    while (t.n > 0 && isspace((unsigned char)t.s[t.n - 1]))
+        t.n--;
+    if (t.n > 1 && t.s[0] == '"' && t.s[t.n - 1] == '"') {
+        t.s++;
+        t.n -= 2;
+    }
+    return t;
+}
+
+/* Cut the text before the first `separator` outside quotes off *rest, separator and all. */
+static struct inp_text cut(struct inp_text *rest, char separator)
+{
+    size_t n = 0;
+    for (bool quoted = false; n < rest->n && (quoted || rest->s[n] != separator); n++)
+        quoted ^= rest->s[n] == '"';
+    const struct inp_text t = {rest->s, n};
+    n += n < rest->n;
+    rest->s += n;
+    rest->n -= n;
+    return t;
+}
+
+bool inp_equals(struct inp_text t, const char *word)
+{
+    for (size_t i = 0; i < t.n; i++)
+        if (!isspace((unsigned char)t.s[i]) && toupper((unsigned char)t.s[i]) != toupper((unsigned char)*word++))
+            return false;
+    return *word == '\0';
+}
+
+bool inp_number(struct inp_text t, int *number)
+{
+    long value = 0;
+    size_t i = t.n > 0 && t.s[0] == '+';
+    if (i == t.n)
+        return false;
+    for (; i < t.n; i++) {
+        if (!isdigit((unsigned char)t.s[i]))
+            return false;
+        value = 10 * value + (t.s[i] - '0');
+        if (value > INT_MAX)
+            return false;
+    }
+    *number = (int)value;
+    return value > 0;
+}
+
+bool inp_real(struct inp_text t, double *x)
+{
+    char text[MAX_REAL + 1], *end;
+    if (t.n == 0 || t.n > MAX_REAL)
+        return false;
+    for (size_t i = 0; i < t.n; i++) {
+        const char c = t.s[i];
+        if (c == 'x' || c == 'X' || c == '(' || isspace((unsigned char)c))
+            return false;
+        text[i] = c == 'd' || c == 'D' ? 'e' : c;
+    }
+    text[t.n] = '\0';
+    *x = strtod(text, &end);
+    return *end == '\0';
+}
+
+/* Open a file on top of the stack; `name` is what the current line calls it, or NULL for the model itself. */
+static bool push(struct inp_lines *l, const char *path, const struct inp_text *name)
+{
+    struct stat status = {0};
+    const bool found = stat(path, &status) == 0 && (!name || S_ISREG(status.st_mode));
+    size_t size = 0, f = 0;
+    char *text = found || !name ? read_text(path, &size, l->d) : NULL;
+    if (!text)
+        return name ? inp_fail(l, l->place, "cannot read included file '%s'", inp_show(*name).s) : false;
+    while (f < l->files && (l->file[f].device != status.st_dev || l->file[f].inode != status.st_ino))
+        f++;
+    for (size_t i = 0; i < l->depth; i++)
+        if (l->open[i].place.file == (int)f) {
+            free(text);
+            return inp_fail(l, l->place, "including '%s' again makes a cycle", inp_show(*name).s);
+        }
+    if (f == l->files) {
+        grow_array(&l->file, l->files, &l->file_room, sizeof *l->file);
+        l->file[l->files++] = (struct inp_file){new_text(path, strlen(path)), status.st_dev, status.st_ino};
+    }
+    grow_array(&l->open, l->depth, &l->open_room, sizeof *l->open);
+    l->open[l->depth++] = (struct inp_open){text, text, text + size, {(int)f, 0}};
+    const char *nul = memchr(text, '\0', size);
+    if (nul) {
+        struct inp_place at = {(int)f, 1};
+        for (const char *c = text; c < nul; c++)
+            at.line += *c == '\n';
+        return inp_fail(l, at, "not a text file: NUL byte");
+    }
+    if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
+        l->open[l->depth - 1].at += 3;
+    return true;
+}
+
+bool inp_open(struct inp_lines *l, const char *path, struct diag *d)
+{
+    *l = (struct inp_lines){.d = d};
+    return push(l, path, NULL);
+}
+
+void inp_close(struct inp_lines *l)
+{
+    while (l->depth > 0)
+        free(l->open[--l->depth].text);
+    for (size_t i = 0; i < l->files; i++)
+        free(l->file[i].path);
+    free(l->file);
+    free(l->open);
+    free(l->parameter);
+}
+
+bool inp_include(struct inp_lines *l, struct inp_text name)
+{
+    const char *from = l->file[l->place.file].path, *slash = strrchr(from, '/');
+    const size_t folder = slash && name.n > 0 && name.s[0] != '/' ? (size_t)(slash - from) + 1 : 0;
+    if (name.n == 0)
+        return inp_fail(l, l->place, "included file has no name");
+    if (l->includes++ == MAX_INCLUDES)
+        return inp_fail(l, l->place, "more than %d files included", MAX_INCLUDES);
+    char *path = new_array(folder + name.n + 1, 1);
+    memcpy(path, from, folder);
+    memcpy(path + folder, name.s, name.n);
+    const bool done = push(l, path, &name);
+    free(path);
+    return done;
+}
+
+/* Next line of a file that is neither blank nor a comment, without its outer blanks; false at the end. */
+static bool take_line(struct inp_open *f, struct inp_text *line)
+{
+    while (f->at < f->end) {
+        const char *start = f->at, *newline = memchr(start, '\n', (size_t)(f->end - start));
+        const char *stop = newline ? newline : f->end;
+        f->at = newline ? newline + 1 : f->end;
+        f->place.line++;
+        while (start < stop && isspace((unsigned char)*start))
+            start++;
+        while (start < stop && isspace((unsigned char)stop[-1]))
+            stop--;
+        *line = (struct inp_text){start, (size_t)(stop - start)};
+        if (line->n > 0 && !(line->n > 1 && start[0] == '*' && start[1] == '*'))
+            return true;
+    }
+    return false;
+}
+
+static bool ends_with_comma(struct inp_text line)
+{
+    return line.n > 0 && line.s[line.n - 1] == ',';
+}
+
+/* Split a keyword line into keyword and parameters, along with the lines that continue it. */
+static void split_keyword(struct inp_lines *l, struct inp_open *f, struct inp_text line)
+{
+    struct inp_text rest = line, word = cut(&rest, ',');
+    size_t n = 0;
+    for (size_t i = 1; i < word.n && n < sizeof l->keyword - 1; i++)
+        if (!isspace((unsigned char)word.s[i]))
+            l->keyword[n++] = (char)toupper((unsigned char)word.s[i]);
+    l->keyword[n] = '\0';
+    l->parameters = 0;
+    for (;;) {
+        while (rest.n > 0) {
+            struct inp_parameter p = {.value = cut(&rest, ',')};
+            p.key = strip(cut(&p.value, '='));
+            p.value = strip(p.value);
+            grow_array(&l->parameter, l->parameters, &l->parameter_room, sizeof p);
+            l->parameter[l->parameters++] = p;
+        }
+        const struct inp_open before = *f;
+        const bool continued = ends_with_comma(line) && take_line(f, &line);
+        if (!continued || line.s[0] == '*') {
+            *f = before;
+            return;
+        }
+        rest = line;
+    }
+}
+
+bool inp_next(struct inp_lines *l)
+{
+    while (l->depth > 0) {
+        struct inp_open *f = &l->open[l->depth - 1];
+        struct inp_text line;
+        if (!take_line(f, &line)) {
+            free(f->text);
+            l->depth--;
+            continue;
+        }
+        l->place = f->place;
+        if (line.s[0] != '*') {
+            l->kind = INP_DATA;
+            l->rest = line;
+            l->continues = ends_with_comma(line);
+            return true;
+        }
+        split_keyword(l, f, line);
+        l->kind = INP_KEYWORD;
+        if (strcmp(l->keyword, "INCLUDE") != 0)
+            return true;
+        struct inp_text name;
+        if (!inp_parameter(l, "INPUT", &name))
+            return inp_fail(l, l->place, "*INCLUDE has no INPUT=");
+        if (!inp_include(l, name))
+            return false;
+    }
+    l->kind = INP_END;
+    return true;
+}
+
+bool inp_parameter(const struct inp_lines *l, const char *key, struct inp_text *value)
+{
+    for (size_t i = 0; i < l->parameters; i++)
+        if (inp_equals(l->parameter[i].key, key)) {
+            *value = l->parameter[i].value;
+            return true;
+        }
+    return false;
+}
+
+bool inp_field(struct inp_lines *l, struct inp_text *field)
+{
+    if (l->rest.n == 0)
+        return false;
+    *field = strip(cut(&l->rest, ','));
+    return true;
+}

@@ -1,0 +1,406 @@
+/* Reader of Abaqus and CalculiX input files: nodes, elements, sets, surfaces and contact pairs, in a flat model as both
+ * codes accept it.  Other keywords (materials, steps, output) are skipped with their data; those that would move or
+ * make nodes or elements are refused, since skipping them would give another mesh.  Sets are kept as they are written
+ * and looked up when a contact pair needs them, so that definitions may come in any order. */
+#include "inp.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct reader {
+    struct inp_model *m;
+    size_t set;                  /* that receives nodes or elements, if any */
+    bool in_set, run, generate;  /* run: its last item may grow */
+    enum inp_what what;          /* of the set or surface */
+    const struct inp_type *type; /* of the elements */
+    bool needs_pair;             /* *CONTACT PAIR without a data line so far */
+    struct inp_place keyword;
+};
+
+#define FAIL(r, ...) inp_fail(&(r)->m->lines, (r)->m->lines.place, __VA_ARGS__)
+
+static const char *const what_name[] = {"node", "element"};
+
+static bool read_number(struct reader *r, struct inp_text t, int *number)
+{
+    return inp_number(t, number) || FAIL(r, "'%s' is not a whole number from 1 to 2147483647", inp_show(t).s);
+}
+
+static bool read_name(struct reader *r, struct inp_text t, int *name)
+{
+    *name = inp_names_index(&r->m->names, t);
+    return r->m->names.name[*name].text[0] ? true : FAIL(r, "name expected");
+}
+
+static void add_item(struct inp_items *items, struct inp_item item)
+{
+    grow_array(&items->item, items->n, &items->room, sizeof item);
+    items->item[items->n++] = item;
+}
+
+/* Member of a set or surface: a number, or the name of a set. */
+static bool read_member(struct reader *r, struct inp_text t, struct inp_item *item)
+{
+    *item = (struct inp_item){.name = -1, .step = 1, .face = INP_FACE_NONE, .at = r->m->lines.place};
+    if (inp_number(t, &item->first)) {
+        item->last = item->first;
+        return true;
+    }
+    bool digits = t.n > 0;
+    for (size_t i = 0; i < t.n; i++)
+        digits &= isdigit((unsigned char)t.s[i]) || t.s[i] == '-' || t.s[i] == '+';
+    return digits ? read_number(r, t, &item->first) : read_name(r, t, &item->name);
+}
+
+/* From here on `r` collects nodes or elements in the set of this name. */
+static bool open_set(struct reader *r, enum inp_what what, struct inp_text t)
+{
+    struct inp_model *m = r->m;
+    int name;
+    if (!read_name(r, t, &name))
+        return false;
+    int *set = &m->names.name[name].set[what];
+    if (*set < 0) {
+        grow_array(&m->set, m->sets, &m->set_room, sizeof *m->set);
+        *set = (int)m->sets;
+        m->set[m->sets++] = (struct inp_set){.visit = 0};
+    }
+    r->set = (size_t)*set;
+    r->in_set = true;
+    return true;
+}
+
+/* A node or element just defined joins the open set; numbers in a row share an item. */
+static void join_set(struct reader *r, int number)
+{
+    if (!r->in_set)
+        return;
+    struct inp_items *items = &r->m->set[r->set].items;
+    struct inp_item *last = r->run ? &items->item[items->n - 1] : NULL;
+    if (last && last->last == number - 1)
+        last->last = number;
+    else
+        add_item(items, (struct inp_item){-1, number, number, 1, INP_FACE_NONE, r->m->lines.place});
+    r->run = true;
+}
+
+/* Data lines may lie in a file of their own. */
+static bool follow_input(struct reader *r)
+{
+    struct inp_text file;
+    return inp_parameter(&r->m->lines, "INPUT", &file) ? inp_include(&r->m->lines, file) : true;
+}
+
+static bool begin_node(struct reader *r)
+{
+    struct inp_text t;
+    if (inp_parameter(&r->m->lines, "SYSTEM", &t) && !inp_equals(t, "R"))
+        return FAIL(r, "*NODE, SYSTEM=%s is not supported: rectangular coordinates only", inp_show(t).s);
+    if (inp_parameter(&r->m->lines, "NSET", &t) && !open_set(r, INP_NODE, t))
+        return false;
+    return follow_input(r);
+}
+
+static bool read_node(struct reader *r)
+{
+    struct inp_model *m = r->m;
+    struct inp_text t;
+    int number;
+    double x[3] = {0};
+    if (!inp_field(&m->lines, &t) || !read_number(r, t, &number))
+        return false;
+    for (int i = 0; i < 3 && inp_field(&m->lines, &t); i++) {
+        if (t.n > 0 && !inp_real(t, &x[i]))
+            return FAIL(r, "'%s' is not a number", inp_show(t).s);
+        if (!isfinite(x[i]))
+            return FAIL(r, "coordinate '%s' of node %d is not finite", inp_show(t).s, number);
+    }
+    grow_array(&m->xyz, m->nodes.n, &m->xyz_room, sizeof *m->xyz);
+    for (int i = 0; i < 3; i++)
+        m->xyz[m->nodes.n][i] = x[i];
+    inp_numbers_add(&m->nodes, number, m->lines.place);
+    join_set(r, number);
+    return true;
+}
+
+static bool begin_element(struct reader *r)
+{
+    struct inp_text t;
+    if (!inp_parameter(&r->m->lines, "TYPE", &t))
+        return FAIL(r, "*ELEMENT has no TYPE=");
+    r->type = inp_type_find(t);
+    if (!r->type)
+        return FAIL(r, "element type '%s' is not supported", inp_show(t).s);
+    if (inp_parameter(&r->m->lines, "ELSET", &t) && !open_set(r, INP_ELEMENT, t))
+        return false;
+    return follow_input(r);
+}
+
+/* Number and nodes of one element; a line that ends with a comma goes on in the next one until all nodes are there. */
+static bool read_element(struct reader *r)
+{
+    struct inp_model *m = r->m;
+    const struct inp_place at = m->lines.place;
+    struct inp_text t;
+    int number, nodes = 0;
+    if (!inp_field(&m->lines, &t) || !read_number(r, t, &number))
+        return false;
+    grow_array(&m->element, m->elements.n, &m->element_room, sizeof *m->element);
+    m->element[m->elements.n] = (struct inp_element){r->type, m->connections};
+    for (;;) {
+        while (inp_field(&m->lines, &t)) {
+            int node;
+            if (nodes == r->type->nodes)
+                return inp_fail(&m->lines, at, "element %d has more than the %d nodes of type %s", number, nodes,
+                                r->type->name);
+            if (!read_number(r, t, &node))
+                return false;
+            grow_array(&m->connectivity, m->connections, &m->connection_room, sizeof node);
+            m->connectivity[m->connections++] = node;
+            nodes++;
+        }
+        if (nodes == r->type->nodes)
+            break;
+        const bool continues = m->lines.continues;
+        if (continues && !inp_next(&m->lines))
+            return false;
+        if (!continues || m->lines.kind != INP_DATA)
+            return inp_fail(&m->lines, at, "element %d has %d nodes, but type %s has %d", number, nodes, r->type->name,
+                            r->type->nodes);
+    }
+    inp_numbers_add(&m->elements, number, at);
+    join_set(r, number);
+    return true;
+}
+
+static bool begin_set(struct reader *r, enum inp_what what)
+{
+    struct inp_text t;
+    const bool nodes = what == INP_NODE;
+    if (nodes && inp_parameter(&r->m->lines, "ELSET", &t))
+        return FAIL(r, "*NSET, ELSET= is not supported: list the nodes");
+    if (!inp_parameter(&r->m->lines, nodes ? "NSET" : "ELSET", &t))
+        return FAIL(r, nodes ? "*NSET has no NSET=" : "*ELSET has no ELSET=");
+    r->what = what;
+    r->generate = inp_parameter(&r->m->lines, "GENERATE", &(struct inp_text){0});
+    return open_set(r, what, t) && follow_input(r);
+}
+
+static bool begin_nset(struct reader *r)
+{
+    return begin_set(r, INP_NODE);
+}
+
+static bool begin_elset(struct reader *r)
+{
+    return begin_set(r, INP_ELEMENT);
+}
+
+static bool read_range(struct reader *r)
+{
+    struct inp_text t;
+    struct inp_item item = {-1, 0, 0, 1, INP_FACE_NONE, r->m->lines.place};
+    int *const value[3] = {&item.first, &item.last, &item.step};
+    int n = 0;
+    while (inp_field(&r->m->lines, &t)) {
+        if (n == 3)
+            return FAIL(r, "GENERATE takes first, last and step; '%s' is one too many", inp_show(t).s);
+        if (!read_number(r, t, value[n++]))
+            return false;
+    }
+    if (n < 2)
+        return FAIL(r, "GENERATE needs a first and a last number");
+    if (item.last < item.first)
+        return FAIL(r, "GENERATE runs from %d down to %d", item.first, item.last);
+    add_item(&r->m->set[r->set].items, item);
+    return true;
+}
+
+static bool read_set(struct reader *r)
+{
+    struct inp_text t;
+    struct inp_item item;
+    if (r->generate)
+        return read_range(r);
+    while (inp_field(&r->m->lines, &t)) {
+        if (t.n == 0)
+            continue;
+        if (!read_member(r, t, &item))
+            return false;
+        add_item(&r->m->set[r->set].items, item);
+    }
+    return true;
+}
+
+static bool begin_surface(struct reader *r)
+{
+    struct inp_model *m = r->m;
+    struct inp_text t = {"ELEMENT", 7};
+    int name;
+    inp_parameter(&m->lines, "TYPE", &t);
+    if (!inp_equals(t, "ELEMENT") && !inp_equals(t, "NODE"))
+        return FAIL(r, "surface type '%s' is not supported", inp_show(t).s);
+    r->what = inp_equals(t, "NODE") ? INP_NODE : INP_ELEMENT;
+    if (inp_parameter(&m->lines, "COMBINE", &t))
+        return FAIL(r, "*SURFACE, COMBINE= is not supported: list the faces");
+    if (!inp_parameter(&m->lines, "NAME", &t))
+        return FAIL(r, "*SURFACE has no NAME=");
+    if (!read_name(r, t, &name))
+        return false;
+    if (m->names.name[name].surface >= 0)
+        return FAIL(r, "surface '%s' is defined twice", inp_show(t).s);
+    m->names.name[name].surface = (int)m->surfaces;
+    grow_array(&m->surface, m->surfaces, &m->surface_room, sizeof *m->surface);
+    m->surface[m->surfaces++] = (struct inp_surface){.what = r->what, .at = m->lines.place};
+    return follow_input(r);
+}
+
+/* Node or node set (what follows is a node's area), or element or element set and face label. */
+static bool read_surface(struct reader *r)
+{
+    struct inp_text t;
+    struct inp_item item;
+    if (!inp_field(&r->m->lines, &t) || !read_member(r, t, &item))
+        return false;
+    if (r->what == INP_ELEMENT && inp_field(&r->m->lines, &t) && t.n > 0 && !inp_face_read(t, &item.face))
+        return FAIL(r, "face label '%s' is none of S1 to S6, SPOS and SNEG", inp_show(t).s);
+    add_item(&r->m->surface[r->m->surfaces - 1].items, item);
+    return true;
+}
+
+static bool begin_pair(struct reader *r)
+{
+    r->needs_pair = true;
+    return true;
+}
+
+static bool read_pair(struct reader *r)
+{
+    struct inp_model *m = r->m;
+    struct inp_text slave, master;
+    struct inp_pair pair = {.at = m->lines.place};
+    if (!inp_field(&m->lines, &slave) || !inp_field(&m->lines, &master) || slave.n == 0 || master.n == 0)
+        return FAIL(r, "contact pair needs a slave and a master surface");
+    if (!read_name(r, slave, &pair.slave) || !read_name(r, master, &pair.master))
+        return false;
+    grow_array(&m->pair, m->pairs, &m->pair_room, sizeof pair);
+    m->pair[m->pairs++] = pair;
+    r->needs_pair = false;
+    return true;
+}
+
+static const struct handler {
+    const char *keyword;
+    bool (*begin)(struct reader *r);
+    bool (*data)(struct reader *r);
+} handlers[] = {
+    {"NODE", begin_node, read_node},  {"ELEMENT", begin_element, read_element}, {"NSET", begin_nset, read_set},
+    {"ELSET", begin_elset, read_set}, {"SURFACE", begin_surface, read_surface}, {"CONTACTPAIR", begin_pair, read_pair},
+};
+
+#define FLAT "an assembly of parts; write the model flat, without *PART and *INSTANCE"
+#define NODES "it makes or moves nodes; list them in global coordinates"
+#define ELEMENTS "it makes elements; list them"
+
+static const char *const refused[][2] = {
+    {"PART", FLAT},   {"INSTANCE", FLAT}, {"ASSEMBLY", FLAT}, {"NGEN", NODES},     {"NFILL", NODES},
+    {"NCOPY", NODES}, {"NMAP", NODES},    {"SYSTEM", NODES},  {"ELGEN", ELEMENTS}, {"ELCOPY", ELEMENTS},
+};
+
+/* *handler is NULL where the keyword's data are to be skipped. */
+static bool begin_keyword(struct reader *r, const struct handler **handler)
+{
+    const struct inp_text keyword = {r->m->lines.keyword, strlen(r->m->lines.keyword)};
+    if (r->needs_pair)
+        return inp_fail(&r->m->lines, r->keyword, "*CONTACT PAIR names no surfaces");
+    r->keyword = r->m->lines.place;
+    r->in_set = r->run = false;
+    *handler = NULL;
+    if (r->m->lines.kind == INP_END)
+        return true;
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
+        if (inp_equals(keyword, refused[i][0]))
+            return FAIL(r, "*%s is not supported: %s", refused[i][0], refused[i][1]);
+    for (size_t i = 0; i < sizeof handlers / sizeof *handlers; i++)
+        if (inp_equals(keyword, handlers[i].keyword)) {
+            *handler = &handlers[i];
+            return handlers[i].begin(r);
+        }
+    return true;
+}
+
+static bool read_lines(struct reader *r)
+{
+    struct inp_lines *l = &r->m->lines;
+    const struct handler *handler = NULL;
+    bool started = false;
+    for (;;) {
+        if (!inp_next(l))
+            return false;
+        if (l->kind != INP_DATA) {
+            if (!begin_keyword(r, &handler))
+                return false;
+            if (l->kind == INP_END)
+                return true;
+            started = true;
+        } else if (!started)
+            return FAIL(r, "data before the first keyword: not an input file");
+        else if (handler && !handler->data(r))
+            return false;
+    }
+}
+
+/* Sort the tables and turn the elements' node numbers into positions. */
+static bool link_elements(struct inp_model *m)
+{
+    const struct inp_entry *repeated;
+    for (int what = INP_NODE; what <= INP_ELEMENT; what++) {
+        repeated = inp_numbers_sort(what == INP_NODE ? &m->nodes : &m->elements);
+        if (repeated)
+            return inp_fail(&m->lines, repeated->at, "%s %d is defined twice", what_name[what], repeated->number);
+    }
+    for (size_t i = 0; i < m->elements.n; i++) {
+        const struct inp_entry *e = &m->elements.entry[i];
+        int *node = &m->connectivity[m->element[e->order].first];
+        for (int k = 0; k < m->element[e->order].type->nodes; k++) {
+            const size_t at = inp_numbers_find(&m->nodes, node[k]);
+            if (at == m->nodes.n || m->nodes.entry[at].number != node[k])
+                return inp_fail(&m->lines, e->at, "node %d of element %d is not defined", node[k], e->number);
+            node[k] = (int)at;
+        }
+    }
+    return true;
+}
+
+struct inp_model *inp_read(const char *path, struct diag *d)
+{
+    struct inp_model *m = new_array(1, sizeof *m);
+    struct reader r = {.m = m};
+    if (inp_open(&m->lines, path, d) && read_lines(&r) && link_elements(m))
+        return m;
+    inp_free(m);
+    return NULL;
+}
+
+void inp_free(struct inp_model *m)
+{
+    if (!m)
+        return;
+    for (size_t i = 0; i < m->sets; i++)
+        free(m->set[i].items.item);
+    for (size_t i = 0; i < m->surfaces; i++)
+        free(m->surface[i].items.item);
+    inp_close(&m->lines);
+    inp_names_clear(&m->names);
+    free(m->nodes.entry);
+    free(m->elements.entry);
+    free(m->xyz);
+    free(m->element);
+    free(m->connectivity);
+    free(m->set);
+    free(m->surface);
+    free(m->pair);
+    free(m);
+}

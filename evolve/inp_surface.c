@@ -1,0 +1,210 @@
+/* From names to nodes and faces: sets within sets, numbers and ranges within sets, surfaces made of them.  Sets are
+ * walked with a stack of their own and each once, so that deep nesting and sets that contain themselves are harmless.
+ */
+#include "inp.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const what_name[] = {"node", "element"};
+
+/* Search for the members of sets: positions in a sorted table, each once thanks to `mark`. */
+struct search {
+    struct inp_model *m;
+    enum inp_what what;
+    const struct inp_numbers *table; /* not owned */
+    unsigned char *mark;             /* owned; by position */
+    struct inp_list found;           /* found.index owned */
+    struct inp_list pending;         /* owned; sets to be walked */
+};
+
+static void append(struct inp_list *list, size_t value)
+{
+    grow_array(&list->index, list->n, &list->room, sizeof value);
+    list->index[list->n++] = value;
+}
+
+static struct search search_new(struct inp_model *m, enum inp_what what)
+{
+    struct search s = {.m = m, .what = what, .table = what == INP_NODE ? &m->nodes : &m->elements};
+    s.mark = new_array(s.table->n, 1);
+    return s;
+}
+
+static void search_clear(struct search *s)
+{
+    free(s->mark);
+    free(s->found.index);
+    free(s->pending.index);
+}
+
+/* Numbers that are listed must be defined; of a range, at least one. */
+static bool find_numbers(struct search *s, const struct inp_item *item)
+{
+    const struct inp_numbers *t = s->table;
+    bool any = false;
+    for (size_t i = inp_numbers_find(t, item->first); i < t->n && t->entry[i].number <= item->last; i++) {
+        if ((t->entry[i].number - item->first) % item->step != 0)
+            continue;
+        any = true;
+        if (!s->mark[i])
+            append(&s->found, i);
+        s->mark[i] = 1;
+    }
+    if (any)
+        return true;
+    if (item->first == item->last)
+        return inp_fail(&s->m->lines, item->at, "%s %d is not defined", what_name[s->what], item->first);
+    return inp_fail(&s->m->lines, item->at, "no %s from %d to %d is defined", what_name[s->what], item->first,
+                    item->last);
+}
+
+static bool find_item(struct search *s, const struct inp_item *item)
+{
+    struct inp_model *m = s->m;
+    if (item->name < 0)
+        return find_numbers(s, item);
+    const struct inp_name *name = &m->names.name[item->name];
+    const int set = name->set[s->what];
+    if (set < 0)
+        return inp_fail(&m->lines, item->at, "%s set '%s' is not defined", what_name[s->what],
+                        inp_show((struct inp_text){name->text, strlen(name->text)}).s);
+    if (m->set[set].visit == m->visits)
+        return true;
+    m->set[set].visit = m->visits;
+    append(&s->pending, (size_t)set);
+    return true;
+}
+
+/* Add what a line of a surface names. */
+static bool find(struct search *s, const struct inp_item *line)
+{
+    struct inp_model *m = s->m;
+    m->visits++;
+    if (!find_item(s, line))
+        return false;
+    while (s->pending.n > 0) {
+        const struct inp_items *items = &m->set[s->pending.index[--s->pending.n]].items;
+        for (size_t i = 0; i < items->n; i++)
+            if (!find_item(s, &items->item[i]))
+                return false;
+    }
+    return true;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const size_t p = *(const size_t *)a, q = *(const size_t *)b;
+    return (p > q) - (p < q);
+}
+
+static struct inp_shown name_of(const struct inp_model *m, int name)
+{
+    const char *text = m->names.name[name].text;
+    return inp_show((struct inp_text){text, strlen(text)});
+}
+
+static const struct inp_surface *surface_of(const struct inp_model *m, int name, struct inp_place at)
+{
+    const int s = m->names.name[name].surface;
+    if (s >= 0)
+        return &m->surface[s];
+    inp_fail(&m->lines, at, "surface '%s' is not defined", name_of(m, name).s);
+    return NULL;
+}
+
+/* Sort what was found; a surface without anything is an error. */
+static bool finish(const struct inp_model *m, int name, const struct inp_surface *s, struct inp_list *list)
+{
+    if (list->n == 0)
+        return inp_fail(&m->lines, s->at, "surface '%s' is empty", name_of(m, name).s);
+    qsort(list->index, list->n, sizeof *list->index, ascending);
+    return true;
+}
+
+/* Faces with one line's label of the elements found; taken: one bit for each face of each element. */
+static bool add_faces(const struct search *e, const struct inp_item *line, unsigned char *taken, struct inp_list *faces)
+{
+    for (size_t i = 0; i < e->found.n; i++) {
+        const size_t at = e->found.index[i];
+        const struct inp_entry *entry = &e->m->elements.entry[at];
+        const struct inp_type *type = e->m->element[entry->order].type;
+        const int face = inp_face_index(type, line->face);
+        if (face < 0 && line->face == INP_FACE_NONE)
+            return inp_fail(&e->m->lines, line->at, "element %d of type %s is solid and needs a face label, S1 to S%d",
+                            entry->number, type->name, type->shape->faces);
+        if (face < 0)
+            return inp_fail(&e->m->lines, line->at, "element %d of type %s has no face %s", entry->number, type->name,
+                            inp_face_name(line->face));
+        if (!(taken[at] & (1 << face)))
+            append(faces, INP_MAX_FACES * at + (size_t)face);
+        taken[at] = (unsigned char)(taken[at] | (1 << face));
+    }
+    return true;
+}
+
+static bool surface_faces(struct inp_model *m, int name, const struct inp_surface *s, struct inp_list *faces)
+{
+    struct search e = search_new(m, INP_ELEMENT);
+    unsigned char *taken = new_array(m->elements.n, 1);
+    bool done = true;
+    for (size_t i = 0; i < s->items.n && done; i++) {
+        done = find(&e, &s->items.item[i]) && add_faces(&e, &s->items.item[i], taken, faces);
+        while (e.found.n > 0)
+            e.mark[e.found.index[--e.found.n]] = 0;
+    }
+    free(taken);
+    search_clear(&e);
+    return done && finish(m, name, s, faces);
+}
+
+int inp_face_nodes(const struct inp_model *m, size_t face, int node[8])
+{
+    const struct inp_element *e = &m->element[m->elements.entry[face / INP_MAX_FACES].order];
+    const struct inp_shape *shape = e->type->shape;
+    const int corners = shape->face[face % INP_MAX_FACES].corners, n = e->type->quadratic ? 2 * corners : corners;
+    for (int i = 0; i < n; i++)
+        node[i] = m->connectivity[e->first + shape->face[face % INP_MAX_FACES].node[i] - 1];
+    return n;
+}
+
+bool inp_master_faces(struct inp_model *m, const struct inp_pair *pair, struct inp_list *faces)
+{
+    const struct inp_surface *s = surface_of(m, pair->master, pair->at);
+    if (s && s->what == INP_NODE)
+        return inp_fail(&m->lines, pair->at, "master surface '%s' is made of nodes; it must be made of element faces",
+                        name_of(m, pair->master).s);
+    return s && surface_faces(m, pair->master, s, faces);
+}
+
+/* Nodes of element faces, each once. */
+static void add_nodes(struct search *nodes, const struct inp_list *faces)
+{
+    for (size_t i = 0; i < faces->n; i++) {
+        int node[8];
+        for (int k = inp_face_nodes(nodes->m, faces->index[i], node); k-- > 0; nodes->mark[node[k]] = 1)
+            if (!nodes->mark[node[k]])
+                append(&nodes->found, (size_t)node[k]);
+    }
+}
+
+bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes)
+{
+    const struct inp_surface *s = surface_of(m, pair->slave, pair->at);
+    if (!s)
+        return false;
+    struct search search = search_new(m, INP_NODE);
+    struct inp_list faces = {0};
+    bool done = true;
+    if (s->what == INP_ELEMENT) {
+        done = surface_faces(m, pair->slave, s, &faces);
+        add_nodes(&search, &faces);
+    } else
+        for (size_t i = 0; i < s->items.n && done; i++)
+            done = find(&search, &s->items.item[i]);
+    *nodes = search.found;
+    search.found = (struct inp_list){0};
+    search_clear(&search);
+    free(faces.index);
+    return done && finish(m, pair->slave, s, nodes);
+}

@@ -1,0 +1,80 @@
+/* Contact surfaces of an Abaqus or CalculiX input file: the model as the file tells it (inp_read.c), its sets and
+ * surfaces resolved (inp_surface.c), copied out as node coordinates and, for each contact pair, slave nodes and master
+ * faces. */
+#include "mesh.h"
+#include "inp.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void copy_nodes(const struct inp_model *m, struct mesh *mesh)
+{
+    mesh->nodes = m->nodes.n;
+    mesh->xyz = new_array(mesh->nodes, sizeof *mesh->xyz);
+    mesh->label = new_array(mesh->nodes, sizeof *mesh->label);
+    for (size_t i = 0; i < mesh->nodes; i++) {
+        mesh->label[i] = m->nodes.entry[i].number;
+        memcpy(mesh->xyz[i], m->xyz[m->nodes.entry[i].order], sizeof mesh->xyz[i]);
+    }
+}
+
+static char *copy_name(const struct inp_model *m, int name)
+{
+    const char *text = m->names.name[name].text;
+    return new_text(text, strlen(text));
+}
+
+static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct mesh_pair *to)
+{
+    struct inp_list slaves = {0}, masters = {0};
+    const bool done = inp_slave_nodes(m, pair, &slaves) && inp_master_faces(m, pair, &masters);
+    if (done) {
+        to->slave_name = copy_name(m, pair->slave);
+        to->master_name = copy_name(m, pair->master);
+        to->slave = new_array(slaves.n, sizeof *to->slave);
+        to->master = new_array(masters.n, sizeof *to->master);
+        for (to->slaves = 0; to->slaves < slaves.n; to->slaves++)
+            to->slave[to->slaves] = (int)slaves.index[to->slaves];
+        for (to->masters = 0; to->masters < masters.n; to->masters++) {
+            struct mesh_face *face = &to->master[to->masters];
+            face->nodes = inp_face_nodes(m, masters.index[to->masters], face->node);
+        }
+    }
+    free(slaves.index);
+    free(masters.index);
+    return done;
+}
+
+struct mesh *mesh_read(const char *path, struct diag *d)
+{
+    struct inp_model *m = inp_read(path, d);
+    if (!m)
+        return NULL;
+    struct mesh *mesh = new_array(1, sizeof *mesh);
+    bool done = m->pairs > 0 || diag_at(d, path, 0, 0, "no contact pair: *CONTACT PAIR expected");
+    copy_nodes(m, mesh);
+    mesh->pair = new_array(m->pairs, sizeof *mesh->pair);
+    for (mesh->pairs = 0; done && mesh->pairs < m->pairs; mesh->pairs++)
+        done = copy_pair(m, &m->pair[mesh->pairs], &mesh->pair[mesh->pairs]);
+    inp_free(m);
+    if (done)
+        return mesh;
+    mesh_free(mesh);
+    return NULL;
+}
+
+void mesh_free(struct mesh *m)
+{
+    if (!m)
+        return;
+    for (size_t i = 0; i < m->pairs; i++) {
+        free(m->pair[i].slave_name);
+        free(m->pair[i].master_name);
+        free(m->pair[i].slave);
+        free(m->pair[i].master);
+    }
+    free(m->xyz);
+    free(m->label);
+    free(m->pair);
+    free(m);
+}

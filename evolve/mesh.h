@@ -1,0 +1,32 @@
+/* Contact surfaces of an Abaqus or CalculiX input file. */
+#ifndef FOOTPOINT_MESH_H
+#define FOOTPOINT_MESH_H
+
+#include "../codegen/base.h"
+
+/** Corner nodes (and mid-side nodes, in Abaqus order) of one element face, counter-clockwise seen from outside. */
+struct mesh_face {
+    int nodes;   /* 3, 4, 6 or 8 */
+    int node[8]; /* indices into xyz */
+};
+
+/** The slave nodes and the master faces of all contact pairs of a model. */
+struct mesh {
+    double (*xyz)[3]; /* owned; nodes x 3, mesh length */
+    int *label;       /* owned; the file's own node numbers */
+    size_t nodes;
+    struct mesh_pair {
+        char *slave_name, *master_name; /* owned */
+        int *slave;                     /* owned: node indices, ascending by label, each once */
+        size_t slaves;
+        struct mesh_face *master; /* owned */
+        size_t masters;
+    } * pair; /* owned */
+    size_t pairs;
+};
+
+/** Read a model.  Returns NULL with *d "file:line: error: ..." (line within the included file where it stands). */
+struct mesh *mesh_read(const char *path, struct diag *d);
+void mesh_free(struct mesh *m);
+
+#endif

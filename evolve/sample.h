@@ -1,0 +1,22 @@
+/* A sample: one segment, one slave node and its certain foot point.  Sets of them are what scenes are made of. */
+#ifndef FOOTPOINT_SAMPLE_H
+#define FOOTPOINT_SAMPLE_H
+
+#include <stddef.h>
+
+struct sample {
+    double x[4][3]; /* corners A, B, C, D at (xi,eta) = (-1,-1), (1,-1), (1,1), (-1,1); any length unit */
+    double xs[3];   /* slave node; same unit */
+    double xi, eta; /* foot point, dimensionless */
+    double gap;     /* (xs - r(xi,eta)) . n, n the unit normal there, right-handed in xi, eta; same unit as x */
+};
+
+struct sample_set {
+    struct sample *s; /* owned */
+    size_t n, room;
+};
+
+void sample_set_add(struct sample_set *set, const struct sample *s);
+void sample_set_free(struct sample_set *set);
+
+#endif

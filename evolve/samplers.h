@@ -1,0 +1,23 @@
+/* Where the samples of a scene come from: one function for each kind of source; scene_samples (scene.h) dispatches. */
+#ifndef FOOTPOINT_SAMPLERS_H
+#define FOOTPOINT_SAMPLERS_H
+
+#include "scene.h"
+
+#include <gsl/gsl_rng.h>
+
+bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
+bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
+bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
+
+/** A random slave node of segment s->x: s->xs = r(xi,eta) + gap n with (xi,eta) uniform in the box -reach..reach and
+ *  gap uniform in -gap..gap (mesh length), labelled with its certain foot point.  False, to be drawn again, when
+ * another point of the box is nearer. */
+bool place_slave(gsl_rng *stream, double reach, double gap, struct sample *s);
+
+/** Renumber the corners as the order says, and the foot point with them: A becomes the corner nearest to the slave
+ *  node (the first of equals), for CORNERS_NEAREST_SHORTER with |AD| <= |AB|, which may exchange xi and eta and so turn
+ *  the normal. */
+void sample_order(struct sample *s, enum corner_order order);
+
+#endif

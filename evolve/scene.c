@@ -1,0 +1,476 @@
+/* Reads a scene: a libconfig text (scenes/, README.md for its meaning).  Every key, type, unit and range is checked,
+ * and each complaint names its line. */
+#include "samplers.h"
+
+#include <errno.h>
+#include <gsl/gsl_math.h>
+#include <libconfig.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What a complaint needs, and the first complaint. */
+struct reader {
+    const char *path;
+    struct diag *d;
+};
+
+static bool fail(const struct reader *r, const config_setting_t *s, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static bool fail(const struct reader *r, const config_setting_t *s, const char *format, ...)
+{
+    char text[300];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    diag_at(r->d, r->path, (int)config_setting_source_line(s), 0, "%s", text);
+    return false;
+}
+
+/* All keys of a group are among `known`, and those before the NULL-separated rest are there. */
+static bool check_keys(const struct reader *r, config_setting_t *group, const char *what, const char *const *required,
+                       const char *const *optional)
+{
+    for (int i = 0; i < config_setting_length(group); i++) {
+        const config_setting_t *s = config_setting_get_elem(group, (unsigned)i);
+        const char *key = config_setting_name(s);
+        bool known = false;
+        for (const char *const *k = required; *k; k++)
+            known = known || strcmp(*k, key) == 0;
+        for (const char *const *k = optional; *k; k++)
+            known = known || strcmp(*k, key) == 0;
+        if (!known)
+            return fail(r, s, "unknown key '%s' in %s", key, what);
+    }
+    for (const char *const *k = required; *k; k++)
+        if (!config_setting_get_member(group, *k))
+            return fail(r, group, "%s lacks '%s'", what, *k);
+    return true;
+}
+
+static bool read_number(const struct reader *r, const config_setting_t *s, const char *key, double lo, double hi,
+                        double *value)
+{
+    switch (config_setting_type(s)) {
+    case CONFIG_TYPE_INT:
+    case CONFIG_TYPE_INT64:
+        *value = (double)config_setting_get_int64(s);
+        break;
+    case CONFIG_TYPE_FLOAT:
+        *value = config_setting_get_float(s);
+        break;
+    default:
+        return fail(r, s, "'%s' must be a number", key);
+    }
+    if (!(*value >= lo && *value <= hi))
+        return fail(r, s, "'%s' must be in %g..%g", key, lo, hi);
+    return true;
+}
+
+static bool read_count(const struct reader *r, const config_setting_t *s, const char *key, long long lo, long long hi,
+                       long long *value)
+{
+    const int type = config_setting_type(s);
+    *value = config_setting_get_int64(s);
+    if (type != CONFIG_TYPE_INT && type != CONFIG_TYPE_INT64)
+        return fail(r, s, "'%s' must be a whole number", key);
+    if (*value < lo || *value > hi)
+        return fail(r, s, "'%s' must be in %lld..%lld", key, lo, hi);
+    return true;
+}
+
+static bool read_two(const struct reader *r, const config_setting_t *s, const char *key, double lo, double hi,
+                     double value[2])
+{
+    if (!config_setting_is_aggregate(s) || config_setting_is_group(s) || config_setting_length(s) != 2)
+        return fail(r, s, "'%s' must be two numbers, [a, b]", key);
+    return read_number(r, config_setting_get_elem(s, 0), key, lo, hi, &value[0]) &&
+           read_number(r, config_setting_get_elem(s, 1), key, lo, hi, &value[1]);
+}
+
+/* An angle with its unit, "45 deg" or "0.5 rad", in 0..limit degrees. */
+static bool read_angle(const struct reader *r, const config_setting_t *s, const char *key, double limit,
+                       double *radians)
+{
+    const char *text = config_setting_get_string(s);
+    char *end;
+    if (!text)
+        return fail(r, s, "'%s' must be an angle with its unit, \"45 deg\" or \"0.8 rad\"", key);
+    *radians = strtod(text, &end);
+    if (end == text)
+        return fail(r, s, "'%s' must be an angle with its unit, \"45 deg\" or \"0.8 rad\"", key);
+    end += strspn(end, " ");
+    if (*end == '\0')
+        return fail(r, s, "'%s' lacks its unit, deg or rad", key);
+    if (strcmp(end, "deg") == 0)
+        *radians *= M_PI / 180;
+    else if (strcmp(end, "rad") != 0)
+        return fail(r, s, "'%s' has the unknown unit '%s'; deg or rad", key, end);
+    if (!(*radians >= 0 && *radians <= limit * M_PI / 180 * (1 + GSL_DBL_EPSILON)))
+        return fail(r, s, "'%s' must be in 0..%g deg", key, limit);
+    return true;
+}
+
+static bool read_string(const struct reader *r, const config_setting_t *s, const char *key, char **text)
+{
+    const char *t = config_setting_get_string(s);
+    if (!t || *t == '\0')
+        return fail(r, s, "'%s' must be a text in quotes", key);
+    *text = new_text(t, strlen(t));
+    return true;
+}
+
+/* One of `n` words. */
+static bool read_word(const struct reader *r, const config_setting_t *s, const char *key, const char *const *word,
+                      int n, int *which)
+{
+    const char *t = config_setting_get_string(s);
+    char list[200] = "";
+    for (*which = 0; t && *which < n; ++*which)
+        if (strcmp(t, word[*which]) == 0)
+            return true;
+    for (int i = 0; i < n; i++)
+        snprintf(list + strlen(list), sizeof list - strlen(list), "%s\"%s\"", i ? " or " : "", word[i]);
+    return fail(r, s, "'%s' must be %s", key, list);
+}
+
+static bool is_identifier(const char *t)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", digits[] = "0123456789";
+    if (!strchr(letters, *t) || *t == '\0')
+        return false;
+    for (t++; *t; t++)
+        if (!strchr(letters, *t) && !strchr(digits, *t))
+            return false;
+    return true;
+}
+
+static bool read_lattice(const struct reader *r, config_setting_t *g, struct lattice *l)
+{
+    static const char *const required[] = {"xy", "z", "xi", "eta", NULL}, *const optional[] = {"newton", NULL};
+    const struct {
+        const char *key;
+        double *limit, *step;
+    } grid[] = {{"xy", &l->xy_max, &l->xy_step}, {"z", &l->z_max, &l->z_step}};
+    const struct {
+        const char *key;
+        double *range;
+    } box[] = {{"xi", l->xi}, {"eta", l->eta}};
+    if (!check_keys(r, g, "lattice", required, optional))
+        return false;
+    for (int i = 0; i < 2; i++) {
+        const config_setting_t *s = config_setting_get_member(g, grid[i].key);
+        double pair[2];
+        if (!read_two(r, s, grid[i].key, 0, 100, pair))
+            return false;
+        if (pair[1] < 1e-3)
+            return fail(r, s, "'%s' is [largest, step]; the step must be at least 0.001", grid[i].key);
+        *grid[i].limit = pair[0];
+        *grid[i].step = pair[1];
+    }
+    for (int i = 0; i < 2; i++) {
+        const config_setting_t *s = config_setting_get_member(g, box[i].key);
+        if (!read_two(r, s, box[i].key, -10, 10, box[i].range))
+            return false;
+        if (!(box[i].range[0] < box[i].range[1]))
+            return fail(r, s, "'%s' is [lower, upper]; the lower must be below the upper", box[i].key);
+    }
+    const config_setting_t *s = config_setting_get_member(g, "newton");
+    long long steps = 0;
+    if (s && !read_count(r, s, "newton", 1, 1000, &steps))
+        return false;
+    l->newton = (int)steps;
+    return true;
+}
+
+static bool read_shapes(const struct reader *r, config_setting_t *g, struct shapes *s)
+{
+    static const char *const required[] = {"aspect", "skew", "taper", "warp", "gap", "overhang", NULL};
+    static const char *const optional[] = {NULL};
+    return check_keys(r, g, "shapes", required, optional) &&
+           read_number(r, config_setting_get_member(g, "aspect"), "aspect", 1, 1000, &s->aspect) &&
+           read_angle(r, config_setting_get_member(g, "skew"), "skew", 85, &s->skew) &&
+           read_number(r, config_setting_get_member(g, "taper"), "taper", 0, 0.95, &s->taper) &&
+           read_angle(r, config_setting_get_member(g, "warp"), "warp", 90, &s->warp) &&
+           read_number(r, config_setting_get_member(g, "gap"), "gap", 0, 100, &s->gap) &&
+           read_number(r, config_setting_get_member(g, "overhang"), "overhang", 0, 1, &s->overhang);
+}
+
+/* The mesh file's path is relative to the scene's folder. */
+static bool read_mesh(const struct reader *r, config_setting_t *g, struct mesh_pairs *m, char **text, size_t *size)
+{
+    static const char *const required[] = {"file", "distance", NULL}, *const optional[] = {NULL};
+    const config_setting_t *s;
+    const char *slash = strrchr(r->path, '/');
+    struct diag unread;
+    char path[1024], *file = NULL;
+    if (!check_keys(r, g, "mesh", required, optional) ||
+        !read_number(r, config_setting_get_member(g, "distance"), "distance", 1e-300, 1e300, &m->distance))
+        return false;
+    s = config_setting_get_member(g, "file");
+    if (!read_string(r, s, "file", &file))
+        return false;
+    if (file[0] == '/' || !slash)
+        snprintf(path, sizeof path, "%s", file);
+    else
+        snprintf(path, sizeof path, "%.*s/%s", (int)(slash - r->path), r->path, file);
+    free(file);
+    m->file = new_text(path, strlen(path));
+    *text = read_text(path, size, &unread);
+    return *text ? true : fail(r, s, "cannot read mesh file '%s'", path);
+}
+
+static bool read_terminals(const struct reader *r, const config_setting_t *s, struct tier *t)
+{
+    if (!config_setting_is_aggregate(s) || config_setting_is_group(s) || config_setting_length(s) == 0)
+        return fail(r, s, "'terminals' must be names, [\"p\", \"q\"]");
+    t->terminal = new_array((size_t)config_setting_length(s), sizeof *t->terminal);
+    for (int i = 0; i < config_setting_length(s); i++) {
+        const config_setting_t *e = config_setting_get_elem(s, (unsigned)i);
+        if (!read_string(r, e, "terminals", &t->terminal[t->terminals]))
+            return false;
+        const char *name = t->terminal[t->terminals++];
+        if (!is_identifier(name))
+            return fail(r, e, "terminal '%s' is not a name", name);
+        for (size_t k = 0; k + 1 < t->terminals; k++)
+            if (strcmp(t->terminal[k], name) == 0)
+                return fail(r, e, "terminal '%s' stands twice", name);
+    }
+    return true;
+}
+
+static bool read_tier(const struct reader *r, config_setting_t *g, const config_setting_t *frame, struct scene *scene)
+{
+    static const char *const required[] = {"name", "terminals", "max_length", "functions", NULL};
+    static const char *const optional[] = {"frame", NULL}, *const functions[] = {"polynomial", "rational"};
+    struct tier *t = &scene->tier[scene->tiers++];
+    const config_setting_t *own;
+    long long length;
+    int which;
+    if (!config_setting_is_group(g))
+        return fail(r, g, "a tier must be a group, { name = ...; }");
+    if (!check_keys(r, g, "tier", required, optional) ||
+        !read_string(r, config_setting_get_member(g, "name"), "name", &t->name))
+        return false;
+    if (!is_identifier(t->name))
+        return fail(r, config_setting_get_member(g, "name"), "tier name '%s' is not a C identifier", t->name);
+    for (const struct tier *u = scene->tier; u < t; u++)
+        if (strcmp(u->name, t->name) == 0)
+            return fail(r, config_setting_get_member(g, "name"), "tier '%s' stands twice", t->name);
+    own = config_setting_get_member(g, "frame");
+    if (!own && !frame)
+        return fail(r, g, "tier '%s' lacks 'frame', and the scene has none", t->name);
+    if (!read_string(r, own ? own : frame, "frame", &t->frame))
+        return false;
+    if (!is_identifier(t->frame))
+        return fail(r, own ? own : frame, "frame '%s' is not a name", t->frame);
+    if (!read_terminals(r, config_setting_get_member(g, "terminals"), t) ||
+        !read_count(r, config_setting_get_member(g, "max_length"), "max_length", 1, 100000, &length) ||
+        !read_word(r, config_setting_get_member(g, "functions"), "functions", functions, 2, &which))
+        return false;
+    t->max_length = (size_t)length;
+    t->rational = which == 1;
+    return true;
+}
+
+static bool read_tiers(const struct reader *r, config_setting_t *root, struct scene *scene)
+{
+    config_setting_t *list = config_setting_get_member(root, "tiers");
+    if (!config_setting_is_list(list) || config_setting_length(list) == 0)
+        return fail(r, list, "'tiers' must be a list of groups, ( { name = ...; }, ... )");
+    scene->tier = new_array((size_t)config_setting_length(list), sizeof *scene->tier);
+    for (int i = 0; i < config_setting_length(list); i++)
+        if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), config_setting_get_member(root, "frame"), scene))
+            return false;
+    return true;
+}
+
+static bool read_segment(const struct reader *r, const config_setting_t *s, char **segment)
+{
+    static const char *const planned[] = {"tri3", "tri6", "quad8", "quad9", "gregory", "bezier"};
+    if (!read_string(r, s, "segment", segment))
+        return false;
+    if (strcmp(*segment, "quad4") == 0)
+        return true;
+    for (size_t i = 0; i < sizeof planned / sizeof *planned; i++)
+        if (strcmp(*segment, planned[i]) == 0)
+            return fail(r, s, "segment '%s' is not yet supported; only \"quad4\" is", *segment);
+    return fail(r, s, "unknown segment '%s'", *segment);
+}
+
+/* Exactly one of lattice, shapes and mesh. */
+static bool read_source(const struct reader *r, config_setting_t *root, struct scene *scene, char **mesh, size_t *size)
+{
+    static const char *const source[] = {"lattice", "shapes", "mesh"};
+    config_setting_t *found = NULL;
+    for (int i = 0; i < 3; i++) {
+        config_setting_t *s = config_setting_get_member(root, source[i]);
+        if (s && found)
+            return fail(r, s, "both '%s' and '%s'; a scene has one of lattice, shapes and mesh",
+                        config_setting_name(found), source[i]);
+        if (s && !config_setting_is_group(s))
+            return fail(r, s, "'%s' must be a group, { ... }", source[i]);
+        if (s) {
+            found = s;
+            scene->source = (enum scene_source)i;
+        }
+    }
+    if (!found)
+        return diag_at(r->d, r->path, 0, 0, "none of lattice, shapes and mesh; a scene has one of them");
+    switch (scene->source) {
+    case SOURCE_LATTICE:
+        return read_lattice(r, found, &scene->lattice);
+    case SOURCE_RANDOM:
+        return read_shapes(r, found, &scene->shapes);
+    case SOURCE_MESH:
+        break;
+    }
+    return read_mesh(r, found, &scene->mesh, mesh, size);
+}
+
+static bool read_scene(const struct reader *r, config_setting_t *root, struct scene *scene, char **mesh, size_t *size)
+{
+    static const char *const required[] = {"segment", "order",    "reference", "norm",  "precision",
+                                           "seed",    "training", "heldout",   "tiers", NULL};
+    static const char *const optional[] = {"frame", "lattice", "shapes", "mesh", NULL};
+    static const char *const order[] = {"any", "nearest", "nearest-shorter"};
+    static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
+    long long training, heldout, seed;
+    int which;
+    if (!check_keys(r, root, "scene", required, optional) ||
+        !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment) ||
+        !read_word(r, config_setting_get_member(root, "order"), "order", order, 3, &which))
+        return false;
+    scene->order = (enum corner_order)which;
+    if (!read_two(r, config_setting_get_member(root, "reference"), "reference", -1, 1, scene->reference) ||
+        !read_word(r, config_setting_get_member(root, "norm"), "norm", norm, 3, &which))
+        return false;
+    scene->norm = (enum scene_norm)which;
+    if (!read_word(r, config_setting_get_member(root, "precision"), "precision", precision, 2, &which))
+        return false;
+    scene->precision = new_text(precision[which], strlen(precision[which]));
+    if (!read_count(r, config_setting_get_member(root, "seed"), "seed", 0, LLONG_MAX, &seed) ||
+        !read_count(r, config_setting_get_member(root, "training"), "training", 1, 100000000, &training) ||
+        !read_count(r, config_setting_get_member(root, "heldout"), "heldout", 1, 100000000, &heldout))
+        return false;
+    scene->seed = (uint64_t)seed;
+    scene->training = (size_t)training;
+    scene->heldout = (size_t)heldout;
+    return read_source(r, root, scene, mesh, size) && read_tiers(r, root, scene);
+}
+
+/* Line of an @include directive, or 0.  The digest covers one text, so that a scene has no others. */
+static int include_line(const char *text)
+{
+    for (int line = 1;; line++) {
+        text += strspn(text, " \t");
+        if (strncmp(text, "@include", strlen("@include")) == 0)
+            return line;
+        text = strchr(text, '\n');
+        if (!text++)
+            return 0;
+    }
+}
+
+/* SHA-256 of the scene text and, after it, of the mesh text. */
+static void digest(struct scene *scene, const char *text, size_t size, const char *mesh, size_t mesh_size)
+{
+    char *both = new_array(size + mesh_size, 1);
+    memcpy(both, text, size);
+    if (mesh)
+        memcpy(both + size, mesh, mesh_size);
+    sha256_hex(both, size + mesh_size, scene->sha256);
+    free(both);
+}
+
+static char *scene_path(const char *root, const char *name)
+{
+    const size_t length = strlen(name), suffix = strlen(".scene");
+    char path[1024];
+    if (strchr(name, '/') || (length > suffix && strcmp(name + length - suffix, ".scene") == 0))
+        return new_text(name, length);
+    snprintf(path, sizeof path, "%s%sevolve/scenes/%s.scene", root, *root ? "/" : "", name);
+    return new_text(path, strlen(path));
+}
+
+static char *scene_name(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const size_t length = strlen(base), suffix = strlen(".scene");
+    const bool named = length > suffix && strcmp(base + length - suffix, ".scene") == 0;
+    return new_text(base, named ? length - suffix : length);
+}
+
+struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d)
+{
+    char *path = scene_path(root, name_or_path), *mesh = NULL;
+    const struct reader r = {path, d};
+    size_t size = 0, mesh_size = 0;
+    char *text = read_text(path, &size, d);
+    struct scene *scene = NULL;
+    config_t config;
+    if (!text) {
+        free(path);
+        return NULL;
+    }
+    scene = new_array(1, sizeof *scene);
+    scene->path = path;
+    scene->name = scene_name(path);
+    config_init(&config);
+    bool good = strlen(text) == size;
+    const int line = include_line(text);
+    if (!good)
+        diag_at(d, path, 0, 0, "a NUL character in the text");
+    else if (line)
+        good = diag_at(d, path, line, 0, "a scene includes no other file");
+    else if (!config_read_string(&config, text))
+        good = diag_at(d, path, config_error_line(&config), 0, "%s", config_error_text(&config));
+    else
+        good = read_scene(&r, config_root_setting(&config), scene, &mesh, &mesh_size);
+    if (good)
+        digest(scene, text, size, mesh, mesh_size);
+    else {
+        scene_free(scene);
+        scene = NULL;
+    }
+    config_destroy(&config);
+    free(mesh);
+    free(text);
+    return scene;
+}
+
+void scene_free(struct scene *s)
+{
+    if (!s)
+        return;
+    for (size_t i = 0; i < s->tiers; i++) {
+        for (size_t k = 0; k < s->tier[i].terminals; k++)
+            free(s->tier[i].terminal[k]);
+        free(s->tier[i].terminal);
+        free(s->tier[i].frame);
+        free(s->tier[i].name);
+    }
+    free(s->tier);
+    free(s->mesh.file);
+    free(s->precision);
+    free(s->segment);
+    free(s->path);
+    free(s->name);
+    free(s);
+}
+
+bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    switch (s->source) {
+    case SOURCE_LATTICE:
+        return lattice_samples(s, part, set, d);
+    case SOURCE_RANDOM:
+        return shapes_samples(s, part, set, d);
+    case SOURCE_MESH:
+        break;
+    }
+    return mesh_samples(s, part, set, d);
+}

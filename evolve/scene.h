@@ -1,0 +1,80 @@
+/* A scene: the text file that says what the generated code is for; see evolve/scenes/ and README.md. */
+#ifndef FOOTPOINT_SCENE_H
+#define FOOTPOINT_SCENE_H
+
+#include "../codegen/genome.h"
+#include "sample.h"
+
+#include <stdint.h>
+
+enum scene_source { SOURCE_LATTICE, SOURCE_RANDOM, SOURCE_MESH };
+enum scene_norm { NORM_MEAN, NORM_P99, NORM_MAX };
+
+/** The paper's lattice (section 6.1): A = 0, B = (1,0,0), D in the x-y plane. */
+struct lattice {
+    double xy_max, xy_step; /* x, y of C, D, S on the closed grid -xy_max..xy_max */
+    double z_max, z_step;   /* z of C, S */
+    double xi[2], eta[2];   /* contact points kept: strictly above the lower bound, up to and with the upper one */
+    int newton;             /* > 0: kept only if so many Newton steps from (0,0) find the contact point; 0: all */
+};
+
+/** Ordinary segments: drawn at random. */
+struct shapes {
+    double aspect;   /* longest over shortest mid-line, 1..aspect */
+    double skew;     /* radians: angle of the mid-lines off 90 degrees, -skew..skew */
+    double taper;    /* |in-plane part of c3| / half mid-line, 0..taper in each direction */
+    double warp;     /* radians: angle between the normals at opposite corners, 0..warp */
+    double gap;      /* |gap| over the shortest edge, 0..gap */
+    double overhang; /* contact points in -1-2*overhang..1+2*overhang: this fraction of the segment outside it */
+};
+
+/** Slave-node and master-segment pairs of a mesh file. */
+struct mesh_pairs {
+    char *file;      /* owned; path as resolved from the scene's folder */
+    double distance; /* pairs nearer than this; mesh length */
+};
+
+/** One header function to make: which values its expressions may use, and how long they may be. */
+struct tier {
+    char *name;      /* owned */
+    char *frame;     /* owned: file evolve/frames/<frame>.gen */
+    char **terminal; /* owned: names of inputs or lets of the frame */
+    size_t terminals;
+    size_t max_length; /* genes of one expression */
+    bool rational;     /* % beside + - * */
+};
+
+struct scene {
+    char *name, *path; /* owned; name is the file's base name without .scene */
+    char sha256[65];   /* of the scene text and, after it, of its mesh file */
+    char *segment;     /* owned: "quad4" */
+    double reference[2];
+    enum corner_order order;
+    enum scene_norm norm;
+    char *precision; /* owned: "double" or "float" */
+    size_t training, heldout;
+    uint64_t seed; /* of the samples, not of the evolution */
+    enum scene_source source;
+    struct lattice lattice;
+    struct shapes shapes;
+    struct mesh_pairs mesh;
+    struct tier *tier;
+    size_t tiers;
+};
+
+/** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d "file:line: error:
+ * ..." */
+struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
+void scene_free(struct scene *s);
+
+/** Which of a scene's samples.  No two share a configuration. */
+enum sample_part {
+    PART_TRAINING,      /* what evolution sees */
+    PART_HELDOUT,       /* lattice and mesh: the rest of the same points; random: a second stream */
+    PART_HELDOUT_RANDOM /* off the grid: drawn at random from the same ranges */
+};
+
+/** Append the part's samples to *set.  Deterministic in the scene alone. False with *d filled when none is left. */
+bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
+
+#endif

@@ -1,0 +1,192 @@
+/* Ordinary segments drawn at random.  A segment is made from its mid-lines and c3 (r = c0 + c1 xi + c2 eta + c3 xi
+ * eta): c1 and c2 from aspect ratio and skew, c3 = a c1 + b c2 + g n from taper (a, b) and warp (g), n the unit normal
+ * of c1, c2.  What exceeds the scene's limits is drawn again.  The slave node is put at r(xi,eta) + gap n(xi,eta), the
+ * whole is rotated, scaled and moved at random, and labelled with the certain foot point. */
+#include "reference.h"
+#include "samplers.h"
+#include "stream.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <string.h>
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double distance2(const double a[3], const double b[3])
+{
+    const double v[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return dot(v, v);
+}
+
+/* Point r(xi,eta) and unit normal there; false where there is none. */
+static bool surface(double x[4][3], double xi, double eta, double r[3], double n[3])
+{
+    double t1[3], t2[3];
+    for (int k = 0; k < 3; k++) {
+        const double c0 = (x[0][k] + x[1][k] + x[2][k] + x[3][k]) / 4;
+        const double c1 = (-x[0][k] + x[1][k] + x[2][k] - x[3][k]) / 4;
+        const double c2 = (-x[0][k] - x[1][k] + x[2][k] + x[3][k]) / 4;
+        const double c3 = (x[0][k] - x[1][k] + x[2][k] - x[3][k]) / 4;
+        r[k] = c0 + c1 * xi + c2 * eta + c3 * xi * eta;
+        t1[k] = c1 + c3 * eta;
+        t2[k] = c2 + c3 * xi;
+    }
+    cross(t1, t2, n);
+    const double length = sqrt(dot(n, n));
+    for (int k = 0; k < 3 && length > 0; k++)
+        n[k] /= length;
+    return length > 0;
+}
+
+static double uniform(gsl_rng *stream, double max)
+{
+    return gsl_ran_flat(stream, -max, max);
+}
+
+/* Largest angle between the normals at opposite corners. */
+static double warp_of(double x[4][3])
+{
+    static const double corner[4][2] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
+    double n[4][3], r[3];
+    for (int i = 0; i < 4; i++)
+        surface(x, corner[i][0], corner[i][1], r, n[i]);
+    return acos(fmax(-1, fmin(1, fmin(dot(n[0], n[1]), dot(n[2], n[3])))));
+}
+
+/* The segment about the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
+static bool draw_segment(gsl_rng *stream, const struct shapes *shapes, double x[4][3])
+{
+    static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const double aspect = pow(shapes->aspect, gsl_ran_flat(stream, -1, 1));
+    const double angle = M_PI_2 + uniform(stream, shapes->skew);
+    const double length1 = fmax(1, aspect), length2 = fmax(1, 1 / aspect);
+    const double a = uniform(stream, shapes->taper), b = uniform(stream, shapes->taper);
+    const double c1[3] = {length1, 0, 0}, c2[3] = {length2 * cos(angle), length2 * sin(angle), 0};
+    /* The warp of a rectangle of these sides. */
+    const double g = tan(uniform(stream, shapes->warp) / 2) / hypot(1 / length1, 1 / length2);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++) {
+            const double c3 = a * c1[k] + b * c2[k] + (k == 2 ? g : 0);
+            x[i][k] = c1[k] * corner[i][0] + c2[k] * corner[i][1] + c3 * corner[i][0] * corner[i][1];
+        }
+    for (int i = 0; i < 4; i++) {
+        const double *p = x[i], *q = x[(i + 1) % 4], *r = x[(i + 2) % 4];
+        if ((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]) <= 0)
+            return false;
+    }
+    return warp_of(x) <= shapes->warp;
+}
+
+bool place_slave(gsl_rng *stream, double reach, double gap, struct sample *s)
+{
+    const double wide = reach * (1 + 1e-9);
+    const double xi = uniform(stream, reach), eta = uniform(stream, reach), h = uniform(stream, gap);
+    double r[3], n[3];
+    if (!surface(s->x, xi, eta, r, n))
+        return false;
+    for (int k = 0; k < 3; k++)
+        s->xs[k] = r[k] + h * n[k];
+    return reference_foot(s, (const double[]){-wide, -wide}, (const double[]){wide, wide}) &&
+           fabs(s->xi - xi) + fabs(s->eta - eta) < 1e-6;
+}
+
+/* Rotation from a random unit quaternion. */
+static void random_rotation(gsl_rng *stream, double q[3][3])
+{
+    double v[4];
+    gsl_ran_dir_nd(stream, 4, v);
+    const double w = v[0], x = v[1], y = v[2], z = v[3];
+    const double m[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                            {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+                            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+    memcpy(q, m, sizeof m);
+}
+
+/* Rotate, scale by 1e-3..1e3 (uniform logarithm) and move by a few edges. */
+static void move(gsl_rng *stream, double x[4][3])
+{
+    double q[3][3], shift[3];
+    random_rotation(stream, q);
+    const double scale = pow(10, uniform(stream, 3));
+    for (int k = 0; k < 3; k++)
+        shift[k] = uniform(stream, 10);
+    for (int i = 0; i < 4; i++) {
+        const double v[3] = {x[i][0], x[i][1], x[i][2]};
+        for (int k = 0; k < 3; k++)
+            x[i][k] = scale * (dot(q[k], v) + shift[k]);
+    }
+}
+
+static void swap(double *a, double *b)
+{
+    const double t = *a;
+    *a = *b;
+    *b = t;
+}
+
+void sample_order(struct sample *s, enum corner_order order)
+{
+    int nearest = 0;
+    if (order == CORNERS_ANY)
+        return;
+    for (int i = 1; i < 4; i++)
+        if (distance2(s->xs, s->x[i]) < distance2(s->xs, s->x[nearest]))
+            nearest = i;
+    for (; nearest > 0; nearest--) {
+        /* B becomes A: the new xi is eta, the new eta is -xi. */
+        double first[3];
+        memcpy(first, s->x[0], sizeof first);
+        memmove(s->x[0], s->x[1], 3 * sizeof first);
+        memcpy(s->x[3], first, sizeof first);
+        swap(&s->xi, &s->eta);
+        s->eta = -s->eta;
+    }
+    if (order == CORNERS_NEAREST_SHORTER && distance2(s->x[0], s->x[3]) > distance2(s->x[0], s->x[1])) {
+        for (int k = 0; k < 3; k++)
+            swap(&s->x[1][k], &s->x[3][k]);
+        swap(&s->xi, &s->eta);
+        s->gap = -s->gap;
+    }
+}
+
+bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    const struct shapes *shapes = &scene->shapes;
+    const size_t count = part == PART_TRAINING ? scene->training : scene->heldout;
+    gsl_rng *stream = stream_new();
+    const int tries = 10000;
+    for (size_t i = 0; i < count; i++) {
+        struct sample s;
+        int n;
+        stream_key(stream, scene->seed, (uint64_t)part, i, 0);
+        for (n = 0; n < tries; n++) {
+            double shortest = INFINITY;
+            if (!draw_segment(stream, shapes, s.x))
+                continue;
+            move(stream, s.x);
+            for (int k = 0; k < 4; k++)
+                shortest = fmin(shortest, sqrt(distance2(s.x[k], s.x[(k + 1) % 4])));
+            if (place_slave(stream, 1 + 2 * shapes->overhang, shapes->gap * shortest, &s))
+                break;
+        }
+        if (n == tries) {
+            gsl_rng_free(stream);
+            return diag_at(d, scene->path, 0, 0, "no segment within the limits of shapes in %d draws", tries);
+        }
+        sample_order(&s, scene->order);
+        sample_set_add(set, &s);
+    }
+    gsl_rng_free(stream);
+    return true;
+}

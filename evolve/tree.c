@@ -1,0 +1,158 @@
+/* Genetic operators of linear genetic programming: trees are prefix arrays, and a branch is found by its stack counts
+ * (gene_span; section 4.2 of the paper).  Crossover exchanges branches; mutation changes one gene to another of its
+ * kind, as in the paper, or grows a new branch.  No operator makes a genome longer than its limit. */
+#include "tree.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    CROSS_TRIES = 4,   /* choices of two branches before a child is left a copy */
+    BRANCH_DEPTH = 4,  /* of a new branch */
+    NEAR_CONSTANTS = 8 /* a small change of a constant: this many places along the table at most */
+};
+static const double leaf_is_constant = 0.25, branch_ends = 0.4;
+
+void gene_set_free(struct gene_set *s)
+{
+    free(s->symbol);
+    free(s->constant);
+    free(s->operation);
+    *s = (struct gene_set){0};
+}
+
+void tree_copy(const struct tree *from, struct tree *to)
+{
+    memcpy(to->gene, from->gene, from->length * sizeof *to->gene);
+    to->length = from->length;
+}
+
+bool tree_equal(const struct tree *a, const struct tree *b)
+{
+    return a->length == b->length && memcmp(a->gene, b->gene, a->length * sizeof *a->gene) == 0;
+}
+
+uint64_t tree_hash(const struct tree *t)
+{
+    uint64_t h = t->length;
+    for (size_t i = 0; i < t->length; i++) {
+        h = (h ^ (uint32_t)t->gene[i]) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 29;
+    }
+    return h;
+}
+
+static size_t below(gsl_rng *rng, size_t n)
+{
+    return gsl_rng_uniform_int(rng, n);
+}
+
+static int random_leaf(gsl_rng *rng, const struct gene_set *s)
+{
+    const bool constant = s->constants > 0 && (s->symbols == 0 || gsl_rng_uniform(rng) < leaf_is_constant);
+    return constant ? s->constant[below(rng, s->constants)] : s->symbol[below(rng, s->symbols)];
+}
+
+/* Write a random tree to gene[]; returns its length. */
+static size_t grow(gsl_rng *rng, const struct gene_set *s, int depth, bool full, size_t room, int *gene)
+{
+    if (depth == 0 || room < 3) {
+        gene[0] = random_leaf(rng, s);
+        return 1;
+    }
+    gene[0] = s->operation[below(rng, s->operations)];
+    size_t n = 1;
+    for (size_t operands = 2; operands-- > 0;) {
+        const bool ends = !full && gsl_rng_uniform(rng) < branch_ends;
+        n += grow(rng, s, ends ? 0 : depth - 1, full, room - n - operands, gene + n);
+    }
+    return n;
+}
+
+void tree_random(gsl_rng *rng, const struct gene_set *s, int depth, bool full, size_t room, struct tree *t)
+{
+    t->length = grow(rng, s, depth, full, room, t->gene);
+}
+
+struct branch {
+    size_t at, length;
+};
+
+static struct branch random_branch(gsl_rng *rng, const struct tree *t)
+{
+    const size_t at = below(rng, t->length);
+    return (struct branch){at, gene_span(t->gene + at, t->length - at)};
+}
+
+/* child = t with its branch `out` replaced by n genes. */
+static void splice(const struct tree *t, struct branch out, const int *gene, size_t n, struct tree *child)
+{
+    const size_t after = out.at + out.length, rest = t->length - after;
+    memcpy(child->gene, t->gene, out.at * sizeof *gene);
+    memcpy(child->gene + out.at, gene, n * sizeof *gene);
+    memcpy(child->gene + out.at + n, t->gene + after, rest * sizeof *gene);
+    child->length = out.at + n + rest;
+}
+
+void tree_cross(gsl_rng *rng, const struct tree *a, const struct tree *b, size_t max, struct tree *child_a,
+                struct tree *child_b)
+{
+    struct branch p, q;
+    bool fits_a, fits_b;
+    int tries = CROSS_TRIES;
+    do {
+        p = random_branch(rng, a);
+        q = random_branch(rng, b);
+        fits_a = a->length - p.length + q.length <= max;
+        fits_b = b->length - q.length + p.length <= max;
+    } while (!(fits_a && fits_b) && --tries > 0);
+    if (fits_a)
+        splice(a, p, b->gene + q.at, q.length, child_a);
+    else
+        tree_copy(a, child_a);
+    if (fits_b)
+        splice(b, q, a->gene + p.at, p.length, child_b);
+    else
+        tree_copy(b, child_b);
+}
+
+/* A constant of the set that is not `gene`: half the time one near in value. */
+static int other_constant(gsl_rng *rng, const struct gene_set *s, int gene)
+{
+    size_t at = 0;
+    while (at < s->constants && s->constant[at] != gene)
+        at++;
+    size_t low = 0, high = s->constants - 1;
+    if (at < s->constants && gsl_rng_uniform(rng) < 0.5) {
+        low = at > NEAR_CONSTANTS ? at - NEAR_CONSTANTS : 0;
+        high = at + NEAR_CONSTANTS < high ? at + NEAR_CONSTANTS : high;
+    }
+    return s->constant[low + below(rng, high - low + 1)];
+}
+
+void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct tree *t)
+{
+    int *gene = &t->gene[below(rng, t->length)];
+    switch (gene_arity(*gene)) {
+    case 0:
+        if (*gene < 0 && s->constants > 0 && gsl_rng_uniform(rng) < 0.5)
+            *gene = other_constant(rng, s, *gene);
+        else
+            *gene = random_leaf(rng, s);
+        break;
+    case 2:
+        *gene = s->operation[below(rng, s->operations)];
+        break;
+    default: /* operators of one operand come with seeds and have no others of their kind */
+        break;
+    }
+}
+
+void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child)
+{
+    int fresh[2 << BRANCH_DEPTH];
+    const struct branch out = random_branch(rng, t);
+    const size_t kept = t->length - out.length, room = kept < max ? max - kept : 1;
+    const int depth = (int)below(rng, BRANCH_DEPTH + 1);
+    splice(t, out, fresh, grow(rng, s, depth, false, room, fresh), child);
+}

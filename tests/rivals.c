@@ -1,0 +1,7 @@
+/* The table of rivals; see rivals.h. */
+#include "rivals.h"
+
+#define ITERATION(name, start, gauss_newton, newton, clamped) {#name, rival_##name},
+#define CLOSED_FORM(name) {#name, rival_##name},
+const struct rival rivals[] = {RIVAL_ITERATIONS(ITERATION) RIVAL_CLOSED_FORMS(CLOSED_FORM)};
+const int rival_count = sizeof rivals / sizeof *rivals;

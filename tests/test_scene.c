@@ -1,0 +1,485 @@
+/* Scenes: the shipped ones read, malformed ones are refused with exact diagnostics, and their samples are what they
+ * promise: labelled with the certain foot point, within the limits, the same in every call, shared by no two parts. */
+#include "../evolve/mesh.h"
+#include "../evolve/reference.h"
+#include "../evolve/samplers.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static char path[] = "/tmp/footpoint-XXXXXX.scene";
+
+static int make_path(void **state)
+{
+    const int f = mkstemps(path, 6);
+    (void)state;
+    return f < 0 ? -1 : close(f);
+}
+
+static int remove_path(void **state)
+{
+    (void)state;
+    return unlink(path);
+}
+
+static struct scene *read_from_text(const char *text, struct diag *d)
+{
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    fputs(text, f);
+    assert_int_equal(fclose(f), 0);
+    return scene_read("", path, d);
+}
+
+#define HEAD                                                                                                           \
+    "segment = \"quad4\";\n"                                                                                           \
+    "order = \"any\";\n"                                                                                               \
+    "reference = [0.0, 0.0];\n"                                                                                        \
+    "norm = \"p99\";\n"                                                                                                \
+    "precision = \"float\";\n"                                                                                         \
+    "seed = 5;\n"                                                                                                      \
+    "training = 60;\n"                                                                                                 \
+    "heldout = 40;\n"
+#define SHAPES                                                                                                         \
+    "shapes: { aspect = 5; skew = \"45 deg\"; taper = 0.3; warp = \"15 deg\"; gap = 0.2; overhang = 0.1; };\n"
+#define LATTICE "lattice: { xy = [1.0, 0.25]; z = [0.3, 0.1]; xi = [-1.0, 0.0]; eta = [-1.0, 0.0]; };\n"
+#define MESH "mesh: { file = \"MESH\"; distance = 0.5; };\n"
+#define TAIL                                                                                                           \
+    "frame = \"parallelogram\";\n"                                                                                     \
+    "tiers = (\n"                                                                                                      \
+    "    { name = \"fast\"; terminals = [\"p\", \"q\"]; max_length = 50; functions = \"rational\"; },\n"               \
+    "    { name = \"slow\"; frame = \"other\"; terminals = [\"xS\"]; max_length = 100; functions = \"polynomial\"; "   \
+    "}\n"                                                                                                              \
+    ");\n"
+
+static char *replaced(const char *text, const char *find, const char *put)
+{
+    const char *at = strstr(text, find);
+    const size_t room = strlen(text) + strlen(put) + 1;
+    char *out = new_array(room, 1);
+    assert_non_null(at);
+    snprintf(out, room, "%.*s%s%s", (int)(at - text), text, put, at + strlen(find));
+    return out;
+}
+
+static struct scene *shipped(const char *name)
+{
+    struct diag d;
+    struct scene *s = scene_read("", name, &d);
+    if (!s)
+        fail_msg("%s", d.text);
+    return s;
+}
+
+static void shipped_scenes_read(void **state)
+{
+    static const struct {
+        const char *name;
+        enum scene_source source;
+        enum corner_order order;
+        size_t training;
+    } expected[] = {{"paper-quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546},
+                    {"quad4", SOURCE_RANDOM, CORNERS_ANY, 20000},
+                    {"punch-quad4", SOURCE_MESH, CORNERS_ANY, 20000},
+                    {"blocks-quad4", SOURCE_MESH, CORNERS_ANY, 20000}};
+    (void)state;
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        struct scene *s = shipped(expected[i].name);
+        assert_string_equal(s->name, expected[i].name);
+        assert_string_equal(s->segment, "quad4");
+        assert_string_equal(s->precision, "double");
+        assert_int_equal(s->source, expected[i].source);
+        assert_int_equal(s->order, expected[i].order);
+        assert_int_equal(s->training, expected[i].training);
+        assert_int_equal(s->heldout, 200000);
+        assert_int_equal(s->norm, NORM_MEAN);
+        assert_int_equal(strlen(s->sha256), 64);
+        assert_in_range(s->tiers, 1, 100);
+        scene_free(s);
+    }
+}
+
+static void every_value_arrives(void **state)
+{
+    struct diag d;
+    struct scene *s = read_from_text(HEAD SHAPES TAIL, &d);
+    (void)state;
+    assert_non_null(s);
+    assert_string_equal(s->path, path);
+    assert_int_equal(strlen(s->name), strlen(path) - strlen("/tmp/") - strlen(".scene"));
+    assert_int_equal(s->norm, NORM_P99);
+    assert_string_equal(s->precision, "float");
+    assert_int_equal(s->seed, 5);
+    assert_int_equal(s->training, 60);
+    assert_int_equal(s->heldout, 40);
+    assert_int_equal(s->source, SOURCE_RANDOM);
+    assert_true(s->shapes.aspect == 5 && s->shapes.taper == 0.3 && s->shapes.gap == 0.2 && s->shapes.overhang == 0.1);
+    assert_true(fabs(s->shapes.skew - M_PI_4) < 1e-15 && fabs(s->shapes.warp - M_PI / 12) < 1e-15);
+    assert_int_equal(s->tiers, 2);
+    assert_string_equal(s->tier[0].name, "fast");
+    assert_string_equal(s->tier[0].frame, "parallelogram");
+    assert_int_equal(s->tier[0].terminals, 2);
+    assert_string_equal(s->tier[0].terminal[1], "q");
+    assert_int_equal(s->tier[0].max_length, 50);
+    assert_true(s->tier[0].rational && !s->tier[1].rational);
+    assert_string_equal(s->tier[1].frame, "other");
+    scene_free(s);
+
+    s = read_from_text(HEAD LATTICE TAIL, &d);
+    assert_non_null(s);
+    const struct lattice *l = &s->lattice;
+    assert_true(l->xy_max == 1 && l->xy_step == 0.25 && l->z_max == 0.3 && l->z_step == 0.1 && l->newton == 0);
+    assert_true(l->xi[0] == -1 && l->xi[1] == 0 && l->eta[0] == -1 && l->eta[1] == 0);
+    scene_free(s);
+}
+
+/* The text with `find` replaced by `put` is refused: "file:" and `expected`. */
+struct malformed {
+    const char *text, *find, *put, *expected;
+};
+
+static const struct malformed malformed[] = {
+    /* the scene */
+    {HEAD SHAPES TAIL, "seed = 5;", "\n@include \"LICENSE\"\nseed = 5;", "7: error: a scene includes no other file"},
+    {HEAD SHAPES TAIL, "seed = 5;", "seed = ;", "6: error: syntax error"},
+    {HEAD SHAPES TAIL, "seed = 5;", "seed = 5; seed = 6;", "6: error: duplicate setting name"},
+    {HEAD SHAPES TAIL, "seed = 5;", "seeds = 5;", "6: error: unknown key 'seeds' in scene"},
+    {HEAD SHAPES TAIL, "seed = 5;\n", "", " error: scene lacks 'seed'"},
+    {HEAD SHAPES TAIL, "seed = 5;", "seed = -5;", "6: error: 'seed' must be in 0..9223372036854775807"},
+    {HEAD SHAPES TAIL, "seed = 5;", "seed = 5.0;", "6: error: 'seed' must be a whole number"},
+    {HEAD SHAPES TAIL, "training = 60;", "training = 0;", "7: error: 'training' must be in 1..100000000"},
+    {HEAD SHAPES TAIL, "training = 60;", "training = -60;", "7: error: 'training' must be in 1..100000000"},
+    {HEAD SHAPES TAIL, "heldout = 40;", "heldout = \"40\";", "8: error: 'heldout' must be a whole number"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"", "1: error: segment 'quad8' is not yet supported; only \"quad4\" is"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "\"quad5\"", "1: error: unknown segment 'quad5'"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "4", "1: error: 'segment' must be a text in quotes"},
+    {HEAD SHAPES TAIL, "\"any\"", "\"some\"",
+     "2: error: 'order' must be \"any\" or \"nearest\" or \"nearest-shorter\""},
+    {HEAD SHAPES TAIL, "\"p99\"", "99", "4: error: 'norm' must be \"mean\" or \"p99\" or \"max\""},
+    {HEAD SHAPES TAIL, "\"float\"", "\"half\"", "5: error: 'precision' must be \"double\" or \"float\""},
+    {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0]", "3: error: 'reference' must be two numbers, [a, b]"},
+    {HEAD SHAPES TAIL, "[0.0, 0.0]", "0.0", "3: error: 'reference' must be two numbers, [a, b]"},
+    {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0, -1.5]", "3: error: 'reference' must be in -1..1"},
+    {HEAD SHAPES TAIL, "[0.0, 0.0]", "[\"a\", \"b\"]", "3: error: 'reference' must be a number"},
+    {HEAD TAIL, "seed", "seed", " error: none of lattice, shapes and mesh; a scene has one of them"},
+    {HEAD SHAPES LATTICE TAIL, "seed", "seed",
+     "9: error: both 'lattice' and 'shapes'; a scene has one of lattice, shapes and mesh"},
+    {HEAD TAIL, "frame", "shapes = 3; frame", "9: error: 'shapes' must be a group, { ... }"},
+    /* shapes */
+    {HEAD SHAPES TAIL, "skew = \"45 deg\"", "skew = 45",
+     "9: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"45\"", "9: error: 'skew' lacks its unit, deg or rad"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"45 degrees\"", "9: error: 'skew' has the unknown unit 'degrees'; deg or rad"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"deg\"",
+     "9: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"86 deg\"", "9: error: 'skew' must be in 0..85 deg"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"nan deg\"", "9: error: 'skew' must be in 0..85 deg"},
+    {HEAD SHAPES TAIL, "\"15 deg\"", "\"-1 deg\"", "9: error: 'warp' must be in 0..90 deg"},
+    {HEAD SHAPES TAIL, "\"15 deg\"", "\"2 rad\"", "9: error: 'warp' must be in 0..90 deg"},
+    {HEAD SHAPES TAIL, "aspect = 5", "aspect = 0.5", "9: error: 'aspect' must be in 1..1000"},
+    {HEAD SHAPES TAIL, "taper = 0.3", "taper = 1.0", "9: error: 'taper' must be in 0..0.95"},
+    {HEAD SHAPES TAIL, "gap = 0.2", "gap = -0.2", "9: error: 'gap' must be in 0..100"},
+    {HEAD SHAPES TAIL, "overhang = 0.1", "overhang = true", "9: error: 'overhang' must be a number"},
+    {HEAD SHAPES TAIL, "overhang = 0.1; ", "", "9: error: shapes lacks 'overhang'"},
+    {HEAD SHAPES TAIL, "overhang", "over", "9: error: unknown key 'over' in shapes"},
+    /* lattice */
+    {HEAD LATTICE TAIL, "[1.0, 0.25]", "[1.0, 0.0]",
+     "9: error: 'xy' is [largest, step]; the step must be at least 0.001"},
+    {HEAD LATTICE TAIL, "[0.3, 0.1]", "[-0.3, 0.1]", "9: error: 'z' must be in 0..100"},
+    {HEAD LATTICE TAIL, "xi = [-1.0, 0.0]", "xi = [0.0, 0.0]",
+     "9: error: 'xi' is [lower, upper]; the lower must be below the upper"},
+    {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "", "9: error: lattice lacks 'eta'"},
+    {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "eta = [-1.0, 0.0]; newton = 0;",
+     "9: error: 'newton' must be in 1..1000"},
+    {HEAD LATTICE TAIL, "xy", "yx", "9: error: unknown key 'yx' in lattice"},
+    /* mesh */
+    {HEAD MESH TAIL, "MESH", "/nonexistent/m.inp", "9: error: cannot read mesh file '/nonexistent/m.inp'"},
+    {HEAD MESH TAIL, "MESH", "nonexistent.inp", "9: error: cannot read mesh file '/tmp/nonexistent.inp'"},
+    {HEAD MESH TAIL, "\"MESH\"", "1", "9: error: 'file' must be a text in quotes"},
+    {HEAD MESH TAIL, "distance = 0.5", "distance = 0.0", "9: error: 'distance' must be in 1e-300..1e+300"},
+    {HEAD MESH TAIL, " distance = 0.5;", "", "9: error: mesh lacks 'distance'"},
+    /* tiers */
+    {HEAD SHAPES TAIL, "tiers = (", "tiers = ();\ntier = (", "12: error: unknown key 'tier' in scene"},
+    {HEAD SHAPES, "heldout", "tiers = (); heldout",
+     "8: error: 'tiers' must be a list of groups, ( { name = ...; }, ... )"},
+    {HEAD SHAPES, "heldout", "tiers = 1; heldout",
+     "8: error: 'tiers' must be a list of groups, ( { name = ...; }, ... )"},
+    {HEAD SHAPES, "heldout", "tiers = (1); heldout", "8: error: a tier must be a group, { name = ...; }"},
+    {HEAD SHAPES TAIL, "\"slow\"", "\"fast\"", "13: error: tier 'fast' stands twice"},
+    {HEAD SHAPES TAIL, "\"fast\"", "\"3d\"", "12: error: tier name '3d' is not a C identifier"},
+    {HEAD SHAPES TAIL, "\"fast\"", "\"very fast\"", "12: error: tier name 'very fast' is not a C identifier"},
+    {HEAD SHAPES TAIL, "frame = \"parallelogram\";\n", "",
+     "11: error: tier 'fast' lacks 'frame', and the scene has none"},
+    {HEAD SHAPES TAIL, "\"other\"", "\"../other\"", "13: error: frame '../other' is not a name"},
+    {HEAD SHAPES TAIL, "\"other\"", "3", "13: error: 'frame' must be a text in quotes"},
+    {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "\"p\"", "12: error: 'terminals' must be names, [\"p\", \"q\"]"},
+    {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "[]", "12: error: 'terminals' must be names, [\"p\", \"q\"]"},
+    {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "[\"p\", \"p\"]", "12: error: terminal 'p' stands twice"},
+    {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "[\"p\", \"2q\"]", "12: error: terminal '2q' is not a name"},
+    {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "[1, 2]", "12: error: 'terminals' must be a text in quotes"},
+    {HEAD SHAPES TAIL, "max_length = 50", "max_length = 0", "12: error: 'max_length' must be in 1..100000"},
+    {HEAD SHAPES TAIL, "max_length = 50", "max_length = 100001", "12: error: 'max_length' must be in 1..100000"},
+    {HEAD SHAPES TAIL, "max_length = 50; ", "", "12: error: tier lacks 'max_length'"},
+    {HEAD SHAPES TAIL, "\"rational\"", "\"any\"", "12: error: 'functions' must be \"polynomial\" or \"rational\""},
+    {HEAD SHAPES TAIL, "max_length", "maximum", "12: error: unknown key 'maximum' in tier"},
+};
+
+static void malformed_scenes_are_refused(void **state)
+{
+    int bad = 0;
+    (void)state;
+    for (size_t i = 0; i < sizeof malformed / sizeof *malformed; i++) {
+        const struct malformed *m = &malformed[i];
+        char *text = replaced(m->text, m->find, m->put), expected[600];
+        struct diag d = {0};
+        struct scene *s = read_from_text(text, &d);
+        snprintf(expected, sizeof expected, "%s:%s", path, m->expected);
+        if (s || strcmp(d.text, expected) != 0 || d.code != EXIT_INPUT) {
+            print_error("'%s' -> '%s'\n  gives    %s\n  expected %s\n", m->find, m->put, s ? "a scene" : d.text,
+                        expected);
+            bad++;
+        }
+        free(text);
+    }
+    assert_int_equal(bad, 0);
+}
+
+static void missing_scenes_are_refused(void **state)
+{
+    struct diag d;
+    (void)state;
+    assert_null(scene_read("", "nonexistent", &d));
+    assert_string_equal(d.text, "evolve/scenes/nonexistent.scene: error: cannot open: No such file or directory");
+    assert_null(scene_read("/nonexistent", "nonexistent", &d));
+    assert_string_equal(d.text,
+                        "/nonexistent/evolve/scenes/nonexistent.scene: error: cannot open: No such file or directory");
+    assert_null(scene_read("/nonexistent", "./nonexistent", &d));
+    assert_string_equal(d.text, "./nonexistent: error: cannot open: No such file or directory");
+}
+
+static int by_configuration(const void *a, const void *b)
+{
+    const struct sample *p = a, *q = b;
+    return memcmp(p, q, offsetof(struct sample, xi));
+}
+
+static struct sample_set samples_of(const struct scene *s, enum sample_part part)
+{
+    struct sample_set set = {0};
+    struct diag d;
+    if (!scene_samples(s, part, &set, &d))
+        fail_msg("%s", d.text);
+    return set;
+}
+
+/* Each call gives the same bytes; no configuration is in two parts. */
+static void check_parts(const struct scene *s)
+{
+    struct sample_set all = {0};
+    for (int part = PART_TRAINING; part <= PART_HELDOUT_RANDOM; part++) {
+        struct sample_set a = samples_of(s, (enum sample_part)part), b = samples_of(s, (enum sample_part)part);
+        assert_int_equal(a.n, b.n);
+        assert_memory_equal(a.s, b.s, a.n * sizeof *a.s);
+        if (part != PART_HELDOUT)
+            assert_int_equal(a.n, part == PART_TRAINING ? s->training : s->heldout);
+        for (size_t i = 0; i < a.n; i++)
+            sample_set_add(&all, &a.s[i]);
+        sample_set_free(&a);
+        sample_set_free(&b);
+    }
+    qsort(all.s, all.n, sizeof *all.s, by_configuration);
+    for (size_t i = 1; i < all.n; i++)
+        assert_true(by_configuration(&all.s[i - 1], &all.s[i]) < 0);
+    sample_set_free(&all);
+}
+
+static void parts_share_nothing(void **state)
+{
+    static const char *const text[] = {HEAD SHAPES TAIL, HEAD LATTICE TAIL};
+    static const char *const name[] = {"quad4", "punch-quad4", "blocks-quad4"};
+    struct diag d;
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct scene *s = read_from_text(text[i], &d);
+        assert_non_null(s);
+        check_parts(s);
+        scene_free(s);
+    }
+    for (int i = 0; i < 3; i++) {
+        struct scene *s = shipped(name[i]);
+        s->training = 5000;
+        s->heldout = 20000;
+        check_parts(s);
+        scene_free(s);
+    }
+}
+
+static void seeds_draw_other_samples(void **state)
+{
+    struct diag d;
+    struct scene *s = read_from_text(HEAD LATTICE TAIL, &d);
+    (void)state;
+    assert_non_null(s);
+    struct sample_set one = samples_of(s, PART_TRAINING);
+    s->seed++;
+    struct sample_set two = samples_of(s, PART_TRAINING);
+    assert_memory_not_equal(one.s, two.s, one.n * sizeof *one.s);
+    sample_set_free(&one);
+    sample_set_free(&two);
+    scene_free(s);
+}
+
+/* xs - r(xi,eta) is gap n and the foot point lies in the box. */
+static void check_label(const struct sample *s, double lo, double hi)
+{
+    double t1[3], t2[3], v[3], size = 0, along1 = 0, along2 = 0, distance = 0;
+    for (int k = 0; k < 3; k++) {
+        const double a = s->x[0][k], b = s->x[1][k], c = s->x[2][k], d = s->x[3][k];
+        t1[k] = ((b - a) * (1 - s->eta) + (c - d) * (1 + s->eta)) / 4;
+        t2[k] = ((d - a) * (1 - s->xi) + (c - b) * (1 + s->xi)) / 4;
+        v[k] = s->xs[k] - (a * (1 - s->xi) * (1 - s->eta) + b * (1 + s->xi) * (1 - s->eta) +
+                           c * (1 + s->xi) * (1 + s->eta) + d * (1 - s->xi) * (1 + s->eta)) /
+                              4;
+        size += fabs(a) + fabs(b) + fabs(c) + fabs(d);
+        along1 += t1[k] * v[k];
+        along2 += t2[k] * v[k];
+        distance += v[k] * v[k];
+    }
+    const double n[3] = {t1[1] * t2[2] - t1[2] * t2[1], t1[2] * t2[0] - t1[0] * t2[2], t1[0] * t2[1] - t1[1] * t2[0]};
+    const double side = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+    if (fabs(along1) + fabs(along2) > 1e-13 * size * size || fabs(sqrt(distance) - fabs(s->gap)) > 1e-13 * size ||
+        (fabs(s->gap) > 1e-12 * size && (side > 0) != (s->gap > 0)) || fmin(s->xi, s->eta) < lo ||
+        fmax(s->xi, s->eta) > hi)
+        fail_msg("xi %a eta %a gap %a: not the foot point", s->xi, s->eta, s->gap);
+}
+
+static void labels_are_foot_points(void **state)
+{
+    static const struct {
+        const char *name;
+        double lo, hi;
+    } scene[] = {{"quad4", -1.2, 1.2}, {"punch-quad4", -1.2, 1.2}, {"blocks-quad4", -1.2, 1.2}};
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct scene *s = shipped(scene[i].name);
+        s->heldout = 20000;
+        for (int part = PART_TRAINING; part <= PART_HELDOUT; part++) {
+            struct sample_set set = samples_of(s, (enum sample_part)part);
+            for (size_t k = 0; k < set.n; k++)
+                check_label(&set.s[k], scene[i].lo - 1e-6, scene[i].hi + 1e-6);
+            sample_set_free(&set);
+        }
+        scene_free(s);
+    }
+}
+
+static double distance(const double a[3], const double b[3])
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/* Aspect ratio of the mid-lines, gap over shortest edge: within the scene's limits, and used up to them. */
+static void shapes_keep_their_limits(void **state)
+{
+    struct scene *s = shipped("quad4");
+    struct sample_set set = samples_of(s, PART_TRAINING);
+    double aspect = 1, gap = 0, xi = 0;
+    (void)state;
+    for (size_t i = 0; i < set.n; i++) {
+        const struct sample *p = &set.s[i];
+        double c[2][3], shortest = INFINITY, origin[3] = {0};
+        for (int k = 0; k < 3; k++) {
+            c[0][k] = -p->x[0][k] + p->x[1][k] + p->x[2][k] - p->x[3][k];
+            c[1][k] = -p->x[0][k] - p->x[1][k] + p->x[2][k] + p->x[3][k];
+        }
+        for (int k = 0; k < 4; k++)
+            shortest = fmin(shortest, distance(p->x[k], p->x[(k + 1) % 4]));
+        const double ratio = distance(c[0], origin) / distance(c[1], origin);
+        aspect = fmax(aspect, fmax(ratio, 1 / ratio));
+        gap = fmax(gap, fabs(p->gap) / shortest);
+        xi = fmax(xi, fabs(p->xi));
+    }
+    assert_true(aspect > 4.99 && aspect < 5 + 1e-9);
+    assert_true(gap > 0.199 && gap < 0.2 + 1e-9);
+    assert_true(xi > 1.199 && xi < 1.2 + 1e-6);
+    sample_set_free(&set);
+    scene_free(s);
+}
+
+static void order_renumbers_the_corners(void **state)
+{
+    struct diag d;
+    (void)state;
+    for (int shorter = 0; shorter < 2; shorter++) {
+        char *text = replaced(HEAD SHAPES TAIL, "\"any\"", shorter ? "\"nearest-shorter\"" : "\"nearest\"");
+        struct scene *s = read_from_text(text, &d);
+        assert_non_null(s);
+        struct sample_set set = samples_of(s, PART_TRAINING);
+        for (size_t i = 0; i < set.n; i++) {
+            const struct sample *p = &set.s[i];
+            for (int k = 1; k < 4; k++)
+                assert_true(distance(p->xs, p->x[0]) <= distance(p->xs, p->x[k]) * (1 + 1e-15));
+            if (shorter)
+                assert_true(distance(p->x[0], p->x[3]) <= distance(p->x[0], p->x[1]) * (1 + 1e-15));
+            check_label(p, -1.2 - 1e-6, 1.2 + 1e-6);
+        }
+        sample_set_free(&set);
+        scene_free(s);
+        free(text);
+    }
+}
+
+static void refuse_samples(const char *text, enum sample_part part, const char *expected)
+{
+    struct sample_set set = {0};
+    struct diag d = {0};
+    struct scene *s = read_from_text(text, &d);
+    if (!s)
+        fail_msg("%s", d.text);
+    assert_false(scene_samples(s, part, &set, &d));
+    if (!strstr(d.text, expected))
+        fail_msg("'%s' lacks '%s'", d.text, expected);
+    sample_set_free(&set);
+    scene_free(s);
+}
+
+static void empty_sets_are_refused(void **state)
+{
+    char *text = replaced(HEAD LATTICE TAIL, "60", "60000000"), here[600];
+    char *near = NULL;
+    (void)state;
+    refuse_samples(text, PART_TRAINING, "configurations; training takes 60000000 and leaves none");
+    free(text);
+    assert_non_null(getcwd(here, sizeof here));
+    strcat(here, "/tests/meshes/punch.inp");
+    text = replaced(HEAD MESH TAIL, "MESH", here);
+    near = replaced(text, "0.5", "1e-9");
+    refuse_samples(near, PART_HELDOUT, "punch.inp: error: no slave node within a distance of 1e-09 over a master face");
+    free(near);
+    free(text);
+    here[strlen(here) - strlen("punch.inp")] = '\0';
+    strcat(here, "tetra10.inp");
+    text = replaced(HEAD MESH TAIL, "MESH", here);
+    refuse_samples(text, PART_TRAINING, "tetra10.inp: error: master faces of 6 nodes; scene 'footpoint-");
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shipped_scenes_read),          cmocka_unit_test(every_value_arrives),
+        cmocka_unit_test(malformed_scenes_are_refused), cmocka_unit_test(missing_scenes_are_refused),
+        cmocka_unit_test(parts_share_nothing),          cmocka_unit_test(seeds_draw_other_samples),
+        cmocka_unit_test(labels_are_foot_points),       cmocka_unit_test(shapes_keep_their_limits),
+        cmocka_unit_test(order_renumbers_the_corners),  cmocka_unit_test(empty_sets_are_refused),
+    };
+    return cmocka_run_group_tests(tests, make_path, remove_path);
+}
