@@ -38,7 +38,7 @@ CONTRACT    := -ffp-contract=off
 ifeq ($(CONFIG),fma)
 CONTRACT :=
 endif
-CFLAGS := -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA_CFLAGS)
+CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA_CFLAGS)
 
 # What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
 codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
@@ -57,10 +57,10 @@ include_dirs = $(filter -I%,$(1))
 CFLAGS_locate     := -fno-math-errno -fno-trapping-math
 CFLAGS_bench_main := -fno-math-errno -fno-trapping-math
 
-LIBS_codegen := $(call pkg,--libs libmd) -lflint -lmpfr -lgmp -lm
-LIBS_evolve  := $(call pkg,--libs gsl libconfig libmd) -lm
+LIBS_codegen  = $(call pkg,--libs libmd) -lflint -lmpfr -lgmp -lm
+LIBS_evolve   = $(call pkg,--libs gsl libconfig libmd) -lm
 LIBS_mpi      = $(call pkg,--libs ompi-c)
-LIBS_test    := $(call pkg,--libs cmocka gsl libconfig libmd) -lflint -lmpfr -lgmp -lm
+LIBS_test     = $(call pkg,--libs cmocka gsl libconfig libmd) -lflint -lmpfr -lgmp -lm
 CFLAGS_mpi    = $(call pkg,--cflags ompi-c)
 
 $(OBJ)/%.o: %.c $(OBJ)/flags

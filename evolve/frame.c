@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { NODES = 5, INPUTS = 3 * NODES };
 
@@ -14,13 +15,12 @@ static const char *const scene_let[FROM_SCENE] = {"xi0", "eta0", "xi_lo", "xi_hi
 
 static void scene_values(const struct scene *s, double value[FROM_SCENE])
 {
-    const double mesh_overhang = 0.1; /* as mesh pairs are sampled */
-    const double reach = 1 + 2 * (s->source == SOURCE_RANDOM ? s->shapes.overhang : mesh_overhang);
-    const bool lattice = s->source == SOURCE_LATTICE;
+    double lo[2], hi[2];
+    scene_box(s, lo, hi);
     for (int k = 0; k < 2; k++) {
         value[k] = s->reference[k];
-        value[2 + k] = lattice ? s->lattice.xi[k] : k ? reach : -reach;
-        value[4 + k] = lattice ? s->lattice.eta[k] : k ? reach : -reach;
+        value[2 + 2 * k] = lo[k];
+        value[3 + 2 * k] = hi[k];
     }
 }
 
@@ -89,6 +89,8 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
     char path[1024];
     const struct tier *t = &s->tier[tier];
     snprintf(path, sizeof path, "%s/evolve/frames/%s.gen", root, t->frame);
+    if (access(path, R_OK) != 0)
+        return diag_at(d, s->path, t->line, 0, "tier '%s': cannot read frame '%s'", t->name, path);
     struct genome_file *frame = genome_read(path, d);
     if (!frame)
         return false;
@@ -97,7 +99,7 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
         good = add_let(frame, &frame->let[i], s, program, d);
     for (size_t i = 0; good && i < t->terminals; i++)
         if (genome_find_symbol(frame, t->terminal[i]) < 0)
-            good = diag_at(d, s->path, 0, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],
+            good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],
                            t->frame);
     genome_file_free(frame);
     return good;

@@ -12,8 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define OVERHANG 0.1             /* fraction of the segment */
-#define REACH (1 + 2 * OVERHANG) /* of xi and eta */
+#define REACH (1 + 2 * MESH_OVERHANG) /* of xi and eta */
 
 /* A slave node on a master face. */
 struct pair {
@@ -82,8 +81,9 @@ static void search(const struct mesh *mesh, const struct mesh_pair *p, double di
             least = fmin(least, pair.s.x[i][0]);
             most = fmax(most, pair.s.x[i][0]);
         }
-        /* The shape functions of a point this far outside sum to 1 with at most 2 OVERHANG (1 + OVERHANG) negative. */
-        const double margin = distance + 2 * OVERHANG * (1 + OVERHANG) * (most - least);
+        /* The shape functions of a point this far outside sum to 1 with at most 2 MESH_OVERHANG (1 + MESH_OVERHANG)
+         * negative. */
+        const double margin = distance + 2 * MESH_OVERHANG * (1 + MESH_OVERHANG) * (most - least);
         for (size_t i = first_from(slave, p->slaves, least - margin); i < p->slaves && slave[i].x <= most + margin;
              i++) {
             pair.slave = slave[i].node;

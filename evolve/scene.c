@@ -1,5 +1,6 @@
 /* Reads a scene: a libconfig text (scenes/, README.md for its meaning).  Every key, type, unit and range is checked,
  * and each complaint names its line. */
+#include "mesh.h"
 #include "samplers.h"
 
 #include <errno.h>
@@ -9,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What a complaint needs, and the first complaint. */
 struct reader {
@@ -199,13 +201,39 @@ static bool read_shapes(const struct reader *r, config_setting_t *g, struct shap
            read_number(r, config_setting_get_member(g, "overhang"), "overhang", 0, 1, &s->overhang);
 }
 
+static void append(char **data, size_t *size, const void *more, size_t n)
+{
+    char *all = new_array(*size + n, 1);
+    if (*size)
+        memcpy(all, *data, *size);
+    if (n)
+        memcpy(all + *size, more, n);
+    free(*data);
+    *data = all;
+    *size += n;
+}
+
+/* What the mesh contributes to the scene's digest: its nodes and contact pairs, whatever files they stand in. */
+static bool read_mesh_content(const char *path, char **data, size_t *size, struct diag *d)
+{
+    struct mesh *m = mesh_read(path, d);
+    if (!m)
+        return false;
+    append(data, size, m->xyz, m->nodes * sizeof *m->xyz);
+    for (size_t i = 0; i < m->pairs; i++) {
+        append(data, size, m->pair[i].slave, m->pair[i].slaves * sizeof *m->pair[i].slave);
+        append(data, size, m->pair[i].master, m->pair[i].masters * sizeof *m->pair[i].master);
+    }
+    mesh_free(m);
+    return true;
+}
+
 /* The mesh file's path is relative to the scene's folder. */
-static bool read_mesh(const struct reader *r, config_setting_t *g, struct mesh_pairs *m, char **text, size_t *size)
+static bool read_mesh(const struct reader *r, config_setting_t *g, struct mesh_pairs *m, char **data, size_t *size)
 {
     static const char *const required[] = {"file", "distance", NULL}, *const optional[] = {NULL};
     const config_setting_t *s;
     const char *slash = strrchr(r->path, '/');
-    struct diag unread;
     char path[1024], *file = NULL;
     if (!check_keys(r, g, "mesh", required, optional) ||
         !read_number(r, config_setting_get_member(g, "distance"), "distance", 1e-300, 1e300, &m->distance))
@@ -219,8 +247,9 @@ static bool read_mesh(const struct reader *r, config_setting_t *g, struct mesh_p
         snprintf(path, sizeof path, "%.*s/%s", (int)(slash - r->path), r->path, file);
     free(file);
     m->file = new_text(path, strlen(path));
-    *text = read_text(path, size, &unread);
-    return *text ? true : fail(r, s, "cannot read mesh file '%s'", path);
+    if (access(path, R_OK) != 0)
+        return fail(r, s, "cannot read mesh file '%s'", path);
+    return read_mesh_content(path, data, size, r->d);
 }
 
 static bool read_terminals(const struct reader *r, const config_setting_t *s, struct tier *t)
@@ -250,6 +279,7 @@ static bool read_tier(const struct reader *r, config_setting_t *g, const config_
     const config_setting_t *own;
     long long length;
     int which;
+    t->line = (int)config_setting_source_line(g);
     if (!config_setting_is_group(g))
         return fail(r, g, "a tier must be a group, { name = ...; }");
     if (!check_keys(r, g, "tier", required, optional) ||
@@ -337,7 +367,7 @@ static bool read_scene(const struct reader *r, config_setting_t *root, struct sc
                                            "seed",    "training", "heldout",   "tiers", NULL};
     static const char *const optional[] = {"frame", "lattice", "shapes", "mesh", NULL};
     static const char *const order[] = {"any", "nearest", "nearest-shorter"};
-    static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
+    static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double"};
     long long training, heldout, seed;
     int which;
     if (!check_keys(r, root, "scene", required, optional) ||
@@ -349,7 +379,7 @@ static bool read_scene(const struct reader *r, config_setting_t *root, struct sc
         !read_word(r, config_setting_get_member(root, "norm"), "norm", norm, 3, &which))
         return false;
     scene->norm = (enum scene_norm)which;
-    if (!read_word(r, config_setting_get_member(root, "precision"), "precision", precision, 2, &which))
+    if (!read_word(r, config_setting_get_member(root, "precision"), "precision", precision, 1, &which))
         return false;
     scene->precision = new_text(precision[which], strlen(precision[which]));
     if (!read_count(r, config_setting_get_member(root, "seed"), "seed", 0, LLONG_MAX, &seed) ||
@@ -375,7 +405,7 @@ static int include_line(const char *text)
     }
 }
 
-/* SHA-256 of the scene text and, after it, of the mesh text. */
+/* SHA-256 of the scene text and, after it, of the mesh content. */
 static void digest(struct scene *scene, const char *text, size_t size, const char *mesh, size_t mesh_size)
 {
     char *both = new_array(size + mesh_size, 1);
@@ -460,6 +490,16 @@ void scene_free(struct scene *s)
     free(s->path);
     free(s->name);
     free(s);
+}
+
+void scene_box(const struct scene *s, double lo[2], double hi[2])
+{
+    const double reach = 1 + 2 * (s->source == SOURCE_RANDOM ? s->shapes.overhang : MESH_OVERHANG);
+    const bool lattice = s->source == SOURCE_LATTICE;
+    lo[0] = lattice ? s->lattice.xi[0] : -reach;
+    hi[0] = lattice ? s->lattice.xi[1] : reach;
+    lo[1] = lattice ? s->lattice.eta[0] : -reach;
+    hi[1] = lattice ? s->lattice.eta[1] : reach;
 }
 
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)

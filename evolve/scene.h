@@ -28,6 +28,9 @@ struct shapes {
     double overhang; /* contact points in -1-2*overhang..1+2*overhang: this fraction of the segment outside it */
 };
 
+/** How far outside the segment contact points of mesh pairs are kept: this fraction of it. */
+#define MESH_OVERHANG 0.1
+
 /** Slave-node and master-segment pairs of a mesh file. */
 struct mesh_pairs {
     char *file;      /* owned; path as resolved from the scene's folder */
@@ -42,16 +45,17 @@ struct tier {
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - * */
+    int line;          /* where it stands in the scene */
 };
 
 struct scene {
     char *name, *path; /* owned; name is the file's base name without .scene */
-    char sha256[65];   /* of the scene text and, after it, of its mesh file */
+    char sha256[65];   /* of the scene text and, after it, of its mesh's nodes and pairs */
     char *segment;     /* owned: "quad4" */
     double reference[2];
     enum corner_order order;
     enum scene_norm norm;
-    char *precision; /* owned: "double" or "float" */
+    char *precision; /* owned: "double" */
     size_t training, heldout;
     uint64_t seed; /* of the samples, not of the evolution */
     enum scene_source source;
@@ -66,6 +70,9 @@ struct scene {
  * ..." */
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
+
+/** Box of the scene's contact points: lo < xi,eta <= hi, dimensionless. */
+void scene_box(const struct scene *s, double lo[2], double hi[2]);
 
 /** Which of a scene's samples.  No two share a configuration. */
 enum sample_part {

@@ -44,7 +44,7 @@ static struct scene *read_from_text(const char *text, struct diag *d)
     "order = \"any\";\n"                                                                                               \
     "reference = [0.0, 0.0];\n"                                                                                        \
     "norm = \"p99\";\n"                                                                                                \
-    "precision = \"float\";\n"                                                                                         \
+    "precision = \"double\";\n"                                                                                        \
     "seed = 5;\n"                                                                                                      \
     "training = 60;\n"                                                                                                 \
     "heldout = 40;\n"
@@ -116,7 +116,7 @@ static void every_value_arrives(void **state)
     assert_string_equal(s->path, path);
     assert_int_equal(strlen(s->name), strlen(path) - strlen("/tmp/") - strlen(".scene"));
     assert_int_equal(s->norm, NORM_P99);
-    assert_string_equal(s->precision, "float");
+    assert_string_equal(s->precision, "double");
     assert_int_equal(s->seed, 5);
     assert_int_equal(s->training, 60);
     assert_int_equal(s->heldout, 40);
@@ -164,7 +164,7 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"any\"", "\"some\"",
      "2: error: 'order' must be \"any\" or \"nearest\" or \"nearest-shorter\""},
     {HEAD SHAPES TAIL, "\"p99\"", "99", "4: error: 'norm' must be \"mean\" or \"p99\" or \"max\""},
-    {HEAD SHAPES TAIL, "\"float\"", "\"half\"", "5: error: 'precision' must be \"double\" or \"float\""},
+    {HEAD SHAPES TAIL, "\"double\"", "\"float\"", "5: error: 'precision' must be \"double\""},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0]", "3: error: 'reference' must be two numbers, [a, b]"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "0.0", "3: error: 'reference' must be two numbers, [a, b]"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0, -1.5]", "3: error: 'reference' must be in -1..1"},

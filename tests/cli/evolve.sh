@@ -1,0 +1,64 @@
+# footpoint-evolve: usage, diagnostics, exit statuses; same bytes on any number of ranks; nothing lost on bad input.
+. tests/cli/expect.inc
+evolve=$BIN/footpoint-evolve
+export OMPI_MCA_btl_base_warn_component_unused=0
+mpirun="mpirun --oversubscribe"
+[ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
+
+scene() { sed "$1" tests/scenes/small.scene > "$work/s.scene"; }
+refused() { expect "$1" 1 '' "$2" "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1; }
+
+expect 'help' 0 '*' '' "$evolve" --help
+expect 'version' 0 'footpoint-evolve 0.1.0' '' "$evolve" --version
+expect 'no scene' 2 '' 'footpoint-evolve: error: --scene is missing; see --help' "$evolve"
+expect 'unknown option' 2 '' "footpoint-evolve: error: unknown option '--speed'; see --help" "$evolve" --speed
+expect 'no islands' 2 '' 'footpoint-evolve: error: --islands 0 is out of range' "$evolve" --scene quad4 --islands 0
+expect 'one individual' 2 '' 'footpoint-evolve: error: --population 1 is out of range' "$evolve" --scene quad4 --population 1
+expect 'contradiction' 2 '' 'footpoint-evolve: error: --start and --from-scratch exclude each other' \
+    "$evolve" --scene quad4 --start x --from-scratch
+expect 'unknown scene' 3 '' './evolve/scenes/nowhere.scene: error: cannot open: No such file or directory' "$evolve" --scene nowhere
+
+scene 's/^norm/colour/';           refused 'unknown key' "$work/s.scene:5: error: unknown key 'colour' in scene"
+scene 's/"20 deg"/20.0/';          refused 'angle without a unit' '*'
+grep -q "$work/s.scene:10: error: 'skew'" "$work/stderr"; report $((! $?)) 'and the line says so'
+scene 's/"20 deg"/"20 mm"/';       refused 'wrong unit' '*'
+scene 's/aspect = 2.0/aspect = 0.5/'; refused 'out of range' '*'
+scene 's/training  = 700/training  = 0/'; refused 'zero samples' '*'
+scene 's/"parallelogram"/"trapezium"/'; expect 'unknown frame' 3 '' \
+    './evolve/frames/trapezium.gen: error: cannot open: No such file or directory' "$evolve" --scene "$work/s.scene" -o "$work/o.gen"
+scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
+refused 'unknown terminal' "$work/s.scene: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
+
+mesh() { sed 's|^shapes.*|mesh: { file = "m.inp"; distance = '"$1"'; };|' tests/scenes/small.scene > "$work/s.scene"; }
+mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: cannot read mesh file '$work/m.inp'"
+printf '*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n*ELEMENT, TYPE=B31\n1, 1, 2\n' > "$work/m.inp"
+refused 'unsupported element' '*'
+grep -q "^$work/m.inp:4: error: .*B31" "$work/stderr"; report $((! $?)) 'and the line says so'
+cp tests/meshes/punch.inp "$work/m.inp"; mesh 1e-9
+refused 'no pair is near enough' "$work/m.inp: error: no slave node within a distance of 1e-09 over a master face"
+
+scene ''
+cp tests/scenes/small.scene "$work/"
+run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 "$@"; }
+expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 25 --islands 3 -o "$work/r1.gen"
+for ranks in 2 3 4; do
+    run $ranks --from-scratch --generations 25 --islands 3 -o "$work/r$ranks.gen" > /dev/null
+    cmp -s "$work/r1.gen" "$work/r$ranks.gen"; report $((! $?)) "$ranks ranks, the same bytes"
+done
+expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --from-scratch --generations 25 \
+    --islands 3 -o "$work/r0.gen"
+cmp -s "$work/r1.gen" "$work/r0.gen"; report $((! $?)) 'and the same bytes'
+run 2 --start "$work/r1.gen" --generations 0 -o "$work/again.gen" > /dev/null
+cmp -s "$work/r1.gen" "$work/again.gen"; report $((! $?)) 'no generations: the same file again'
+run 2 --start "$work/r1.gen" --generations 40 -o "$work/later.gen" > "$work/table"
+worse=$(awk '/->/ && $5 + 0 > $3 + 0' "$work/table")
+[ -z "$worse" ] && grep -q -- '->' "$work/table"; report $((! $?)) 'a second run makes nothing worse'
+"$BIN/footpoint-codegen" "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
+    grep -q 'small_paper_at' "$work/small.h"; report $((! $?)) 'both frames end in a header'
+
+sed 's/^xi = .*/xi = + p/' "$work/r1.gen" > "$work/bad.gen"
+expect 'malformed start file' 1 '' '*' "$evolve" --scene "$work/small.scene" --start "$work/bad.gen" -o "$work/o.gen"
+[ ! -e "$work/o.gen" ]; report $((! $?)) 'and nothing is written'
+mkdir "$work/closed"
+expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No such file or directory" \
+    "$evolve" --scene "$work/small.scene" --from-scratch -o "$work/none/o.gen" --generations 100000000
