@@ -161,6 +161,17 @@ check-long: all $(TESTS) ## the tests and the long ones
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
 
+report: bench-program ## pictures of time against error, build/report/index.html
+	$(Q)BIN=$(BIN) sh tests/report.sh build/report
+
+paper: codegen evolve $(BIN)/tests/test_calibration ## the paper's data set and pd-LinearGP on its own inputs: GENERATIONS= (the paper: 3000)
+	$(Q)mkdir -p build/paper
+	$(Q)CMOCKA_MESSAGE_OUTPUT=TAP $(BIN)/tests/test_calibration
+	$(Q)$(MPIRUN) $(BIN)/footpoint-evolve --preset paper --scene tests/scenes/similarity.scene --generations $(GENERATIONS) \
+	    --seed $(SEED) --from-scratch -o build/paper/similarity.gen
+	$(Q)grep -E '^(genome|note heldout)' build/paper/similarity.gen
+	$(Q)$(BIN)/footpoint-codegen --count build/paper/similarity.gen
+
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
 PREFIX ?= /usr/local

@@ -287,6 +287,8 @@ static char *operand_name(struct emitter *e, int n, size_t i)
     fmpq_t coef;
     fmpq_init(coef);
     schedule_coefficient(e->s, n, i, coef);
+    if (e->s->dag->node[n].kind == NODE_ABS)
+        fmpq_abs(coef, coef);
     const struct text *t = &e->text[e->s->dag->node[n].edge[i].node];
     char *text;
     const bool negative = fmpq_sgn(coef) < 0;

@@ -56,6 +56,8 @@ static void derive_scale(struct schedule *s, int n)
     const struct node *node = &s->dag->node[n];
     fmpq *scale = &s->scale[n];
     fmpq_one(scale);
+    if (node->kind == NODE_ABS)
+        fmpq_abs(scale, &s->scale[node->edge[0].node]);
     if (node->kind == NODE_INVERSE)
         fmpq_inv(scale, &s->scale[node->edge[0].node]);
     if (node->kind != NODE_PRODUCT)

@@ -25,7 +25,7 @@ const char evolve_help[] =
     "                              + - * or + - * and protected division (default: as the tier says)\n"
     "  --selection roulette|tournament\n"
     "                              of parents: on 1/error, or the best of 4 (default: tournament)\n"
-    "  --parsimony X               what a gene costs, as a fraction of the error (default: 0.002)\n"
+    "  --parsimony X               what a gene costs, as a fraction of the error (default: 0.005)\n"
     "  --migrate-every N           generations between migrations (default: 10)\n"
     "  --migrate-fraction X        part of a population that migrates (default: 0.1)\n"
     "  --preset paper              the paper's run: 3000 generations on 5 islands of 200, roulette, no parsimony;\n"
@@ -42,7 +42,7 @@ static const struct evolve_options standard = {.root = ".",
                                                .islands = 2,
                                                .population = 200,
                                                .selection = SELECT_TOURNAMENT,
-                                               .parsimony = 0.002,
+                                               .parsimony = 0.005,
                                                .migrate_every = 10,
                                                .migrate_fraction = 0.1};
 
