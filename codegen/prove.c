@@ -48,7 +48,7 @@ static void number_set(struct number *x, const struct number *y)
     x->m = y->m;
 }
 
-static void set_rational(struct number *x, const fmpq_t q)
+static void set_rational(struct number *x, const fmpq *q)
 {
     const mp_limb_t n = fmpz_fdiv_ui(fmpq_numref(q), prime), d = fmpz_fdiv_ui(fmpq_denref(q), prime);
     if (q != x->q)

@@ -60,7 +60,7 @@ static void print_usage(FILE *out)
 /* Sample i of `count` spread evenly over the set; the set is repeated if it is smaller. */
 static const struct sample *spread(const struct sample_set *set, size_t i, size_t count)
 {
-    return &set->s[set->n < count ? i % set->n : (size_t)((double)i / (double)count * (double)set->n)];
+    return &set->s[set->n < count ? i % set->n : i * set->n / count];
 }
 
 static struct timed timed_new(const struct sample_set *set)

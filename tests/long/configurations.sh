@@ -1,0 +1,14 @@
+# Everything under the sanitizers, and with fused multiply-add.
+. tests/cli/expect.inc
+for config in asan fma debug; do
+    make -s CONFIG=$config all > "$work/log" 2>&1 &&
+        make -s CONFIG=$config $(ls tests/test_*.c | sed "s|tests/\(.*\)\.c|build/$config/bin/tests/\1|") > "$work/log" 2>&1
+    report $((! $?)) "$config builds"
+    for test in build/$config/bin/tests/test_*; do
+        [ "$config $(basename "$test")" != 'debug test_calibration' ] || continue
+        "$test" > "$work/log" 2>&1
+        good=$?
+        [ $good -eq 0 ] || tail -20 "$work/log" | sed 's/^/# /'
+        report $((!good)) "$config $(basename "$test")"
+    done
+done
