@@ -10,10 +10,10 @@ mkdir -p "$folder" && "$BIN/footpoint-bench" --csv > "$folder/bench.csv" || exit
 for picture in $(awk -F, 'NR > 1 { print $1 "," $2 "," $5 }' "$folder/bench.csv" | uniq | sort -u); do
     scene=${picture%%,*} rest=${picture#*,}
     sample=${rest%,*} mode=${rest#*,}
-    awk -F, -v s="$scene" -v p="$sample" -v m="$mode" '$1 == s && $2 == p && $5 == m && $13 > 1e-17 && $13 < 1 {
-        print $3, $4, $10, ($13 + $16) / 2 }' "$folder/bench.csv" > "$folder/points"
+    awk -F, -v s="$scene" -v p="$sample" -v m="$mode" '$1 == s && $2 == p && $5 == m && $12 > 1e-17 && $12 < 1 {
+        print $3, $4, $10, ($12 + $15) / 2 }' "$folder/bench.csv" > "$folder/points"
     gnuplot << END || exit 3
-set terminal svg size 900,600 font "sans,12"
+set terminal svg size 900,600 font "sans,12" background "white"
 set output "$folder/$scene-$sample-$mode.svg"
 set logscale xy
 set format y "10^{%L}"
@@ -21,6 +21,8 @@ set title "$scene, $sample samples, $mode" noenhanced
 set xlabel "ns a search"
 set ylabel "mean error of xi and eta"
 set grid
+set xrange [3:100]
+set key bottom left
 plot "$folder/points" using (\$2 == 0 ? \$3 : 1/0):4 with points pt 6 ps 1 title "by hand", \
      "" using (\$2 == 1 ? \$3 : 1/0):4 with points pt 5 ps 1.2 title "footpoint", \
      "" using 3:4:1 with labels offset 1,0.6 left font ",9" noenhanced notitle

@@ -31,6 +31,12 @@ for header in generated/*.h; do
         [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
         report $((!good)) "$name alone, $compiler"
     done
+    if command -v nvcc > /dev/null; then
+        (cd "$work/alone" && cp use.c use.cu && nvcc -c use.cu -o use.o) > "$work/log" 2>&1
+        good=$?
+        [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
+        report $((!good)) "$name alone, nvcc"
+    fi
     rm -rf "$work/alone"
 done
 
