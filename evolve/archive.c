@@ -148,6 +148,26 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
     c->bred = true;
 }
 
+/* What the error tables hold for. */
+static void note_range(struct genome_file *f, const struct scene *s)
+{
+    const double degree = acos(-1) / 180;
+    const struct shapes *p = &s->shapes;
+    const char *slash = s->source == SOURCE_MESH ? strrchr(s->mesh.file, '/') : NULL;
+    double lo[2], hi[2];
+    scene_box(s, lo, hi);
+#define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, "range", __VA_ARGS__)
+    if (s->source == SOURCE_RANDOM)
+        NOTE("aspect <= %g, skew <= %g deg, taper <= %g, warp <= %g deg, |gap| <= %g of the shortest edge", p->aspect,
+             p->skew / degree, p->taper, p->warp / degree, p->gap);
+    else if (s->source == SOURCE_MESH)
+        NOTE("contact pairs of %s within %g mesh lengths", slash ? slash + 1 : s->mesh.file, s->mesh.distance);
+    else
+        NOTE("A = (0,0,0), B = (1,0,0); |x|, |y| <= %g, |z| <= %g", s->lattice.xy_max, s->lattice.z_max);
+    NOTE("%g < xi <= %g, %g < eta <= %g", lo[0], hi[0], lo[1], hi[1]);
+#undef NOTE
+}
+
 static void add_file_notes(struct genome_file *f, const struct scene *s)
 {
     char frames[512] = "", reference[2][32];
@@ -165,6 +185,7 @@ static void add_file_notes(struct genome_file *f, const struct scene *s)
     NOTE("footpoint", "%s", FOOTPOINT_VERSION);
     NOTE("scene", "%s", s->name);
     NOTE("scene_sha256", "%s", s->sha256);
+    note_range(f, s);
     NOTE("frames", "%s", frames);
     NOTE("reference", "xi %s eta %s", reference[0], reference[1]);
 #undef NOTE

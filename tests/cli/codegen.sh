@@ -40,6 +40,10 @@ expect 'a removed singularity is told' 0 'genome,mul,div,add,sqrt,compare
 g,0,0,0,0,0' "$g:3: warning: genome 'g': 1 division cancelled (a removed singularity)" "$codegen" --count "$g"
 
 genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
+genome 'note evil */ int x; /* \\' 'input x' 'genome g' 'note more */ int y;' 'r = x' 'end'
+"$codegen" "$g" -o "$work/e.h" && echo '#include "e.h"' > "$work/e.c" && ${CC:-gcc} -Wall -Werror -c "$work/e.c" -o "$work/e.o"
+report $((! $?)) 'a note cannot end the banner'
+genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
 expect 'output folder missing' 3 '' "$work/none/h.h: error: cannot write: No such file or directory" \
     "$codegen" "$g" -o "$work/none/h.h"
 "$codegen" "$g" -o "$work/h.h"
