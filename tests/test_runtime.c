@@ -16,7 +16,7 @@
 enum { SEGMENTS = 300 };
 
 /* Of xi and eta, and of the gap over the edge: what the iteration-free search keeps on ordinary segments. */
-#define LOCATE_ERROR 1e-2
+#define LOCATE_ERROR 1e-6
 #define NEWTON_ERROR 1e-9
 #define UNTOUCHED 77.25
 
