@@ -132,7 +132,7 @@ $(OBJ)/tests/bench_main.o: $(OBJ)/rival_counts.inc
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
 SCENES := $(patsubst evolve/scenes/%.scene,%,$(sort $(wildcard evolve/scenes/*.scene)))
-MPIRUN ?= mpirun $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe -n $(RANKS)
+MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe -n $(RANKS)
 
 regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch
 	$(Q)for scene in $(or $(SCENE),$(SCENES)); do \

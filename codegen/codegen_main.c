@@ -59,6 +59,20 @@ static bool write_header(const struct genome_file *f, const struct compiled *c, 
     return outfile_commit(&out, d);
 }
 
+/* A segment's genome NAME becomes NAME and NAME_at. */
+static bool check_names(const struct genome_file *f, struct diag *d)
+{
+    for (size_t i = 0; f->segment && i < f->genomes; i++)
+        for (size_t k = 0; k < f->genomes; k++) {
+            const char *name = f->genome[i].name, *other = f->genome[k].name;
+            const size_t n = strlen(name);
+            if (strncmp(other, name, n) == 0 && strcmp(other + n, "_at") == 0)
+                return diag_at(d, f->path, f->genome[k].line, 1, "genome '%s' takes the name of a function of '%s'",
+                               other, name);
+        }
+    return true;
+}
+
 static bool compile_all(const struct genome_file *f, struct compiled *c, struct diag *d)
 {
     for (size_t i = 0; i < f->genomes; i++) {
@@ -85,7 +99,7 @@ static bool run(const char *path, const char *output, const char *prefix, struct
         return false;
     struct compiled *c = new_array(f->genomes, sizeof *c);
     bool good = f->genomes > 0 || diag_at(d, path, 0, 0, "the file holds no genome");
-    good = good && compile_all(f, c, d);
+    good = good && check_names(f, d) && compile_all(f, c, d);
     if (good && output)
         good = write_header(f, c, output, prefix, sha256, d);
     else if (good) {

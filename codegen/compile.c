@@ -40,13 +40,20 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, st
         if (!g)
             return false;
         struct emission e = run_passes(f, g, variant < 2);
-        c->removed = g->removed;
+        const size_t removed = g->removed;
         dag_free(g);
         if (!c->emission.text || cheaper(&e.ops, &c->emission.ops)) {
             free(c->emission.text);
             c->emission = e;
+            c->removed = removed;
         } else
             free(e.text);
+    }
+    if (c->emission.out_of_range) {
+        free(c->emission.text);
+        c->emission.text = NULL;
+        return diag_at(d, f->path, genome->line, 1, "genome '%s' needs a constant out of the range of double",
+                       genome->name);
     }
     return true;
 }

@@ -12,7 +12,7 @@ struct compiled {
 /** Cost of a count: mul + add + 8 div (a vector division costs about as much as 8 fused multiply-adds). */
 long operations_cost(const struct operations *ops);
 
-/** False with *d filled when the genome divides by 0 everywhere. */
+/** False with *d filled, and no text, when the genome divides by 0 everywhere or needs a constant that is no double. */
 bool compile_genome(const struct genome_file *f, const struct genome *genome, struct compiled *c, struct diag *d);
 
 #endif

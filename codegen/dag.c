@@ -185,12 +185,6 @@ void dag_input(struct dag *g, size_t input, struct value *v)
     fmpq_clear(one);
 }
 
-void dag_constant(struct dag *g, const fmpq_t c, struct value *v)
-{
-    (void)g;
-    set_value(v, c, 0);
-}
-
 static int by_node(const void *a, const void *b)
 {
     const struct edge *x = a, *y = b;

@@ -77,7 +77,6 @@ void value_clear(struct value *v);
 
 /** Each maker sets *v, initialised by the caller.  Lists are consumed: emptied on return. */
 void dag_input(struct dag *g, size_t input, struct value *v);
-void dag_constant(struct dag *g, const fmpq_t c, struct value *v);
 void dag_sum(struct dag *g, struct edges *terms, struct value *v);
 /** coef times the product of node^power; powers may be negative: those are divided by. */
 void dag_product(struct dag *g, const fmpq_t coef, struct edges *factors, struct value *v);

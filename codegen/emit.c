@@ -153,11 +153,17 @@ static bool is_two(const fmpq_t coef)
     return fmpz_is_one(fmpq_denref(coef)) && fmpz_cmpabs(fmpq_numref(coef), (fmpz[1]){2}) == 0;
 }
 
+/* Numerator and denominator, and so their quotient, are far inside the range of double. */
+static bool in_range(const fmpq_t c)
+{
+    return fmpz_bits(fmpq_numref(c)) < 1000 && fmpz_bits(fmpq_denref(c)) < 1000;
+}
+
 /* coef * text for a coefficient > 0, as a factor or term; counts the operation. */
 static char *scaled_text(struct emitter *e, const fmpq_t coef, const struct text *t)
 {
     enum precedence level;
-    if (t->num && !t->den && t->level == ATOM && is_two(coef)) {
+    if (t->num && !t->den && t->level == ATOM && is_two(coef) && !strchr(t->num, '(')) {
         char *left = join("(", t->num, " + "), *twice = join(left, t->num, ")"); /* an addition, at no rounding error */
         e->out->ops.add++;
         free(left);
@@ -166,6 +172,7 @@ static char *scaled_text(struct emitter *e, const fmpq_t coef, const struct text
     if (fmpq_is_one(coef))
         return t->den ? whole_text(t, &level) : factor_text(t);
     char *c = emit_rational(coef), *all;
+    e->out->out_of_range |= !in_range(coef);
     if (!t->num) {
         all = t->den ? join(c, " / ", t->den) : join(c, "", "");
     } else {

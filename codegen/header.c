@@ -62,64 +62,71 @@ static void print_macros(const char *guard, FILE *out)
 
 static void print_helpers(FILE *out)
 {
-    fputs("\n#ifndef FOOTPOINT_QUAD4_SEARCH\n"
-          "#define FOOTPOINT_QUAD4_SEARCH\n"
-          "/* 1 if two corners coincide. */\n"
-          "FOOTPOINT_FN int footpoint_quad4_coincide(const double a[3], const double b[3])\n"
-          "{\n"
-          "    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);\n"
-          "}\n\n"
-          "/* Status of the nodes: all finite, no two corners the same. */\n"
-          "FOOTPOINT_FN int footpoint_quad4_inspect(const double xA[3], const double xB[3], const double xC[3],\n"
-          "                                         const double xD[3], const double xS[3])\n"
-          "{\n"
-          "    const double sum = (xA[0] + xA[1] + xA[2]) + (xB[0] + xB[1] + xB[2]) + (xC[0] + xC[1] + xC[2]) +\n"
-          "                       (xD[0] + xD[1] + xD[2]) + (xS[0] + xS[1] + xS[2]);\n"
-          "    const int coincide = footpoint_quad4_coincide(xA, xB) | footpoint_quad4_coincide(xB, xC) |\n"
-          "                         footpoint_quad4_coincide(xC, xD) | footpoint_quad4_coincide(xD, xA) |\n"
-          "                         footpoint_quad4_coincide(xA, xC) | footpoint_quad4_coincide(xB, xD);\n"
-          "    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : "
-          "FOOTPOINT_ERR_NOT_FINITE;\n"
-          "}\n\n"
-          "/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 "
-          "open. */\n"
-          "FOOTPOINT_FN double footpoint_quad4_signed_gap(const double xA[3], const double xB[3], const double xC[3],\n"
-          "                                               const double xD[3], const double xS[3], double xi, double "
-          "eta)\n"
-          "{\n"
-          "    double u[3], v[3], d[3], nx, ny, nz;\n"
-          "    int i;\n"
-          "    for (i = 0; i < 3; i++) {\n"
-          "        const double ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];\n"
-          "        const double s = 0.5 * (1.0 + xi), t = 0.5 * (1.0 + eta);\n"
-          "        u[i] = ab + t * (dc - ab);\n"
-          "        v[i] = ad + s * (bc - ad);\n"
-          "        d[i] = (xS[i] - xA[i]) - s * ab - t * v[i];\n"
-          "    }\n"
-          "    nx = u[1] * v[2] - u[2] * v[1];\n"
-          "    ny = u[2] * v[0] - u[0] * v[2];\n"
-          "    nz = u[0] * v[1] - u[1] * v[0];\n"
-          "    return (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nx * nx + ny * ny + nz * nz);\n"
-          "}\n\n"
-          "FOOTPOINT_FN double footpoint_quad4_square_distance(const double a[3], const double b[3])\n"
-          "{\n"
-          "    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];\n"
-          "    return x * x + y * y + z * z;\n"
-          "}\n\n"
-          "/* Number of the corner nearest to s: 0..3, the first of equals. */\n"
-          "FOOTPOINT_FN int footpoint_quad4_nearest_corner(const double *const x[4], const double s[3])\n"
-          "{\n"
-          "    double least = footpoint_quad4_square_distance(x[0], s);\n"
-          "    int nearest = 0, i;\n"
-          "    for (i = 1; i < 4; i++) {\n"
-          "        const double d = footpoint_quad4_square_distance(x[i], s);\n"
-          "        nearest = d < least ? i : nearest;\n"
-          "        least = d < least ? d : least;\n"
-          "    }\n"
-          "    return nearest;\n"
-          "}\n"
-          "#endif\n",
-          out);
+    fputs(
+        "\n#ifndef FOOTPOINT_QUAD4_SEARCH\n"
+        "#define FOOTPOINT_QUAD4_SEARCH\n"
+        "/* 1 if two corners coincide. */\n"
+        "FOOTPOINT_FN int footpoint_detail_coincide(const double a[3], const double b[3])\n"
+        "{\n"
+        "    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);\n"
+        "}\n\n"
+        "/* Status of the nodes: all finite, no two corners the same. */\n"
+        "FOOTPOINT_FN int footpoint_detail_inspect(const double xA[3], const double xB[3], const double xC[3],\n"
+        "                                         const double xD[3], const double xS[3])\n"
+        "{\n"
+        "    const double sum = (xA[0] + xA[1] + xA[2]) + (xB[0] + xB[1] + xB[2]) + (xC[0] + xC[1] + xC[2]) +\n"
+        "                       (xD[0] + xD[1] + xD[2]) + (xS[0] + xS[1] + xS[2]);\n"
+        "    const int coincide = footpoint_detail_coincide(xA, xB) | footpoint_detail_coincide(xB, xC) |\n"
+        "                         footpoint_detail_coincide(xC, xD) | footpoint_detail_coincide(xD, xA) |\n"
+        "                         footpoint_detail_coincide(xA, xC) | footpoint_detail_coincide(xB, xD);\n"
+        "    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : "
+        "FOOTPOINT_ERR_NOT_FINITE;\n"
+        "}\n\n"
+        "/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.\n"
+        " * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */\n"
+        "FOOTPOINT_FN int footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],\n"
+        "                                      const double xD[3], const double xS[3], double xi, double eta, double "
+        "*gap)\n"
+        "{\n"
+        "    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;\n"
+        "    int i, area;\n"
+        "    for (i = 0; i < 3; i++) {\n"
+        "        const double ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];\n"
+        "        const double s = 0.5 * (1.0 + xi), t = 0.5 * (1.0 + eta);\n"
+        "        u[i] = ab + t * (dc - ab);\n"
+        "        v[i] = ad + s * (bc - ad);\n"
+        "        d[i] = (xS[i] - xA[i]) - s * ab - t * v[i];\n"
+        "        uu += u[i] * u[i] + ab * ab + dc * dc;\n"
+        "        vv += v[i] * v[i] + ad * ad + bc * bc;\n"
+        "    }\n"
+        "    nx = u[1] * v[2] - u[2] * v[1];\n"
+        "    ny = u[2] * v[0] - u[0] * v[2];\n"
+        "    nz = u[0] * v[1] - u[1] * v[0];\n"
+        "    nn = nx * nx + ny * ny + nz * nz;\n"
+        "    area = nn > 1e-20 * (uu * vv);\n"
+        "    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);\n"
+        "    *gap = area ? nn : *gap;\n"
+        "    return area;\n"
+        "}\n\n"
+        "FOOTPOINT_FN double footpoint_detail_square_distance(const double a[3], const double b[3])\n"
+        "{\n"
+        "    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];\n"
+        "    return x * x + y * y + z * z;\n"
+        "}\n\n"
+        "/* Number of the corner nearest to s: 0..3, the first of equals. */\n"
+        "FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const double s[3])\n"
+        "{\n"
+        "    double least = footpoint_detail_square_distance(x[0], s);\n"
+        "    int nearest = 0, i;\n"
+        "    for (i = 1; i < 4; i++) {\n"
+        "        const double d = footpoint_detail_square_distance(x[i], s);\n"
+        "        nearest = d < least ? i : nearest;\n"
+        "        least = d < least ? d : least;\n"
+        "    }\n"
+        "    return nearest;\n"
+        "}\n"
+        "#endif\n",
+        out);
 }
 
 static void print_segment_arguments(const char *function, const char *last, FILE *out)
@@ -139,14 +146,14 @@ static void print_ordered_call(const char *name, enum corner_order order, FILE *
         return;
     }
     fputs("    x[0] = xA;\n    x[1] = xB;\n    x[2] = xC;\n    x[3] = xD;\n"
-          "    k = footpoint_quad4_nearest_corner(x, xS);\n",
+          "    k = footpoint_detail_nearest_corner(x, xS);\n",
           out);
     if (order == CORNERS_NEAREST)
         fprintf(out, "    %s_at(x[k], x[(k + 1) & 3], x[(k + 2) & 3], x[(k + 3) & 3], xS, &u, &v);\n", name);
     else
         fprintf(out,
-                "    mirror = footpoint_quad4_square_distance(x[k], x[(k + 3) & 3]) >\n"
-                "             footpoint_quad4_square_distance(x[k], x[(k + 1) & 3]);\n"
+                "    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >\n"
+                "             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);\n"
                 "    %s_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, "
                 "&v);\n"
                 "    w = mirror ? v : u;\n"
@@ -194,14 +201,14 @@ static void print_segment_functions(const struct genome_file *f, const char *nam
           out);
     snprintf(head, sizeof head, "FOOTPOINT_FN int %s", name);
     print_segment_arguments(head, "double loc[2], double *gap", out);
-    fputs("{\n    double xi, eta, g", out);
+    fputs("{\n    double xi, eta, g = 0.0", out);
     if (f->order != CORNERS_ANY)
         fprintf(out, ", u, v%s;\n    const double *x[4];\n    int k%s", f->order == CORNERS_NEAREST ? "" : ", w",
                 f->order == CORNERS_NEAREST ? "" : ", mirror");
-    fputs(";\n    int status = footpoint_quad4_inspect(xA, xB, xC, xD, xS);\n", out);
+    fputs(";\n    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);\n", out);
     print_ordered_call(name, f->order, out);
-    fputs("    g = footpoint_quad4_signed_gap(xA, xB, xC, xD, xS, xi, eta);\n"
-          "    if (status == FOOTPOINT_OK && !((xi - xi) + (eta - eta) + (g - g) == 0.0))\n"
+    fputs("    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);\n"
+          "    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))\n"
           "        status = FOOTPOINT_ERR_DEGENERATE;\n"
           "    if (status == FOOTPOINT_OK) {\n        loc[0] = xi;\n        loc[1] = eta;\n        *gap = g;\n    }\n"
           "    return status;\n}\n",

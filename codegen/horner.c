@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_TERMS = 4000 }; /* larger sums are left as they are: bounded time on enormous input */
+/* Larger sums, and what is left after so many factors, stay as they are: bounded time and stack on enormous input. */
+enum { MOST_TERMS = 4000, DEEPEST = 300 };
 
 struct term {
     fmpq_t coef;
@@ -93,8 +94,8 @@ static int divide_terms(struct term *t, size_t n, int node, struct term *quotien
     return power;
 }
 
-/* Value of a list of terms; consumes them (not the array).  Recursion is as deep as the degree. */
-static void factor_terms(struct factoring *f, struct term *t, size_t n, struct value *v)
+/* Value of a list of terms; consumes them (not the array).  Recursion is as deep as the degree, at most DEEPEST. */
+static void factor_terms(struct factoring *f, struct term *t, size_t n, int depth, struct value *v)
 {
     struct edges sum = {0};
     struct value part;
@@ -102,7 +103,7 @@ static void factor_terms(struct factoring *f, struct term *t, size_t n, struct v
     fmpq_init(one);
     fmpq_one(one);
     value_init(&part);
-    while (n > 1 && n <= MOST_TERMS) {
+    while (n > 1 && n <= MOST_TERMS && depth < DEEPEST) {
         size_t most, taken;
         const int node = commonest(f->to, t, n, &most);
         if (most < 2)
@@ -110,7 +111,7 @@ static void factor_terms(struct factoring *f, struct term *t, size_t n, struct v
         struct term *quotient = new_array(most, sizeof *quotient);
         const int power = divide_terms(t, n, node, quotient, &taken);
         n -= taken;
-        factor_terms(f, quotient, taken, &part);
+        factor_terms(f, quotient, taken, depth + 1, &part);
         struct edges product = {0};
         edges_add(&product, one, node, power);
         edges_add(&product, one, part.node, 1);
@@ -179,7 +180,7 @@ static void map_sum(struct factoring *f, size_t node, struct value *v)
         fmpq_mul(coef, terms.edge[i].coef, image->coef);
         fill_term(f->to, &t[i], coef, image->node);
     }
-    factor_terms(f, t, terms.n, v);
+    factor_terms(f, t, terms.n, 0, v);
     free(t);
     fmpq_clear(coef);
     edges_clear(&terms);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POINTS = 4, TRIES = 40, MOST_BITS = 1 << 16 };
+enum { POINTS = 8, TRIES = 80, MOST_BITS = 1 << 16 };
 
 static const mp_limb_t prime = 1152921504606846577UL; /* below 2^60; not one that the passes use */
 
@@ -75,12 +75,14 @@ static void square_root(struct number *x)
     set_rational(x, x->q);
 }
 
-/* *x = *x op *y; false for a division by 0. */
+/* *x = *x op *y; false for a division by 0, and for a function that only exact numbers decide. */
 static bool apply(int op, struct number *x, const struct number *y)
 {
     const bool exact = x->exact && (gene_arity(op) == 1 || y->exact), protected_zero = op == GENE_PDIV && is_zero(y);
     mp_limb_t m = 0;
     if ((op == GENE_DIV || (op == GENE_PDIV && !protected_zero)) && (y->m == 0 || is_zero(y)))
+        return false;
+    if (!exact && (op == GENE_SQRT || op == GENE_MIN || op == GENE_MAX || op == GENE_ABS))
         return false;
     if (op == GENE_SQRT) {
         square_root(x);
@@ -96,10 +98,6 @@ static bool apply(int op, struct number *x, const struct number *y)
         m = protected_zero ? 1 : multiply_mod(x->m, n_invmod(y->m, prime));
     else if (op == GENE_NEG)
         m = n_negmod(x->m, prime);
-    else if (op == GENE_ABS)
-        m = hash(multiply_mod(x->m, x->m)) % prime;
-    else
-        m = hash(n_addmod(x->m, y->m, prime) ^ hash(multiply_mod(x->m, y->m) + (op == GENE_MIN))) % prime;
     if (!exact) {
         x->exact = false;
         x->m = m;
@@ -302,6 +300,11 @@ static void read_variable(struct reader *r, struct number *x)
         number_set(x, &r->inputs->v[k]);
 }
 
+static bool same_number(const struct number *a, const struct number *b)
+{
+    return a->exact && b->exact ? fmpq_equal(a->q, b->q) : a->m == b->m;
+}
+
 static void read_sum(struct reader *r, struct number *x);
 
 /* After "(": a sum, or a choice `a < b ? a : b`, `a > b ? a : b`, `d == 0.0 ? 1.0 : n / d`. */
@@ -323,9 +326,12 @@ static void read_parenthesis(struct reader *r, struct number *x)
         if (relation == '=') {
             if (zero)
                 r->division = division; /* the branch not taken does not count */
+            r->good = r->good && is_zero(&y);
             number_set(x, zero ? &then : &otherwise);
-        } else
-            apply(relation == '<' ? GENE_MIN : GENE_MAX, x, &y);
+        } else {
+            r->good = r->good && same_number(&then, x) && same_number(&otherwise, &y);
+            r->division = !apply(relation == '<' ? GENE_MIN : GENE_MAX, x, &y) || r->division;
+        }
         fmpq_clear(y.q);
         fmpq_clear(then.q);
         fmpq_clear(otherwise.q);
@@ -337,15 +343,15 @@ static void read_factor(struct reader *r, struct number *x)
 {
     if (accept(r, "-")) {
         read_factor(r, x);
-        apply(GENE_NEG, x, NULL);
+        r->division = !apply(GENE_NEG, x, NULL) || r->division;
     } else if (accept(r, "sqrt(")) {
         read_sum(r, x);
         expect(r, ")");
-        apply(GENE_SQRT, x, NULL);
+        r->division = !apply(GENE_SQRT, x, NULL) || r->division;
     } else if (accept(r, "fabs(")) {
         read_sum(r, x);
         expect(r, ")");
-        apply(GENE_ABS, x, NULL);
+        r->division = !apply(GENE_ABS, x, NULL) || r->division;
     } else if (accept(r, "("))
         read_parenthesis(r, x);
     else if (isdigit((unsigned char)*r->at))
@@ -383,7 +389,7 @@ static void read_sum(struct reader *r, struct number *x)
 }
 
 /* All statements; values of the outputs, in order, to out. */
-static void read_statements(struct reader *r, struct number *out)
+static void read_statements(struct reader *r, const struct genome *genome, struct number *out)
 {
     char word[80];
     for (size_t outputs = 0; r->good && !r->division;) {
@@ -395,6 +401,14 @@ static void read_statements(struct reader *r, struct number *out)
             expect(r, "const double");
         read_word(r, word);
         expect(r, "=");
+        if (output) { /* in the genome's order, each by its name */
+            const char *name = outputs < genome->outs ? genome->out[outputs].name : "";
+            const char *written = r->file->segment ? word : strncmp(word, "out_", 4) == 0 ? word + 4 : "";
+            if (!*name || strcmp(written, name) != 0) {
+                r->good = false;
+                break;
+            }
+        }
         struct number *x = output ? &out[outputs++] : push(&r->locals);
         read_sum(r, x);
         expect(r, ";");
@@ -415,22 +429,44 @@ static void free_names(void **root)
     }
 }
 
+/* The lets that the outputs need. */
+static void mark_needed(const struct genome_file *f, const struct genome *genome, bool *needed)
+{
+    for (size_t k = f->lets + genome->outs; k-- > 0;) {
+        const struct genome_expr *e = k < f->lets ? &f->let[k] : &genome->out[k - f->lets];
+        for (size_t i = 0; (k >= f->lets || needed[f->inputs + k]) && i < e->length; i++)
+            if (e->gene[i] >= GENE_SYMBOL)
+                needed[e->gene[i] - GENE_SYMBOL] = true;
+    }
+}
+
+/* Coordinate i of a point: rationals at first; later small ones, on which no number grows. */
+static void set_coordinate(fmpq_t q, unsigned long attempt, size_t i)
+{
+    const mp_limb_t h = hash(attempt * 1000003 + i);
+    if (attempt <= TRIES / 2)
+        fmpq_set_si(q, (slong)(h % 509) - 254, 1UL << (h >> 60));
+    else
+        fmpq_set_si(q, (slong)(h % 5) - 2, 2);
+}
+
 /* One point: 1 equal, 0 different, -1 a divisor is 0 there. */
 static int compare_at(const struct genome_file *f, const struct genome *genome, const char *statements,
                       unsigned long seed)
 {
     struct values symbols = {0}, out = {0}, text = {0};
     int result = 1;
+    bool *needed = new_array(f->inputs + f->lets, sizeof *needed);
     fmpq_t q;
     fmpq_init(q);
+    mark_needed(f, genome, needed);
     for (size_t i = 0; i < f->inputs; i++) {
-        const mp_limb_t h = hash(seed * 1000003 + i);
-        fmpq_set_si(q, (slong)(h % 509) - 254, 1UL << (h >> 60));
+        set_coordinate(q, seed, i);
         set_rational(push(&symbols), q);
     }
     for (size_t i = 0; i < f->lets && result > 0; i++) {
         struct number *x = push(&symbols);
-        if (!evaluate_expression(f, &f->let[i], &symbols, x))
+        if (needed[f->inputs + i] && !evaluate_expression(f, &f->let[i], &symbols, x))
             result = -1;
     }
     for (size_t i = 0; i < genome->outs && result > 0; i++) {
@@ -440,12 +476,11 @@ static int compare_at(const struct genome_file *f, const struct genome *genome, 
     }
     if (result > 0) {
         struct reader r = {.file = f, .at = statements, .inputs = &symbols, .good = true};
-        read_statements(&r, text.v);
+        read_statements(&r, genome, text.v);
         if (r.division)
             result = -1;
         for (size_t i = 0; i < genome->outs && result > 0; i++) {
-            const struct number *a = &out.v[i], *b = &text.v[i];
-            if (!r.good || (a->exact && b->exact ? !fmpq_equal(a->q, b->q) : a->m != b->m))
+            if (!r.good || !same_number(&out.v[i], &text.v[i]))
                 result = 0;
         }
         free_names(&r.names);
@@ -455,6 +490,7 @@ static int compare_at(const struct genome_file *f, const struct genome *genome, 
     values_free(&out);
     values_free(&text);
     fmpq_clear(q);
+    free(needed);
     return result;
 }
 
@@ -468,6 +504,7 @@ bool prove_equal(const struct genome_file *f, const struct genome *genome, const
                            "internal error: the code made for genome '%s' does not equal it", genome->name);
         equal += result > 0;
     }
-    return equal > 0 ||
-           diag_at(d, f->path, genome->line, 1, "genome '%s' divides by 0 at every point tried", genome->name);
+    return equal == POINTS || diag_at(d, f->path, genome->line, 1,
+                                      "genome '%s' divides by 0, or its numbers grow too large, at %d of %d points",
+                                      genome->name, TRIES - equal, TRIES);
 }

@@ -222,7 +222,7 @@ static bool finish(struct run *r, struct diag *d)
     if (!archive_write(r->archive, r->output, &facts, r->heldout, d))
         return false;
     archive_table(r->archive, stdout);
-    return true;
+    return fflush(stdout) == 0 || diag_system(d, "standard output", "cannot write");
 }
 
 static void run_free(struct run *r)

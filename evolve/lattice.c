@@ -188,6 +188,43 @@ static bool off_lattice(const struct scene *scene, struct sample_set *set, struc
     return true;
 }
 
+static int by_place(const void *a, const void *b)
+{
+    const struct sample *p = a, *q = b;
+    const double *x = &p->x[0][0], *y = &q->x[0][0];
+    for (int i = 0; i < 12; i++)
+        if (x[i] != y[i])
+            return x[i] < y[i] ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        if (p->xs[i] != q->xs[i])
+            return p->xs[i] < q->xs[i] ? -1 : 1;
+    return 0;
+}
+
+/* The sample seen in the x-y plane as a mirror: the same xi and eta. */
+static struct sample mirrored(const struct sample *s)
+{
+    struct sample m = *s;
+    for (int i = 0; i < 4; i++)
+        m.x[i][2] = -s->x[i][2];
+    m.xs[2] = -s->xs[2];
+    return m;
+}
+
+/* Appends those of the n samples that are no mirror images of the m training samples. */
+static void add_strangers(const struct sample *s, size_t n, const struct sample *training, size_t m,
+                          struct sample_set *set)
+{
+    struct sample *image = new_array(m, sizeof *image);
+    for (size_t i = 0; i < m; i++)
+        image[i] = mirrored(&training[i]);
+    qsort(image, m, sizeof *image, by_place);
+    for (size_t i = 0; i < n; i++)
+        if (!bsearch(&s[i], image, m, sizeof *image, by_place))
+            sample_set_add(set, &s[i]);
+    free(image);
+}
+
 bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     struct sample_set all = {0};
@@ -203,14 +240,17 @@ bool lattice_samples(const struct scene *scene, enum sample_part part, struct sa
         sample_set_free(&all);
         return false;
     }
-    /* A shuffle by the scene's seed: the first `training` are for evolution, the rest are held out. */
+    /* A shuffle by the scene's seed: the first `training` are for evolution; held out is the rest, but for mirror
+     * images of those. */
     gsl_rng *stream = stream_new();
     stream_key(stream, scene->seed, PART_TRAINING, 0, 0);
     gsl_ran_shuffle(stream, all.s, all.n, sizeof *all.s);
     gsl_rng_free(stream);
-    for (size_t i = 0; i < all.n; i++)
-        if ((part == PART_TRAINING) == (i < scene->training))
+    if (part == PART_TRAINING)
+        for (size_t i = 0; i < scene->training; i++)
             sample_set_add(set, &all.s[i]);
+    else
+        add_strangers(all.s + scene->training, all.n - scene->training, all.s, scene->training, set);
     sample_set_free(&all);
     return true;
 }

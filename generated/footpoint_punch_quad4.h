@@ -64,55 +64,62 @@
 #ifndef FOOTPOINT_QUAD4_SEARCH
 #define FOOTPOINT_QUAD4_SEARCH
 /* 1 if two corners coincide. */
-FOOTPOINT_FN int footpoint_quad4_coincide(const double a[3], const double b[3])
+FOOTPOINT_FN int footpoint_detail_coincide(const double a[3], const double b[3])
 {
     return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
 }
 
 /* Status of the nodes: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_quad4_inspect(const double xA[3], const double xB[3], const double xC[3],
+FOOTPOINT_FN int footpoint_detail_inspect(const double xA[3], const double xB[3], const double xC[3],
                                          const double xD[3], const double xS[3])
 {
     const double sum = (xA[0] + xA[1] + xA[2]) + (xB[0] + xB[1] + xB[2]) + (xC[0] + xC[1] + xC[2]) +
                        (xD[0] + xD[1] + xD[2]) + (xS[0] + xS[1] + xS[2]);
-    const int coincide = footpoint_quad4_coincide(xA, xB) | footpoint_quad4_coincide(xB, xC) |
-                         footpoint_quad4_coincide(xC, xD) | footpoint_quad4_coincide(xD, xA) |
-                         footpoint_quad4_coincide(xA, xC) | footpoint_quad4_coincide(xB, xD);
+    const int coincide = footpoint_detail_coincide(xA, xB) | footpoint_detail_coincide(xB, xC) |
+                         footpoint_detail_coincide(xC, xD) | footpoint_detail_coincide(xD, xA) |
+                         footpoint_detail_coincide(xA, xC) | footpoint_detail_coincide(xB, xD);
     return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
 }
 
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open. */
-FOOTPOINT_FN double footpoint_quad4_signed_gap(const double xA[3], const double xB[3], const double xC[3],
-                                               const double xD[3], const double xS[3], double xi, double eta)
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
+ * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
+FOOTPOINT_FN int footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+                                      const double xD[3], const double xS[3], double xi, double eta, double *gap)
 {
-    double u[3], v[3], d[3], nx, ny, nz;
-    int i;
+    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
+    int i, area;
     for (i = 0; i < 3; i++) {
         const double ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];
         const double s = 0.5 * (1.0 + xi), t = 0.5 * (1.0 + eta);
         u[i] = ab + t * (dc - ab);
         v[i] = ad + s * (bc - ad);
         d[i] = (xS[i] - xA[i]) - s * ab - t * v[i];
+        uu += u[i] * u[i] + ab * ab + dc * dc;
+        vv += v[i] * v[i] + ad * ad + bc * bc;
     }
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
-    return (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nx * nx + ny * ny + nz * nz);
+    nn = nx * nx + ny * ny + nz * nz;
+    area = nn > 1e-20 * (uu * vv);
+    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    *gap = area ? nn : *gap;
+    return area;
 }
 
-FOOTPOINT_FN double footpoint_quad4_square_distance(const double a[3], const double b[3])
+FOOTPOINT_FN double footpoint_detail_square_distance(const double a[3], const double b[3])
 {
     const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return x * x + y * y + z * z;
 }
 
 /* Number of the corner nearest to s: 0..3, the first of equals. */
-FOOTPOINT_FN int footpoint_quad4_nearest_corner(const double *const x[4], const double s[3])
+FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const double s[3])
 {
-    double least = footpoint_quad4_square_distance(x[0], s);
+    double least = footpoint_detail_square_distance(x[0], s);
     int nearest = 0, i;
     for (i = 1; i < 4; i++) {
-        const double d = footpoint_quad4_square_distance(x[i], s);
+        const double d = footpoint_detail_square_distance(x[i], s);
         nearest = d < least ? i : nearest;
         least = d < least ? d : least;
     }
@@ -168,11 +175,11 @@ FOOTPOINT_FN void footpoint_punch_quad4_coarse_at(const double xA[3], const doub
 FOOTPOINT_FN int footpoint_punch_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g;
-    int status = footpoint_quad4_inspect(xA, xB, xC, xD, xS);
+    double xi, eta, g = 0.0;
+    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
     footpoint_punch_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
-    g = footpoint_quad4_signed_gap(xA, xB, xC, xD, xS, xi, eta);
-    if (status == FOOTPOINT_OK && !((xi - xi) + (eta - eta) + (g - g) == 0.0))
+    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
+    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
     if (status == FOOTPOINT_OK) {
         loc[0] = xi;
@@ -243,11 +250,11 @@ FOOTPOINT_FN void footpoint_punch_quad4_balanced_at(const double xA[3], const do
 FOOTPOINT_FN int footpoint_punch_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g;
-    int status = footpoint_quad4_inspect(xA, xB, xC, xD, xS);
+    double xi, eta, g = 0.0;
+    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
     footpoint_punch_quad4_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
-    g = footpoint_quad4_signed_gap(xA, xB, xC, xD, xS, xi, eta);
-    if (status == FOOTPOINT_OK && !((xi - xi) + (eta - eta) + (g - g) == 0.0))
+    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
+    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
     if (status == FOOTPOINT_OK) {
         loc[0] = xi;
@@ -334,11 +341,11 @@ FOOTPOINT_FN void footpoint_punch_quad4_accurate_at(const double xA[3], const do
 FOOTPOINT_FN int footpoint_punch_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g;
-    int status = footpoint_quad4_inspect(xA, xB, xC, xD, xS);
+    double xi, eta, g = 0.0;
+    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
     footpoint_punch_quad4_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
-    g = footpoint_quad4_signed_gap(xA, xB, xC, xD, xS, xi, eta);
-    if (status == FOOTPOINT_OK && !((xi - xi) + (eta - eta) + (g - g) == 0.0))
+    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
+    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
     if (status == FOOTPOINT_OK) {
         loc[0] = xi;

@@ -1,6 +1,7 @@
 /* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene
  * and must show the figures of its banner; and the checked function must agree with the unchecked one however the
  * corners are numbered. */
+#include "../evolve/frame.h"
 #include "../evolve/scene.h"
 #include "../runtime/footpoint.h"
 #include "error_stats.h"
@@ -30,16 +31,16 @@ static const struct method {
 #undef METHOD
 };
 
-enum { METHODS = sizeof methods / sizeof *methods };
+enum { METHODS = sizeof methods / sizeof *methods, COMPARED = 50000 };
+#define ROUNDING 1e-11 /* of xi and eta, absolute */
 
-/* Genome of a method in evolve/genomes/<scene>.gen: that whose name ends the function's. */
-static const struct genome *find_genome(const struct genome_file *f, const char *function)
+/* Genome of a method of scene file `f`: function footpoint_<scene>_<genome>, with _ for - in the scene's name. */
+static const struct genome *find_genome(const struct genome_file *f, const struct method *m)
 {
-    for (size_t i = 0; i < f->genomes; i++) {
-        const size_t n = strlen(f->genome[i].name), all = strlen(function);
-        if (all > n && function[all - n - 1] == '_' && strcmp(function + all - n, f->genome[i].name) == 0)
+    const size_t prefix = strlen("footpoint_") + strlen(m->scene) + 1;
+    for (size_t i = 0; i < f->genomes; i++)
+        if (strcmp(m->name + prefix, f->genome[i].name) == 0)
             return &f->genome[i];
-    }
     return NULL;
 }
 
@@ -79,6 +80,33 @@ static void measure(const struct method *m, const struct genome *g, const struct
     }
 }
 
+/* The code in double against the genome in double, gene by gene: they differ by rounding alone. */
+static void compare_with_genome(const struct method *m, const struct genome_file *f, const struct genome *g,
+                                const struct sample_set *set)
+{
+    const size_t n = set->n < COMPARED ? set->n : COMPARED;
+    struct kernel *kernel = kernel_new_widest();
+    struct columns table = frame_columns(kernel, f, set->s, n);
+    double *value[2];
+    for (int k = 0; k < 2; k++) {
+        const struct kernel_task task = {g->out[k].gene, g->out[k].length, f->constant, &table};
+        value[k] = new_array(n, sizeof *value[k]);
+        kernel_values(kernel, &task, value[k]);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const struct sample *s = &set->s[i];
+        double loc[2];
+        m->at(s->x[0], s->x[1], s->x[2], s->x[3], s->xs, &loc[0], &loc[1]);
+        for (int k = 0; k < 2; k++)
+            if (!(fabs(loc[k] - value[k][i]) <= ROUNDING))
+                fail_msg("%s, sample %zu: code %a, genome %a", m->name, i, loc[k], value[k][i]);
+    }
+    free(value[0]);
+    free(value[1]);
+    columns_free(&table);
+    kernel_free(kernel);
+}
+
 /* Rotations and reflections of the numbering give the same point of the segment. */
 static void renumber(const struct method *m, enum corner_order order, const struct sample *s)
 {
@@ -111,9 +139,10 @@ static void check_scene(const char *name)
         for (size_t i = 0; i < METHODS; i++) {
             if (strcmp(methods[i].scene, name) != 0)
                 continue;
-            const struct genome *g = find_genome(f, methods[i].name);
+            const struct genome *g = find_genome(f, &methods[i]);
             assert_non_null(g);
             measure(&methods[i], g, &set, key[p]);
+            compare_with_genome(&methods[i], f, g, &set);
             for (size_t k = 0; p == 1 && k < set.n; k += 1 + set.n / 500) /* off the grid: there corners tie */
                 renumber(&methods[i], scene->order, &set.s[k]);
         }

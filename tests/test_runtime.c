@@ -9,6 +9,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -397,9 +398,46 @@ static void test_normal_degenerate(void **state)
     assert_true(n[0] == UNTOUCHED && n[1] == UNTOUCHED && n[2] == UNTOUCHED && gap == UNTOUCHED);
 }
 
+/* Four different corners on a line have no normal; the status says so and the outputs stay. */
+static void test_no_area(void **state)
+{
+    (void)state;
+    srand(5);
+    for (int n = 0; n < 2000; n++) {
+        double x[5][3], way[3], loc[2] = {7, 7}, gap = 7;
+        for (int k = 0; k < 3; k++)
+            way[k] = rand() / (double)RAND_MAX - 0.5;
+        for (int i = 0; i < 5; i++) {
+            const double at = rand() / (double)RAND_MAX;
+            for (int k = 0; k < 3; k++)
+                x[i][k] = at * way[k] + (i == 4 ? rand() / (double)RAND_MAX : 0);
+        }
+        assert_int_equal(footpoint_locate(x[0], x[1], x[2], x[3], x[4], loc, &gap), FOOTPOINT_ERR_DEGENERATE);
+        assert_true(loc[0] == 7 && loc[1] == 7 && gap == 7);
+    }
+}
+
+/* Segments of any size within the stated range: same xi and eta, gap in proportion. */
+static void test_stated_range_of_size(void **state)
+{
+    (void)state;
+    for (int power = -25; power <= 25; power++) {
+        const double size = pow(10, power);
+        double x[5][3] = {{0, 0, 0}, {1, 0, 0.05}, {1.1, 0.75, 0}, {0, 0.6, 0.05}, {0.35, 0.45, 0.125}};
+        double loc[2], gap;
+        for (int i = 0; i < 15; i++)
+            x[i / 3][i % 3] *= size;
+        assert_int_equal(footpoint_locate(x[0], x[1], x[2], x[3], x[4], loc, &gap), FOOTPOINT_OK);
+        assert_true(fabs(loc[0] + 0.349489) < 1e-6 && fabs(loc[1] - 0.395534) < 1e-6);
+        assert_true(fabs(gap / size - 0.0966035) < 1e-6);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_square),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_area),
+                                       cmocka_unit_test(test_stated_range_of_size),
+                                       cmocka_unit_test(test_square),
                                        cmocka_unit_test(test_parallelogram),
                                        cmocka_unit_test(test_ordinary),
                                        cmocka_unit_test(test_newton_warped),

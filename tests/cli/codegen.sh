@@ -44,6 +44,14 @@ genome 'note evil */ int x; /* \\' 'input x' 'genome g' 'note more */ int y;' 'r
 "$codegen" "$g" -o "$work/e.h" && echo '#include "e.h"' > "$work/e.c" && ${CC:-gcc} -Wall -Werror -c "$work/e.c" -o "$work/e.o"
 report $((! $?)) 'a note cannot end the banner'
 genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
+genome 'input x' 'genome g' 'r = * * x 1e300 1e300' 'end'; refused 'constant beyond double' 3:1 "genome 'g' needs a constant out of the range of double"
+genome 'input xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS' 'segment quad4 any' 'genome a' 'xi = xS' 'eta = yS' 'end' \
+    'genome a_at' 'xi = xS' 'eta = yS' 'end'
+refused 'names that collide' 8:1 "genome 'a_at' takes the name of a function of 'a'"
+genome 'input x y' 'let unused = / 1 - abs x abs * -1 x' 'genome g' 'r = * 2 sqrt x' 'end'
+expect 'unused values do not count, nor does doubling a root' 0 'genome,mul,div,add,sqrt,compare
+g,1,0,0,1,0' '' "$codegen" --count "$g"
+genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
 expect 'output folder missing' 3 '' "$work/none/h.h: error: cannot write: No such file or directory" \
     "$codegen" "$g" -o "$work/none/h.h"
 "$codegen" "$g" -o "$work/h.h"

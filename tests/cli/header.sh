@@ -7,7 +7,7 @@ for header in generated/*.h; do
     name=$(basename "$header")
     mkdir -p "$work/alone"
     cp "$header" "$work/alone/"
-    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const double xA.*/\1/p' "$header" | grep -v '^footpoint_quad4_\(inspect\|coincide\)$')
+    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const double xA.*/\1/p' "$header" | grep -v '^footpoint_detail_')
     {
         echo "#include \"$name\""
         echo "#include \"$name\""

@@ -14,7 +14,11 @@ make_genome protected '% x' y
 make_genome alternate '+ 1 * x' y
 make_genome minimum 'min x + 1' y
 make_genome root 'sqrt + 0.1' y
-for name in sum difference product power quotient protected alternate minimum root; do
+{ echo 'footpoint-genome 1'
+  awk 'BEGIN { printf "input a b"; for (i = 0; i < 40000; i++) printf " x%d", i; print ""; print "genome g"; printf "r = +"
+       for (k = 0; k < 2; k++) { printf " * %s", k ? "b" : "a"; for (i = 0; i < 39999; i++) printf " * x%d", i; printf " x39999" }
+       print ""; print "end" }'; } > "$work/degree.gen"
+for name in degree sum difference product power quotient protected alternate minimum root; do
     timeout 60 "$BIN/footpoint-codegen" "$work/$name.gen" -o "$work/$name.h" > "$work/log" 2>&1
     status=$?
     [ $status -eq 0 ] || { [ $status -eq 1 ] && [ "$(wc -l < "$work/log")" = 1 ]; }
