@@ -211,12 +211,6 @@ static void print_words(const struct genome_file *f, const struct genome_expr *e
     }
 }
 
-void genome_print_expr(const struct genome_file *f, const struct genome_expr *e, FILE *stream)
-{
-    for (size_t i = 0; i < e->length; i++)
-        fprintf(stream, "%s%s", i ? " " : "", gene_text(f, e->gene[i]));
-}
-
 static void print_notes(const struct genome_note *note, size_t n, FILE *stream)
 {
     for (size_t i = 0; i < n; i++)

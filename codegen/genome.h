@@ -112,8 +112,6 @@ void genome_file_free(struct genome_file *f);
 
 /** Print; genome_parse of what is printed gives the same program. */
 void genome_print(const struct genome_file *f, FILE *stream);
-/** One expression in prefix text, without a newline. */
-void genome_print_expr(const struct genome_file *f, const struct genome_expr *e, FILE *stream);
 
 /** Index of a symbol (inputs, then lets) or -1. */
 long genome_find_symbol(const struct genome_file *f, const char *name);
