@@ -2,7 +2,15 @@
 #ifndef FOOTPOINT_COMPILE_H
 #define FOOTPOINT_COMPILE_H
 
+#include "cost.h"
 #include "emit.h"
+
+struct compile_options {
+    struct cost_model cost;
+    unsigned long seed;
+    long effort;   /* work that the search may do, in units of about a millisecond; same effort, same bytes */
+    FILE *explain; /* one line per pass with its counts, or NULL */
+};
 
 struct compiled {
     struct emission emission; /* owned text */
