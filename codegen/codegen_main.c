@@ -75,8 +75,9 @@ static bool check_names(const struct genome_file *f, struct diag *d)
 
 static bool compile_all(const struct genome_file *f, struct compiled *c, struct diag *d)
 {
+    const struct compile_options options = compile_defaults();
     for (size_t i = 0; i < f->genomes; i++) {
-        if (!compile_genome(f, &f->genome[i], &c[i], d) || !prove_equal(f, &f->genome[i], c[i].emission.text, d))
+        if (!compile_genome(f, &f->genome[i], &options, &c[i], d) || !prove_equal(f, &f->genome[i], c[i].emission.text, d))
             return false;
         if (c[i].removed)
             fprintf(stderr, "%s:%d: warning: genome '%s': %zu division%s cancelled (a removed singularity)\n", f->path,

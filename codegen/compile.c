@@ -32,8 +32,18 @@ static struct emission run_passes(const struct genome_file *f, const struct dag 
     return e;
 }
 
-bool compile_genome(const struct genome_file *f, const struct genome *genome, struct compiled *c, struct diag *d)
+struct compile_options compile_defaults(void)
 {
+    struct diag d;
+    struct compile_options o = {.seed = 1, .effort = 1000};
+    cost_model_find("throughput", &o.cost, &d);
+    return o;
+}
+
+bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,
+                    struct compiled *c, struct diag *d)
+{
+    (void)o;
     *c = (struct compiled){0};
     for (int variant = 0; variant < 4; variant++) {
         struct dag *g = simplify_genome(f, genome, variant & 1 ? KEEP_ALL : KEEP_QUOTIENTS, d);

@@ -21,6 +21,10 @@ struct compiled {
 long operations_cost(const struct operations *ops);
 
 /** False with *d filled, and no text, when the genome divides by 0 everywhere or needs a constant that is no double. */
-bool compile_genome(const struct genome_file *f, const struct genome *genome, struct compiled *c, struct diag *d);
+bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,
+                    struct compiled *c, struct diag *d);
+
+/** Throughput model, seed 1, the default effort, nothing explained. */
+struct compile_options compile_defaults(void);
 
 #endif
