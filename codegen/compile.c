@@ -18,14 +18,16 @@ static bool cheaper(const struct operations *a, const struct operations *b)
     return x < y || (x == y && a->mul < b->mul);
 }
 
-static struct emission run_passes(const struct genome_file *f, const struct dag *g, bool factor)
+static struct emission run_passes(const struct genome_file *f, const struct dag *g, const struct compile_options *o,
+                                  bool factor)
 {
-    struct dag *shaped = factor ? horner_factor(g) : NULL;
+    const struct horner_policy policy = {0};
+    struct dag *shaped = factor ? horner_factor(g, &policy, NULL) : NULL;
     struct emission e;
     if (!shaped)
         shaped = dag_copy(g);
     share_pairs(shaped);
-    struct schedule *s = schedule_new(shaped);
+    struct schedule *s = schedule_new(shaped, &o->cost);
     emit_statements(f, s, &e);
     schedule_free(s);
     dag_free(shaped);
@@ -43,13 +45,12 @@ struct compile_options compile_defaults(void)
 bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,
                     struct compiled *c, struct diag *d)
 {
-    (void)o;
     *c = (struct compiled){0};
     for (int variant = 0; variant < 4; variant++) {
         struct dag *g = simplify_genome(f, genome, variant & 1 ? KEEP_ALL : KEEP_QUOTIENTS, d);
         if (!g)
             return false;
-        struct emission e = run_passes(f, g, variant < 2);
+        struct emission e = run_passes(f, g, o, variant < 2);
         const size_t removed = g->removed;
         dag_free(g);
         if (!c->emission.text || cheaper(&e.ops, &c->emission.ops)) {

@@ -3,12 +3,11 @@
 #include "dag.h"
 
 #include <flint/nmod_vec.h>
-#include <flint/ulong_extras.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const mp_limb_t prime[2] = {1152921504606846883UL, 1152921504606846697UL}; /* below 2^60 */
+enum { POOL = 4096, MOST_POWER = 64 /* products of a higher power stay factors of their own */ };
 
 static uint64_t mix(uint64_t z)
 {
@@ -20,47 +19,35 @@ static uint64_t mix(uint64_t z)
 
 static nmod_t modulus(int k)
 {
-    nmod_t m;
-    nmod_init(&m, prime[k]);
-    return m;
+    static nmod_t m[PRIMES];
+    if (m[k].n == 0)
+        nmod_init(&m[k], rational_prime[k]);
+    return m[k];
 }
 
-void edges_add(struct edges *list, const fmpq *coef, int node, int power)
+void edges_add(struct edges *list, rational coef, int node, int power)
 {
     grow_array(&list->edge, list->n, &list->room, sizeof *list->edge);
-    struct edge *e = &list->edge[list->n++];
-    fmpq_init(e->coef);
-    fmpq_set(e->coef, coef);
-    e->node = node;
-    e->power = power;
+    list->edge[list->n++] = (struct edge){coef, node, power};
 }
 
 void edges_clear(struct edges *list)
 {
-    for (size_t i = 0; i < list->n; i++)
-        fmpq_clear(list->edge[i].coef);
     free(list->edge);
     *list = (struct edges){0};
 }
 
-void value_init(struct value *v)
+struct value dag_constant(rational c)
 {
-    fmpq_init(v->coef);
-    v->node = 0;
+    return (struct value){c, 0};
 }
 
-void value_clear(struct value *v)
+static struct value value_of(rational coef, int node)
 {
-    fmpq_clear(v->coef);
+    return (struct value){coef, coef == ZERO ? 0 : node};
 }
 
-static void set_value(struct value *v, const fmpq_t coef, int node)
-{
-    fmpq_set(v->coef, coef);
-    v->node = fmpq_is_zero(coef) ? 0 : node;
-}
-
-static size_t bucket_of(const struct dag *g, const unsigned long mark[2])
+static size_t bucket_of(const struct dag *g, const mp_limb_t mark[PRIMES])
 {
     return (size_t)mix(mark[0] ^ mix(mark[1])) & (g->buckets - 1);
 }
@@ -76,13 +63,13 @@ static void insert(struct dag *g, int n)
 static void grow_buckets(struct dag *g)
 {
     free(g->bucket);
-    g->buckets = g->buckets ? 2 * g->buckets : 1024;
+    g->buckets = g->buckets ? 2 * g->buckets : 256;
     g->bucket = new_array(g->buckets, sizeof *g->bucket);
     for (size_t n = 0; n < g->nodes; n++)
         insert(g, (int)n);
 }
 
-static int find(const struct dag *g, const unsigned long mark[2])
+static int find(const struct dag *g, const mp_limb_t mark[PRIMES])
 {
     for (size_t i = bucket_of(g, mark); g->bucket[i]; i = (i + 1) & (g->buckets - 1)) {
         const int n = g->bucket[i] - 1;
@@ -92,32 +79,54 @@ static int find(const struct dag *g, const unsigned long mark[2])
     return -1;
 }
 
-/* A node with this value: the one that exists, or a new one that takes the list over. */
-static int make(struct dag *g, enum node_kind kind, int input, struct edges *list, const unsigned long mark[2])
+struct edge *dag_room(struct dag *g, size_t n)
+{
+    if (g->pools == 0 || g->pool_used + n > g->pool_size) {
+        grow_array(&g->pool, g->pools, &g->pool_room, sizeof *g->pool);
+        g->pool_size = n > POOL ? n : POOL;
+        g->pool[g->pools++] = new_array(g->pool_size, sizeof **g->pool);
+        g->pool_used = 0;
+    }
+    g->pool_used += n;
+    return g->pool[g->pools - 1] + g->pool_used - n;
+}
+
+int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size_t n)
+{
+    grow_array(&g->node, g->nodes, &g->node_room, sizeof *g->node);
+    struct node *node = &g->node[g->nodes];
+    *node = (struct node){.kind = kind, .edges = n, .divides = kind == NODE_INVERSE};
+    if (n > 0) {
+        node->edge = dag_room(g, n);
+        memcpy(node->edge, edge, n * sizeof *edge);
+    }
+    for (size_t i = 0; i < n; i++)
+        node->divides |= g->node[edge[i].node].divides;
+    return (int)g->nodes++;
+}
+
+/* A node with this value: the one that exists, or a new one. */
+static int make(struct dag *g, enum node_kind kind, int input, const struct edges *list, const mp_limb_t mark[PRIMES])
 {
     const int known = find(g, mark);
     if (known >= 0)
         return known;
     if (2 * (g->nodes + 1) > g->buckets)
         grow_buckets(g);
-    grow_array(&g->node, g->nodes, &g->node_room, sizeof *g->node);
-    struct node *n = &g->node[g->nodes];
-    *n = (struct node){.kind = kind, .input = input, .mark = {mark[0], mark[1]}};
-    if (list) {
-        n->edge = list->edge;
-        n->edges = list->n;
-        *list = (struct edges){0};
-    }
-    insert(g, (int)g->nodes);
-    return (int)g->nodes++;
+    const int n = dag_append(g, kind, list ? list->edge : NULL, list ? list->n : 0);
+    g->node[n].input = input;
+    memcpy(g->node[n].mark, mark, sizeof g->node[n].mark);
+    insert(g, n);
+    return n;
 }
 
 struct dag *dag_new(size_t inputs)
 {
     struct dag *g = new_array(1, sizeof *g);
+    rational_start();
     g->inputs = inputs;
     grow_buckets(g);
-    make(g, NODE_ONE, 0, NULL, (unsigned long[2]){1, 1});
+    make(g, NODE_ONE, 0, NULL, (mp_limb_t[PRIMES]){1, 1});
     return g;
 }
 
@@ -125,15 +134,11 @@ void dag_free(struct dag *g)
 {
     if (!g)
         return;
-    for (size_t n = 0; n < g->nodes; n++) {
-        for (size_t i = 0; i < g->node[n].edges; i++)
-            fmpq_clear(g->node[n].edge[i].coef);
-        free(g->node[n].edge);
-    }
-    for (size_t i = 0; i < g->outputs; i++) {
-        value_clear(&g->output[i]);
+    for (size_t i = 0; i < g->pools; i++)
+        free(g->pool[i]);
+    for (size_t i = 0; i < g->outputs; i++)
         free(g->output_name[i]);
-    }
+    free(g->pool);
     free(g->node);
     free(g->bucket);
     free(g->output);
@@ -146,43 +151,28 @@ struct dag *dag_copy(const struct dag *g)
     struct dag *c = dag_new(g->inputs);
     for (size_t n = 1; n < g->nodes; n++) {
         const struct node *from = &g->node[n];
-        struct edges list = {0};
-        for (size_t i = 0; i < from->edges; i++)
-            edges_add(&list, from->edge[i].coef, from->edge[i].node, from->edge[i].power);
+        const struct edges list = {from->edge, from->edges, from->edges};
         const int made = make(c, from->kind, from->input, &list, from->mark);
         c->node[made].kept = from->kept;
-        edges_clear(&list);
     }
     for (size_t i = 0; i < g->outputs; i++)
-        dag_add_output(c, g->output_name[i], &g->output[i]);
+        dag_add_output(c, g->output_name[i], g->output[i]);
     c->removed = g->removed;
     return c;
 }
 
-void dag_add_output(struct dag *g, const char *name, const struct value *v)
+void dag_add_output(struct dag *g, const char *name, struct value v)
 {
     grow_array(&g->output, g->outputs, &g->output_room, sizeof *g->output);
     grow_array(&g->output_name, g->outputs, &g->output_name_room, sizeof *g->output_name);
-    value_init(&g->output[g->outputs]);
-    set_value(&g->output[g->outputs], v->coef, v->node);
+    g->output[g->outputs] = v;
     g->output_name[g->outputs++] = new_text(name, strlen(name));
 }
 
-static mp_limb_t rational_mod(const fmpq_t c, int k)
+struct value dag_input(struct dag *g, size_t input)
 {
-    const nmod_t m = modulus(k);
-    const mp_limb_t n = fmpz_fdiv_ui(fmpq_numref(c), prime[k]), d = fmpz_fdiv_ui(fmpq_denref(c), prime[k]);
-    return nmod_mul(n, nmod_inv(d, m), m);
-}
-
-void dag_input(struct dag *g, size_t input, struct value *v)
-{
-    fmpq_t one;
-    fmpq_init(one);
-    fmpq_one(one);
-    const unsigned long mark[2] = {mix(2 * input + 1) % prime[0], mix(2 * input + 2) % prime[1]};
-    set_value(v, one, make(g, NODE_INPUT, (int)input, NULL, mark));
-    fmpq_clear(one);
+    const mp_limb_t mark[PRIMES] = {mix(2 * input + 1) % rational_prime[0], mix(2 * input + 2) % rational_prime[1]};
+    return value_of(ONE, make(g, NODE_INPUT, (int)input, NULL, mark));
 }
 
 static int by_node(const void *a, const void *b)
@@ -191,87 +181,82 @@ static int by_node(const void *a, const void *b)
     return (x->node > y->node) - (x->node < y->node);
 }
 
-/* Sort; add up coefficients (sums) or powers (products) of the same node; drop what vanishes. */
-static void collect(struct edges *list, bool sum)
+static void sort_edges(struct edges *list)
 {
-    size_t n = 0;
-    if (list->n == 0)
+    if (list->n > 16) {
+        qsort(list->edge, list->n, sizeof *list->edge, by_node);
         return;
-    qsort(list->edge, list->n, sizeof *list->edge, by_node);
-    for (size_t i = 1; i <= list->n; i++) {
-        struct edge *kept = &list->edge[n];
-        if (i < list->n && list->edge[i].node == kept->node) {
-            if (sum)
-                fmpq_add(kept->coef, kept->coef, list->edge[i].coef);
-            else
-                kept->power += list->edge[i].power;
-            fmpq_clear(list->edge[i].coef);
-            continue;
-        }
-        if (sum ? fmpq_is_zero(kept->coef) : kept->power == 0)
-            fmpq_clear(kept->coef);
-        else
-            n++;
-        if (i < list->n)
-            list->edge[n] = list->edge[i];
     }
-    list->n = n;
+    for (size_t i = 1; i < list->n; i++) {
+        const struct edge e = list->edge[i];
+        size_t k = i;
+        for (; k > 0 && list->edge[k - 1].node > e.node; k--)
+            list->edge[k] = list->edge[k - 1];
+        list->edge[k] = e;
+    }
 }
 
-void dag_sum(struct dag *g, struct edges *terms, struct value *v)
+/* Sort; add up coefficients (sums) or powers (products) of the same node; drop what vanishes.  Returns how many terms
+ * with divisions vanished. */
+static size_t collect(const struct dag *g, struct edges *list, bool sum)
 {
-    unsigned long mark[2];
-    fmpq_t lead, zero;
-    collect(terms, true);
-    fmpq_init(lead);
-    fmpq_init(zero);
-    if (terms->n == 0) {
-        set_value(v, zero, 0);
-    } else {
-        /* the leading term is not the constant 1, so that x + 2 and 2x + 4 are x + 2 times 1 and 2 */
-        const size_t first = terms->edge[0].node == 0 && terms->n > 1 ? 1 : 0;
-        fmpq_set(lead, terms->edge[first].coef);
-        for (size_t i = 0; i < terms->n; i++)
-            fmpq_div(terms->edge[i].coef, terms->edge[i].coef, lead);
-        for (int k = 0; k < 2; k++) {
-            mark[k] = 0;
-            for (size_t i = 0; i < terms->n; i++)
-                mark[k] = nmod_add(
-                    mark[k],
-                    nmod_mul(rational_mod(terms->edge[i].coef, k), g->node[terms->edge[i].node].mark[k], modulus(k)),
-                    modulus(k));
-        }
-        if (mark[0] == 0 && mark[1] == 0)
-            set_value(v, zero, 0);
-        else if (terms->n == 1)
-            set_value(v, lead, terms->edge[0].node);
+    size_t n = 0, vanished = 0;
+    sort_edges(list);
+    for (size_t i = 0; i < list->n;) {
+        struct edge e = list->edge[i++];
+        for (; i < list->n && list->edge[i].node == e.node; i++)
+            if (sum)
+                e.coef = rational_add(e.coef, list->edge[i].coef);
+            else
+                e.power += list->edge[i].power;
+        if (sum ? e.coef != ZERO : e.power != 0)
+            list->edge[n++] = e;
         else
-            set_value(v, lead, make(g, NODE_SUM, 0, terms, mark));
+            vanished += g->node[e.node].divides;
     }
-    fmpq_clear(lead);
-    fmpq_clear(zero);
+    list->n = n;
+    return vanished;
+}
+
+struct value dag_sum(struct dag *g, struct edges *terms)
+{
+    struct value v = {ZERO, 0};
+    g->removed += collect(g, terms, true);
+    if (terms->n > 0) {
+        /* the leading term is not the constant 1, so that x + 2 and 2x + 4 are x + 2 times 1 and 2 */
+        const rational lead = terms->edge[terms->edge[0].node == 0 && terms->n > 1 ? 1 : 0].coef;
+        mp_limb_t mark[PRIMES] = {0};
+        bool divides = false;
+        for (size_t i = 0; lead != ONE && i < terms->n; i++)
+            terms->edge[i].coef = rational_mul(terms->edge[i].coef, rational_inv(lead));
+        for (size_t i = 0; i < terms->n; i++) {
+            const struct edge *e = &terms->edge[i];
+            divides |= g->node[e->node].divides;
+            for (int k = 0; k < PRIMES; k++)
+                mark[k] = nmod_add(mark[k], nmod_mul(rational_mod(e->coef, k), g->node[e->node].mark[k], modulus(k)),
+                                   modulus(k));
+        }
+        if (terms->n == 1)
+            v = value_of(lead, terms->edge[0].node);
+        else if (mark[0] != 0 || mark[1] != 0)
+            v = value_of(lead, make(g, NODE_SUM, 0, terms, mark));
+        g->removed += divides && !g->node[v.node].divides; /* equal to something that does not divide */
+    }
     edges_clear(terms);
+    return v;
 }
 
 static int invert_node(struct dag *g, int node)
 {
-    struct edges list = {0};
-    fmpq_t one;
-    unsigned long mark[2];
+    mp_limb_t mark[PRIMES];
     if (g->node[node].kind == NODE_INVERSE)
         return g->node[node].edge[0].node;
-    fmpq_init(one);
-    fmpq_one(one);
-    edges_add(&list, one, node, 1);
-    for (int k = 0; k < 2; k++)
+    struct edge e = {ONE, node, 1};
+    const struct edges list = {&e, 1, 1};
+    for (int k = 0; k < PRIMES; k++)
         mark[k] = nmod_inv(g->node[node].mark[k], modulus(k));
-    const int made = make(g, NODE_INVERSE, 0, &list, mark);
-    edges_clear(&list);
-    fmpq_clear(one);
-    return made;
+    return make(g, NODE_INVERSE, 0, &list, mark);
 }
-
-enum { MOST_POWER = 64 }; /* products of a higher power stay factors of their own */
 
 static bool spreads(const struct node *n, int power)
 {
@@ -282,11 +267,8 @@ static bool spreads(const struct node *n, int power)
 }
 
 /* Factors that are inverses or products of their own are spread first; x and 1/x meet in `collect` by their powers. */
-static void spread_factors(struct dag *g, struct edges *list)
+static void spread_factors(const struct dag *g, struct edges *list)
 {
-    fmpq_t one;
-    fmpq_init(one);
-    fmpq_one(one);
     for (size_t i = 0; i < list->n;) {
         struct edge *e = &list->edge[i];
         const struct node *n = &g->node[e->node];
@@ -297,118 +279,101 @@ static void spread_factors(struct dag *g, struct edges *list)
             e->node = n->edge[0].node;
             e->power = -power;
         } else if (n->kind == NODE_PRODUCT && spreads(n, power)) {
-            const size_t parts = n->edges;
-            const int node = e->node;
-            for (size_t k = 1; k < parts; k++)
-                edges_add(list, one, g->node[node].edge[k].node, g->node[node].edge[k].power * power);
-            list->edge[i].power = g->node[node].edge[0].power * power;
-            list->edge[i].node = g->node[node].edge[0].node;
+            e->node = n->edge[0].node;
+            e->power = n->edge[0].power * power;
+            for (size_t k = 1; k < n->edges; k++)
+                edges_add(list, ONE, n->edge[k].node, n->edge[k].power * power);
         } else
             i++;
     }
-    fmpq_clear(one);
 }
 
-void dag_product(struct dag *g, const fmpq_t coef, struct edges *factors, struct value *v)
+struct value dag_product(struct dag *g, rational coef, struct edges *factors)
 {
-    unsigned long mark[2] = {1, 1};
+    mp_limb_t mark[PRIMES] = {1, 1};
     struct edges kept = {0}, below = {0};
-    fmpq_t one;
-    fmpq_init(one);
-    fmpq_one(one);
-    spread_factors(g, factors);
-    int divisors = 0, left = 0;
+    struct value v = {coef, 0};
+    size_t divisors = 0, left = 0;
+    bool divides = false;
     for (size_t i = 0; i < factors->n; i++)
-        divisors += factors->edge[i].power < 0 ? -factors->edge[i].power : 0;
-    collect(factors, false);
+        divides |= factors->edge[i].power < 0 || g->node[factors->edge[i].node].divides;
+    spread_factors(g, factors);
+    for (size_t i = 0; i < factors->n; i++)
+        divisors += factors->edge[i].power < 0 ? (size_t)-factors->edge[i].power : 0;
+    collect(g, factors, false);
     for (size_t i = 0; i < factors->n; i++) {
         const struct edge *e = &factors->edge[i];
         if (e->node == 0)
             continue;
         if (e->power > 0)
-            edges_add(&kept, one, e->node, e->power);
+            edges_add(&kept, ONE, e->node, e->power);
         else {
-            edges_add(&below, one, e->node, -e->power);
-            left -= e->power;
+            edges_add(&below, ONE, e->node, -e->power);
+            left += (size_t)-e->power;
         }
     }
-    g->removed += (size_t)(divisors - left);
     if (below.n > 0) { /* all divisors together are one inverse */
-        struct value denominator;
-        value_init(&denominator);
-        dag_product(g, one, &below, &denominator);
-        edges_add(&kept, one, invert_node(g, denominator.node), 1);
-        value_clear(&denominator);
-        collect(&kept, false);
+        edges_add(&kept, ONE, invert_node(g, dag_product(g, ONE, &below).node), 1);
+        collect(g, &kept, false);
     }
     for (size_t i = 0; i < kept.n; i++)
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < PRIMES; k++)
             mark[k] = nmod_mul(
                 mark[k], nmod_pow_ui(g->node[kept.edge[i].node].mark[k], (mp_limb_t)kept.edge[i].power, modulus(k)),
                 modulus(k));
-    if (fmpq_is_zero(coef) || kept.n == 0)
-        set_value(v, coef, 0);
+    if (coef == ZERO)
+        v = value_of(ZERO, 0);
     else if (kept.n == 1 && kept.edge[0].power == 1)
-        set_value(v, coef, kept.edge[0].node);
-    else {
-        const size_t before = g->nodes;
-        const int node = make(g, NODE_PRODUCT, 0, &kept, mark);
-        if (below.n == 0 && left > 0 && (size_t)node < before && g->node[node].kind != NODE_PRODUCT)
-            g->removed++; /* a division disappeared into an equal value */
-        set_value(v, coef, node);
-    }
-    fmpq_clear(one);
+        v = value_of(coef, kept.edge[0].node);
+    else if (kept.n > 0)
+        v = value_of(coef, make(g, NODE_PRODUCT, 0, &kept, mark));
+    g->removed += divisors > left ? divisors - left : divides && !g->node[v.node].divides;
     edges_clear(&kept);
     edges_clear(&below);
     edges_clear(factors);
+    return v;
 }
 
-bool dag_inverse(struct dag *g, const struct value *a, struct value *v)
+struct value dag_times(struct dag *g, struct value a, struct value b)
 {
-    fmpq_t c;
-    if (fmpq_is_zero(a->coef))
-        return false;
-    fmpq_init(c);
-    fmpq_inv(c, a->coef);
-    set_value(v, c, a->node ? invert_node(g, a->node) : 0);
-    fmpq_clear(c);
-    return true;
+    struct edges factors = {0};
+    edges_add(&factors, ONE, a.node, 1);
+    edges_add(&factors, ONE, b.node, 1);
+    return dag_product(g, rational_mul(a.coef, b.coef), &factors);
+}
+
+struct value dag_inverse(struct dag *g, struct value a)
+{
+    const int inverse = a.node ? invert_node(g, a.node) : 0;
+    g->removed += g->node[a.node].divides && !g->node[inverse].divides;
+    return value_of(rational_inv(a.coef), inverse);
 }
 
 /* A function that is opaque to the random points takes as its value a hash of its kind and of its arguments' values. */
-void dag_function(struct dag *g, enum node_kind kind, const struct value *a, const struct value *b, struct value *v)
+struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b)
 {
-    struct edges list = {0};
-    unsigned long mark[2];
-    fmpq_t outside;
-    fmpq_init(outside);
-    fmpq_one(outside);
-    edges_add(&list, a->coef, a->node, 1);
+    struct edge edge[2] = {{a.coef, a.node, 1}, {b.coef, b.node, 1}};
+    const bool two = kind == NODE_PDIV || kind == NODE_MIN || kind == NODE_MAX;
+    const bool commutes = kind == NODE_MIN || kind == NODE_MAX;
+    const struct edges list = {edge, two ? 2 : 1, 2};
+    mp_limb_t mark[PRIMES];
+    rational outside = ONE;
     if (kind == NODE_ABS) { /* |c a| = |c| |a| */
-        fmpq_abs(outside, list.edge[0].coef);
-        fmpq_one(list.edge[0].coef);
+        outside = rational_abs(a.coef);
+        edge[0].coef = ONE;
     }
-    if (kind == NODE_PDIV || kind == NODE_MIN || kind == NODE_MAX)
-        edges_add(&list, b->coef, b->node, 1);
     if (kind == NODE_PDIV) { /* where the divisor is not 0 its coefficient may stand in the dividend */
-        fmpq_div(list.edge[0].coef, list.edge[0].coef, list.edge[1].coef);
-        fmpq_one(list.edge[1].coef);
+        edge[0].coef = rational_mul(a.coef, rational_inv(b.coef));
+        edge[1].coef = ONE;
     }
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < PRIMES; k++) {
         uint64_t part[2] = {0, 0};
         for (size_t i = 0; i < list.n; i++)
-            part[i] = nmod_mul(rational_mod(list.edge[i].coef, k), g->node[list.edge[i].node].mark[k], modulus(k));
-        const bool commutes = kind == NODE_MIN || kind == NODE_MAX;
-        if (commutes && part[1] < part[0]) {
-            const uint64_t swap = part[0];
-            part[0] = part[1];
-            part[1] = swap;
-        }
-        mark[k] = mix(part[0] ^ mix(part[1] ^ mix((uint64_t)kind * 3 + (uint64_t)k))) % prime[k];
+            part[i] = nmod_mul(rational_mod(edge[i].coef, k), g->node[edge[i].node].mark[k], modulus(k));
+        const uint64_t low = part[0] < part[1] || !commutes ? part[0] : part[1], high = part[0] ^ part[1] ^ low;
+        mark[k] = mix(low ^ mix(high ^ mix((uint64_t)kind * 3 + (uint64_t)k))) % rational_prime[k];
     }
-    set_value(v, outside, make(g, kind, 0, &list, mark));
-    fmpq_clear(outside);
-    edges_clear(&list);
+    return value_of(outside, make(g, kind, 0, &list, mark));
 }
 
 int *dag_uses(const struct dag *g)

@@ -8,8 +8,7 @@
 #define FOOTPOINT_DAG_H
 
 #include "genome.h"
-
-#include <flint/fmpq.h>
+#include "rational.h"
 
 enum node_kind {
     NODE_ONE,     /* the constant 1; node 0 */
@@ -26,7 +25,7 @@ enum node_kind {
 
 /** An operand: coef * node^power. */
 struct edge {
-    fmpq_t coef; /* owned by the node that holds the edge */
+    rational coef;
     int node;
     int power;
 };
@@ -34,21 +33,24 @@ struct edge {
 struct node {
     enum node_kind kind;
     int input;
-    struct edge *edge; /* owned */
+    struct edge *edge; /* owned by the graph */
     size_t edges;
-    bool kept;             /* a named value that products leave whole */
-    unsigned long mark[2]; /* values at the two random points */
+    bool kept;               /* a named value that products leave whole */
+    bool divides;            /* it, or what it is made of, divides */
+    mp_limb_t mark[PRIMES]; /* values at the random points */
 };
 
-/** coef * node: what an expression is. The coefficient of the value 0 is 0 and its node NODE_ONE. */
+/** coef * node: what an expression is. The coefficient of the value 0 is ZERO and its node NODE_ONE. */
 struct value {
-    fmpq_t coef;
+    rational coef;
     int node;
 };
 
 struct dag {
     struct node *node; /* owned */
     size_t nodes, node_room;
+    struct edge **pool; /* owned: blocks that hold the nodes' edges; the last one is filled up to pool_used */
+    size_t pools, pool_room, pool_used, pool_size;
     int *bucket; /* owned: hash table of node numbers + 1 */
     size_t buckets;
     struct value *output; /* owned */
@@ -62,28 +64,33 @@ struct dag *dag_new(size_t inputs);
 void dag_free(struct dag *g);
 /** Same nodes, same numbers. */
 struct dag *dag_copy(const struct dag *g);
-void dag_add_output(struct dag *g, const char *name, const struct value *v);
+void dag_add_output(struct dag *g, const char *name, struct value v);
 
-/** A list of operands under construction; coefficients are owned by the list. */
+/** A list of operands under construction. */
 struct edges {
     struct edge *edge; /* owned */
     size_t n, room;
 };
-void edges_add(struct edges *list, const fmpq *coef, int node, int power);
+void edges_add(struct edges *list, rational coef, int node, int power);
 void edges_clear(struct edges *list);
 
-void value_init(struct value *v); /* 0 */
-void value_clear(struct value *v);
-
-/** Each maker sets *v, initialised by the caller.  Lists are consumed: emptied on return. */
-void dag_input(struct dag *g, size_t input, struct value *v);
-void dag_sum(struct dag *g, struct edges *terms, struct value *v);
+/** Makers.  Lists are consumed: emptied on return. */
+struct value dag_constant(rational c);
+struct value dag_input(struct dag *g, size_t input);
+struct value dag_sum(struct dag *g, struct edges *terms);
 /** coef times the product of node^power; powers may be negative: those are divided by. */
-void dag_product(struct dag *g, const fmpq_t coef, struct edges *factors, struct value *v);
-/** 1/a.  False if a is identically 0. */
-bool dag_inverse(struct dag *g, const struct value *a, struct value *v);
+struct value dag_product(struct dag *g, rational coef, struct edges *factors);
+/** a * b, for a few factors at hand. */
+struct value dag_times(struct dag *g, struct value a, struct value b);
+/** 1/a; a must not be 0. */
+struct value dag_inverse(struct dag *g, struct value a);
 /** NODE_PDIV, NODE_MIN, NODE_MAX of two values; NODE_SQRT, NODE_ABS of one (b ignored). */
-void dag_function(struct dag *g, enum node_kind kind, const struct value *a, const struct value *b, struct value *v);
+struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b);
+
+/** A node that is not looked up, with room for its n edges; the caller fills them. */
+int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size_t n);
+/** Room for n edges in the graph's pool. */
+struct edge *dag_room(struct dag *g, size_t n);
 
 /** How often each node is used by the outputs, directly or not; unused nodes have 0.  uses[g->nodes], caller frees. */
 int *dag_uses(const struct dag *g);

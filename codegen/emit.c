@@ -148,30 +148,26 @@ static char *whole_text(const struct text *t, enum precedence *level)
     return all;
 }
 
-static bool is_two(const fmpq_t coef)
-{
-    return fmpz_is_one(fmpq_denref(coef)) && fmpz_cmpabs(fmpq_numref(coef), (fmpz[1]){2}) == 0;
-}
-
 /* Numerator and denominator, and so their quotient, are far inside the range of double. */
-static bool in_range(const fmpq_t c)
+static bool in_range(rational r)
 {
+    const fmpq *c = rational_value(r);
     return fmpz_bits(fmpq_numref(c)) < 1000 && fmpz_bits(fmpq_denref(c)) < 1000;
 }
 
 /* coef * text for a coefficient > 0, as a factor or term; counts the operation. */
-static char *scaled_text(struct emitter *e, const fmpq_t coef, const struct text *t)
+static char *scaled_text(struct emitter *e, rational coef, const struct text *t)
 {
     enum precedence level;
-    if (t->num && !t->den && t->level == ATOM && is_two(coef) && !strchr(t->num, '(')) {
+    if (t->num && !t->den && t->level == ATOM && coef == TWO && !strchr(t->num, '(')) {
         char *left = join("(", t->num, " + "), *twice = join(left, t->num, ")"); /* an addition, at no rounding error */
         e->out->ops.add++;
         free(left);
         return twice;
     }
-    if (fmpq_is_one(coef))
+    if (coef == ONE)
         return t->den ? whole_text(t, &level) : factor_text(t);
-    char *c = emit_rational(coef), *all;
+    char *c = emit_rational(rational_value(coef)), *all;
     e->out->out_of_range |= !in_range(coef);
     if (!t->num) {
         all = t->den ? join(c, " / ", t->den) : join(c, "", "");
@@ -186,45 +182,35 @@ static char *scaled_text(struct emitter *e, const fmpq_t coef, const struct text
     return all;
 }
 
-static bool same_size(const fmpq_t c, const fmpq_t size)
-{
-    return fmpz_equal(fmpq_denref(c), fmpq_denref(size)) && fmpz_cmpabs(fmpq_numref(c), fmpq_numref(size)) == 0;
-}
-
 /* A sum: terms of equal |coefficient| together, a positive one first. */
 static void print_sum(struct emitter *e, int n, struct text *t)
 {
     const struct node *node = &e->s->dag->node[n];
-    fmpq *coef = _fmpq_vec_init((slong)node->edges);
+    rational *coef = new_array(node->edges, sizeof *coef);
     bool *done = new_array(node->edges, sizeof *done);
-    fmpq_t size;
-    fmpq_init(size);
     size_t first = 0;
     for (size_t i = 0; i < node->edges; i++)
-        schedule_coefficient(e->s, n, i, &coef[i]);
-    while (first + 1 < node->edges && (fmpq_sgn(&coef[first]) < 0 || node->edge[first].node == 0))
+        coef[i] = schedule_coefficient(e->s, n, i);
+    while (first + 1 < node->edges && (rational_sign(coef[first]) < 0 || node->edge[first].node == 0))
         first++;
-    if (fmpq_sgn(&coef[first]) < 0 || node->edge[first].node == 0)
-        for (first = 0; first + 1 < node->edges && fmpq_sgn(&coef[first]) < 0;)
+    if (rational_sign(coef[first]) < 0 || node->edge[first].node == 0)
+        for (first = 0; first + 1 < node->edges && rational_sign(coef[first]) < 0;)
             first++;
     for (size_t turn = 0; turn < node->edges; turn++) {
         const size_t i = turn == 0 ? first : turn <= first ? turn - 1 : turn;
         if (done[i])
             continue;
-        const bool negative = fmpq_sgn(&coef[i]) < 0, begins = t->num == NULL;
-        fmpq_abs(size, &coef[i]);
+        const rational size = rational_abs(coef[i]);
+        const bool negative = rational_sign(coef[i]) < 0, begins = t->num == NULL;
+        const bool alone = size == ONE || node->edge[i].node == 0;
         char *group = NULL;
         size_t members = 0;
-        fmpq_t one;
-        fmpq_init(one);
-        fmpq_one(one);
-        const bool alone = fmpq_is_one(size) || node->edge[i].node == 0;
         for (size_t k = 0; k < node->edges; k++) { /* the terms +-size * node, starting with i itself */
             const size_t j = k == 0 ? i : k <= i ? k - 1 : k;
-            if (done[j] || (j != i && (alone || node->edge[j].node == 0 || !same_size(&coef[j], size))))
+            if (done[j] || (j != i && (alone || node->edge[j].node == 0 || rational_abs(coef[j]) != size)))
                 continue;
-            char *term = scaled_text(e, one, &e->text[node->edge[j].node]);
-            const bool minus = (fmpq_sgn(&coef[j]) < 0) != negative;
+            char *term = scaled_text(e, ONE, &e->text[node->edge[j].node]);
+            const bool minus = (rational_sign(coef[j]) < 0) != negative;
             if (members++) {
                 append(&group, minus ? " - " : " + ");
                 e->out->ops.add++;
@@ -236,7 +222,7 @@ static void print_sum(struct emitter *e, int n, struct text *t)
         if (members == 1) {
             free(group);
             group = scaled_text(e, size, &e->text[node->edge[i].node]);
-        } else if (!fmpq_is_one(size)) {
+        } else if (size != ONE) {
             struct text inner = {group, NULL, SUM};
             char *all = scaled_text(e, size, &inner);
             free(group);
@@ -250,12 +236,10 @@ static void print_sum(struct emitter *e, int n, struct text *t)
         }
         append(&t->num, group);
         free(group);
-        fmpq_clear(one);
     }
-    t->level = node->edges > 1 || fmpq_sgn(&coef[0]) < 0 ? SUM : PRODUCT;
-    fmpq_clear(size);
+    t->level = node->edges > 1 || rational_sign(coef[0]) < 0 ? SUM : PRODUCT;
+    free(coef);
     free(done);
-    _fmpq_vec_clear(coef, (slong)node->edges);
 }
 
 static void print_product(struct emitter *e, int n, struct text *t)
@@ -290,30 +274,24 @@ static void print_product(struct emitter *e, int n, struct text *t)
 /* An operand that is written twice: its name, or that of a helper that holds coef * it. */
 static char *operand_name(struct emitter *e, int n, size_t i)
 {
+    const struct edge *edge = &e->s->dag->node[n].edge[i];
+    const struct text *t = &e->text[edge->node];
+    rational coef = schedule_coefficient(e->s, n, i);
     char name[32];
-    fmpq_t coef;
-    fmpq_init(coef);
-    schedule_coefficient(e->s, n, i, coef);
     if (e->s->dag->node[n].kind == NODE_ABS)
-        fmpq_abs(coef, coef);
-    const struct text *t = &e->text[e->s->dag->node[n].edge[i].node];
-    char *text;
-    const bool negative = fmpq_sgn(coef) < 0;
-    if (fmpq_is_one(coef) || (e->s->dag->node[n].edge[i].node == 0))
-        text = fmpq_is_zero(coef)                ? join("0.0", "", "")
-               : e->s->dag->node[n].edge[i].node ? join(t->num, "", "")
-                                                 : emit_rational(coef);
-    else {
-        fmpq_abs(coef, coef);
-        char *product = scaled_text(e, coef, t);
-        char *value = join(negative ? "-" : "", product, "");
-        name_value(e, 'u', ++e->helpers, value, name);
-        free(product);
-        free(value);
-        text = join(name, "", "");
-    }
-    fmpq_clear(coef);
-    return text;
+        coef = rational_abs(coef);
+    if (coef == ZERO)
+        return join("0.0", "", "");
+    if (edge->node == 0)
+        return emit_rational(rational_value(coef));
+    if (coef == ONE)
+        return join(t->num, "", "");
+    char *product = scaled_text(e, rational_abs(coef), t);
+    char *value = join(rational_sign(coef) < 0 ? "-" : "", product, "");
+    name_value(e, 'u', ++e->helpers, value, name);
+    free(product);
+    free(value);
+    return join(name, "", "");
 }
 
 static void print_function(struct emitter *e, int n, struct text *t)
@@ -392,42 +370,34 @@ static void print_node(struct emitter *e, int n)
 static void mark_named(struct emitter *e)
 {
     const struct dag *g = e->s->dag;
-    fmpq_t coef;
-    fmpq_init(coef);
     for (size_t i = 0; i < e->s->n; i++) {
         const struct node *n = &g->node[e->s->order[i]];
         for (size_t k = 0; k < n->edges; k++) {
             bool twice = n->edge[k].power > 1 || n->kind >= NODE_PDIV;
             if (n->kind == NODE_SUM) {
-                schedule_coefficient(e->s, e->s->order[i], k, coef);
-                twice = is_two(coef);
+                const rational coef = schedule_coefficient(e->s, e->s->order[i], k);
+                twice = coef == TWO || coef == MINUS_TWO;
             }
             const bool divisor = n->kind == NODE_INVERSE && g->node[n->edge[k].node].kind != NODE_SUM;
             if (twice || divisor)
                 e->named[n->edge[k].node] = true;
         }
     }
-    fmpq_clear(coef);
 }
 
 static void print_output(struct emitter *e, size_t o)
 {
     const struct value *v = &e->s->dag->output[o];
-    char head[100], *value;
-    fmpq_t coef;
-    fmpq_init(coef);
-    fmpq_div(coef, v->coef, &e->s->scale[v->node]);
-    const bool negative = fmpq_sgn(coef) < 0;
+    const rational coef = rational_mul(v->coef, rational_inv(e->s->scale[v->node])), size = rational_abs(coef);
+    const bool negative = rational_sign(coef) < 0;
     enum precedence level;
-    fmpq_abs(coef, coef);
-    char *size = fmpq_is_one(coef) && !negative ? whole_text(&e->text[v->node], &level)
-                                                : scaled_text(e, coef, &e->text[v->node]);
-    value = join(negative ? "-" : "", size, "");
+    char head[100];
+    char *text = coef == ONE ? whole_text(&e->text[v->node], &level) : scaled_text(e, size, &e->text[v->node]);
+    char *value = join(negative ? "-" : "", text, "");
     snprintf(head, sizeof head, "*%s%s = ", e->file->segment ? "" : "out_", e->s->dag->output_name[o]);
     write_statement(e, head, value);
-    free(size);
+    free(text);
     free(value);
-    fmpq_clear(coef);
 }
 
 void emit_statements(const struct genome_file *f, const struct schedule *s, struct emission *out)

@@ -1,6 +1,7 @@
 /* Horner's rule for several variables.  A sum that only one place uses first becomes part of that place; then each sum
- * is factored greedily: the factor that most terms share is taken out of them, the quotient and the rest are treated
- * alike.  k terms that share a factor save k-1 multiplications. */
+ * is factored greedily: one factor is taken out of all terms that hold it, and the quotient, itself factored, becomes a
+ * factor that other terms may hold, too.  k terms that share a factor save k-1 multiplications.  Which factor goes
+ * first is decided anew for each sub-sum. */
 #include "horner.h"
 
 #include <stdlib.h>
@@ -10,50 +11,172 @@
 enum { MOST_TERMS = 4000, DEEPEST = 300 };
 
 struct term {
-    fmpq_t coef;
+    rational coef;
     struct edges factors; /* powers > 0 */
+};
+
+struct terms {
+    struct term *term; /* owned */
+    size_t n, room;
 };
 
 struct factoring {
     const struct dag *from;
     struct dag *to;
+    const struct horner_policy *policy;
+    struct horner_record *record;
     struct value *image; /* owned: of each node of `from` */
     int *uses;           /* owned */
+    int *count;          /* owned: by node of `to`, all 0 between uses */
+    size_t counts;
 };
 
-static void fill_term(const struct dag *g, struct term *t, const fmpq_t coef, int node)
+static uint64_t mix(uint64_t z)
 {
-    fmpq_t one;
-    fmpq_init(one);
-    fmpq_one(one);
-    fmpq_init(t->coef);
-    fmpq_set(t->coef, coef);
-    t->factors = (struct edges){0};
+    z += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+static int compare_choices(const void *a, const void *b)
+{
+    const struct horner_choice *x = a, *y = b;
+    return (x->key > y->key) - (x->key < y->key);
+}
+
+void horner_choose(struct horner_policy *p, struct horner_choice c)
+{
+    struct horner_choice *known = p->choices ? bsearch(&c, p->choice, p->choices, sizeof c, compare_choices) : NULL;
+    if (known) {
+        *known = c;
+        return;
+    }
+    grow_array(&p->choice, p->choices, &p->choice_room, sizeof *p->choice);
+    size_t i = p->choices++;
+    for (; i > 0 && p->choice[i - 1].key > c.key; i--)
+        p->choice[i] = p->choice[i - 1];
+    p->choice[i] = c;
+}
+
+void horner_policy_copy(struct horner_policy *to, const struct horner_policy *from)
+{
+    to->seed = from->seed;
+    to->preference = from->preference;
+    to->choices = 0;
+    for (size_t i = 0; i < from->choices; i++) {
+        grow_array(&to->choice, to->choices, &to->choice_room, sizeof *to->choice);
+        to->choice[to->choices++] = from->choice[i];
+    }
+}
+
+void horner_policy_clear(struct horner_policy *p)
+{
+    free(p->choice);
+    *p = (struct horner_policy){0};
+}
+
+void horner_record_clear(struct horner_record *r)
+{
+    free(r->decision);
+    free(r->alternative);
+    *r = (struct horner_record){0};
+}
+
+static void add_term(struct terms *list, const struct dag *g, rational coef, int node)
+{
+    grow_array(&list->term, list->n, &list->room, sizeof *list->term);
+    struct term *t = &list->term[list->n++];
+    *t = (struct term){.coef = coef};
     const struct node *n = &g->node[node];
     if (n->kind == NODE_PRODUCT && !n->kept)
         for (size_t k = 0; k < n->edges; k++)
-            edges_add(&t->factors, one, n->edge[k].node, n->edge[k].power);
+            edges_add(&t->factors, ONE, n->edge[k].node, n->edge[k].power);
     else if (node != 0)
-        edges_add(&t->factors, one, node, 1);
-    fmpq_clear(one);
+        edges_add(&t->factors, ONE, node, 1);
 }
 
-/* Factor that occurs in most terms, least node number first; its number of terms in *most. */
-static int commonest(const struct dag *g, const struct term *t, size_t n, size_t *most)
+/* The sub-sum's name: the same wherever and however it occurs. */
+static uint64_t key_of(const struct dag *g, const struct terms *list)
 {
-    size_t *count = new_array(g->nodes, sizeof *count);
-    int best = -1;
-    *most = 0;
+    uint64_t key = 0;
+    for (size_t i = 0; i < list->n; i++) {
+        uint64_t term = rational_mod(list->term[i].coef, 0);
+        for (size_t k = 0; k < list->term[i].factors.n; k++) {
+            const struct edge *e = &list->term[i].factors.edge[k];
+            term += mix(g->node[e->node].mark[0] + (uint64_t)e->power);
+        }
+        key += mix(term);
+    }
+    return key;
+}
+
+static double liking(const struct horner_policy *p, uint64_t factor)
+{
+    return p->preference > 0 ? p->preference * (double)(mix(factor ^ mix(p->seed)) >> 11) * 0x1p-53 : 0;
+}
+
+static void record_decision(struct factoring *f, uint64_t key, uint64_t chosen, const int *seen, size_t n)
+{
+    struct horner_record *r = f->record;
+    grow_array(&r->decision, r->decisions, &r->decision_room, sizeof *r->decision);
+    struct horner_decision *d = &r->decision[r->decisions++];
+    *d = (struct horner_decision){key, chosen, r->alternatives, 0};
     for (size_t i = 0; i < n; i++)
-        for (size_t k = 0; k < t[i].factors.n; k++) {
-            const int node = t[i].factors.edge[k].node;
-            count[node]++;
-            if (count[node] > *most || (count[node] == *most && node < best)) {
-                *most = count[node];
-                best = node;
+        if (f->count[seen[i]] > 1) {
+            grow_array(&r->alternative, r->alternatives, &r->alternative_room, sizeof *r->alternative);
+            r->alternative[r->alternatives++] = f->to->node[seen[i]].mark[0];
+            d->alternatives++;
+        }
+}
+
+/* The factor to take out next, or -1. */
+static int choose_factor(struct factoring *f, const struct terms *list)
+{
+    const struct horner_policy *p = f->policy;
+    int best = -1, *seen;
+    size_t n = 0, room = 0, shared = 0;
+    double most = 0;
+    if (f->counts < f->to->nodes) {
+        free(f->count);
+        f->counts = 2 * f->to->nodes;
+        f->count = new_array(f->counts, sizeof *f->count);
+    }
+    for (size_t i = 0; i < list->n; i++)
+        room += list->term[i].factors.n;
+    seen = new_array(room, sizeof *seen);
+    for (size_t i = 0; i < list->n; i++)
+        for (size_t k = 0; k < list->term[i].factors.n; k++) {
+            const int node = list->term[i].factors.edge[k].node;
+            if (f->count[node]++ == 0)
+                seen[n++] = node;
+            shared += f->count[node] == 2;
+        }
+    if (shared > 0) {
+        struct horner_choice key = {0, 0};
+        const struct horner_choice *forced = NULL;
+        if (f->record || p->choices)
+            key.key = key_of(f->to, list);
+        if (p->choices)
+            forced = bsearch(&key, p->choice, p->choices, sizeof key, compare_choices);
+        for (size_t i = 0; i < n; i++) {
+            if (f->count[seen[i]] < 2)
+                continue;
+            const uint64_t mark = f->to->node[seen[i]].mark[0];
+            const double score = f->count[seen[i]] + liking(p, mark) + (forced && forced->factor == mark ? 1e9 : 0);
+            if (score > most || (score == most && seen[i] < best)) {
+                most = score;
+                best = seen[i];
             }
         }
-    free(count);
+        if (forced && forced->factor == 0)
+            best = -1;
+        if (f->record)
+            record_decision(f, key.key, best < 0 ? 0 : f->to->node[best].mark[0], seen, n);
+    }
+    for (size_t i = 0; i < n; i++)
+        f->count[seen[i]] = 0;
+    free(seen);
     return best;
 }
 
@@ -66,75 +189,66 @@ static struct edge *factor_of(const struct term *t, int node)
 }
 
 /* Moves the terms that hold `node`, divided by the highest power they share, to a list of their own; returns that
- * power. t keeps the *rest. */
-static int divide_terms(struct term *t, size_t n, int node, struct term *quotient, size_t *taken)
+ * power. */
+static int divide_terms(struct terms *list, int node, struct terms *quotient)
 {
     int power = 0;
     size_t rest = 0;
-    for (size_t i = 0; i < n; i++) {
-        const struct edge *e = factor_of(&t[i], node);
+    for (size_t i = 0; i < list->n; i++) {
+        const struct edge *e = factor_of(&list->term[i], node);
         if (e && (power == 0 || e->power < power))
             power = e->power;
     }
-    *taken = 0;
-    for (size_t i = 0; i < n; i++) {
-        struct edge *e = factor_of(&t[i], node);
+    for (size_t i = 0; i < list->n; i++) {
+        struct edge *e = factor_of(&list->term[i], node);
         if (!e) {
-            t[rest++] = t[i];
+            list->term[rest++] = list->term[i];
             continue;
         }
         e->power -= power;
         if (e->power == 0) {
-            struct edges *f = &t[i].factors;
-            fmpq_clear(e->coef);
-            *e = f->edge[--f->n];
+            struct edges *factors = &list->term[i].factors;
+            *e = factors->edge[--factors->n];
         }
-        quotient[(*taken)++] = t[i];
+        grow_array(&quotient->term, quotient->n, &quotient->room, sizeof *quotient->term);
+        quotient->term[quotient->n++] = list->term[i];
     }
+    list->n = rest;
     return power;
 }
 
-/* Value of a list of terms; consumes them (not the array).  Recursion is as deep as the degree, at most DEEPEST. */
-static void factor_terms(struct factoring *f, struct term *t, size_t n, int depth, struct value *v)
+/* Value of a list of terms; consumes it.  Recursion is as deep as the degree, at most DEEPEST. */
+static struct value factor_terms(struct factoring *f, struct terms *list, int depth)
 {
     struct edges sum = {0};
-    struct value part;
-    fmpq_t one;
-    fmpq_init(one);
-    fmpq_one(one);
-    value_init(&part);
-    while (n > 1 && n <= MOST_TERMS && depth < DEEPEST) {
-        size_t most, taken;
-        const int node = commonest(f->to, t, n, &most);
-        if (most < 2)
+    while (list->n > 1 && list->n <= MOST_TERMS && depth < DEEPEST) {
+        const int node = choose_factor(f, list);
+        if (node < 0)
             break;
-        struct term *quotient = new_array(most, sizeof *quotient);
-        const int power = divide_terms(t, n, node, quotient, &taken);
-        n -= taken;
-        factor_terms(f, quotient, taken, depth + 1, &part);
+        struct terms quotient = {0};
+        const int power = divide_terms(list, node, &quotient);
+        const struct value part = factor_terms(f, &quotient, depth + 1);
         struct edges product = {0};
-        edges_add(&product, one, node, power);
-        edges_add(&product, one, part.node, 1);
-        dag_product(f->to, part.coef, &product, &part);
-        if (!fmpq_is_zero(part.coef))
-            edges_add(&sum, part.coef, part.node, 1);
-        free(quotient);
+        edges_add(&product, ONE, node, power);
+        edges_add(&product, ONE, part.node, 1);
+        const struct value v = dag_product(f->to, part.coef, &product);
+        if (v.coef != ZERO)
+            add_term(list, f->to, v.coef, v.node);
     }
-    for (size_t i = 0; i < n; i++) {
-        dag_product(f->to, t[i].coef, &t[i].factors, &part);
-        if (!fmpq_is_zero(part.coef))
-            edges_add(&sum, part.coef, part.node, 1);
-        fmpq_clear(t[i].coef);
+    for (size_t i = 0; i < list->n; i++) {
+        const struct value v = dag_product(f->to, list->term[i].coef, &list->term[i].factors);
+        if (v.coef != ZERO)
+            edges_add(&sum, v.coef, v.node, 1);
     }
-    dag_sum(f->to, &sum, v);
-    value_clear(&part);
-    fmpq_clear(one);
+    free(list->term);
+    *list = (struct terms){0};
+    return dag_sum(f->to, &sum);
 }
 
 static bool joins(const struct factoring *f, const struct edge *e)
 {
-    return f->from->node[e->node].kind == NODE_SUM && f->uses[e->node] == 1 && fmpz_is_one(fmpq_denref(e->coef)) &&
-           fmpz_is_pm1(fmpq_numref(e->coef));
+    return f->from->node[e->node].kind == NODE_SUM && f->uses[e->node] == 1 &&
+           (e->coef == ONE || e->coef == MINUS_ONE);
 }
 
 /* Terms of a sum, those of sums inside it that nothing else uses and that are not multiplied spread (iteratively: they
@@ -145,125 +259,85 @@ static void gather(const struct factoring *f, size_t node, struct edges *terms)
     for (size_t i = 0; i < n->edges; i++)
         edges_add(terms, n->edge[i].coef, n->edge[i].node, 1);
     for (size_t i = 0; i < terms->n;) {
-        const int k = terms->edge[i].node;
-        if (!joins(f, &terms->edge[i])) {
+        const struct edge joined = terms->edge[i];
+        if (!joins(f, &joined)) {
             i++;
             continue;
         }
-        fmpq_t coef, product;
-        fmpq_init(coef);
-        fmpq_init(product);
-        fmpq_set(coef, terms->edge[i].coef);
-        for (size_t j = 0; j < f->from->node[k].edges; j++) {
-            const struct edge *e = &f->from->node[k].edge[j];
-            fmpq_mul(product, coef, e->coef);
-            if (j == 0) {
-                fmpq_set(terms->edge[i].coef, product);
-                terms->edge[i].node = e->node;
-            } else
-                edges_add(terms, product, e->node, 1);
-        }
-        fmpq_clear(coef);
-        fmpq_clear(product);
+        const struct node *inner = &f->from->node[joined.node];
+        terms->edge[i] = (struct edge){rational_mul(joined.coef, inner->edge[0].coef), inner->edge[0].node, 1};
+        for (size_t j = 1; j < inner->edges; j++)
+            edges_add(terms, rational_mul(joined.coef, inner->edge[j].coef), inner->edge[j].node, 1);
     }
 }
 
-static void map_sum(struct factoring *f, size_t node, struct value *v)
+static struct value map_sum(struct factoring *f, size_t node)
 {
-    struct edges terms = {0};
-    fmpq_t coef;
-    gather(f, node, &terms);
-    struct term *t = new_array(terms.n, sizeof *t);
-    fmpq_init(coef);
-    for (size_t i = 0; i < terms.n; i++) {
-        const struct value *image = &f->image[terms.edge[i].node];
-        fmpq_mul(coef, terms.edge[i].coef, image->coef);
-        fill_term(f->to, &t[i], coef, image->node);
+    struct edges edges = {0};
+    struct terms list = {0};
+    gather(f, node, &edges);
+    for (size_t i = 0; i < edges.n; i++) {
+        const struct value image = f->image[edges.edge[i].node];
+        add_term(&list, f->to, rational_mul(edges.edge[i].coef, image.coef), image.node);
     }
-    factor_terms(f, t, terms.n, 0, v);
-    free(t);
-    fmpq_clear(coef);
-    edges_clear(&terms);
+    edges_clear(&edges);
+    return factor_terms(f, &list, 0);
 }
 
-static void map_product(struct factoring *f, const struct node *n, struct value *v)
+static struct value map_product(struct factoring *f, const struct node *n)
 {
     struct edges factors = {0};
-    fmpq_t coef, power;
-    fmpq_init(coef);
-    fmpq_init(power);
-    fmpq_one(coef);
+    rational coef = ONE;
     for (size_t i = 0; i < n->edges; i++) {
-        const struct value *image = &f->image[n->edge[i].node];
-        fmpq_pow_si(power, image->coef, n->edge[i].power);
-        fmpq_mul(coef, coef, power);
-        edges_add(&factors, power, image->node, n->edge[i].power);
+        const struct value image = f->image[n->edge[i].node];
+        coef = rational_mul(coef, rational_pow(image.coef, n->edge[i].power));
+        edges_add(&factors, ONE, image.node, n->edge[i].power);
     }
-    dag_product(f->to, coef, &factors, v);
-    fmpq_clear(coef);
-    fmpq_clear(power);
+    return dag_product(f->to, coef, &factors);
 }
 
-static void map_function(struct factoring *f, const struct node *n, struct value *v)
+static struct value map_function(struct factoring *f, const struct node *n)
 {
-    struct value a[2];
-    for (size_t i = 0; i < 2; i++) {
-        value_init(&a[i]);
-        if (i < n->edges) {
-            const struct value *image = &f->image[n->edge[i].node];
-            fmpq_mul(a[i].coef, n->edge[i].coef, image->coef);
-            a[i].node = image->node;
-        }
+    struct value a[2] = {{ZERO, 0}, {ZERO, 0}};
+    for (size_t i = 0; i < n->edges; i++) {
+        const struct value image = f->image[n->edge[i].node];
+        a[i] = (struct value){rational_mul(n->edge[i].coef, image.coef), image.node};
     }
-    if (n->kind == NODE_INVERSE)
-        dag_inverse(f->to, &a[0], v);
-    else
-        dag_function(f->to, n->kind, &a[0], &a[1], v);
-    value_clear(&a[0]);
-    value_clear(&a[1]);
+    return n->kind == NODE_INVERSE ? dag_inverse(f->to, a[0]) : dag_function(f->to, n->kind, a[0], a[1]);
 }
 
-struct dag *horner_factor(const struct dag *g)
+struct dag *horner_factor(const struct dag *g, const struct horner_policy *policy, struct horner_record *record)
 {
-    struct factoring f = {.from = g, .to = dag_new(g->inputs), .uses = dag_uses(g)};
+    struct factoring f = {
+        .from = g, .to = dag_new(g->inputs), .policy = policy, .record = record, .uses = dag_uses(g)};
     f.image = new_array(g->nodes, sizeof *f.image);
+    if (record)
+        record->decisions = record->alternatives = 0;
     /* a sum spread into its only user is not built on its own */
     bool *spread = new_array(g->nodes, sizeof *spread);
     for (size_t n = 0; n < g->nodes; n++)
         for (size_t i = 0; f.uses[n] && g->node[n].kind == NODE_SUM && i < g->node[n].edges; i++)
             if (joins(&f, &g->node[n].edge[i]))
                 spread[g->node[n].edge[i].node] = true;
-    for (size_t n = 0; n < g->nodes; n++) {
+    f.image[0] = dag_constant(ONE);
+    for (size_t n = 1; n < g->nodes; n++) {
         const struct node *node = &g->node[n];
-        value_init(&f.image[n]);
-        if (n == 0)
-            fmpq_one(f.image[n].coef);
-        else if (f.uses[n] == 0 || spread[n])
+        if (f.uses[n] == 0 || spread[n])
             continue;
-        else if (node->kind == NODE_INPUT)
-            dag_input(f.to, (size_t)node->input, &f.image[n]);
-        else if (node->kind == NODE_SUM)
-            map_sum(&f, n, &f.image[n]);
-        else if (node->kind == NODE_PRODUCT)
-            map_product(&f, node, &f.image[n]);
-        else
-            map_function(&f, node, &f.image[n]);
-        if (node->kept)
-            f.to->node[f.image[n].node].kept = true;
+        f.image[n] = node->kind == NODE_INPUT     ? dag_input(f.to, (size_t)node->input)
+                     : node->kind == NODE_SUM     ? map_sum(&f, n)
+                     : node->kind == NODE_PRODUCT ? map_product(&f, node)
+                                                  : map_function(&f, node);
+        f.to->node[f.image[n].node].kept |= node->kept;
     }
     for (size_t i = 0; i < g->outputs; i++) {
-        struct value v;
-        value_init(&v);
-        const struct value *image = &f.image[g->output[i].node];
-        fmpq_mul(v.coef, g->output[i].coef, image->coef);
-        v.node = image->node;
-        dag_add_output(f.to, g->output_name[i], &v);
-        value_clear(&v);
+        const struct value image = f.image[g->output[i].node];
+        dag_add_output(f.to, g->output_name[i],
+                       (struct value){rational_mul(g->output[i].coef, image.coef), image.node});
     }
-    for (size_t n = 0; n < g->nodes; n++)
-        value_clear(&f.image[n]);
     free(f.image);
     free(f.uses);
+    free(f.count);
     free(spread);
     f.to->removed = g->removed;
     return f.to;

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SEARCHED = 1000, MOST_TERMS = 12, SWEEPS = 3 };
+enum { MOST_SEARCHED = 1000, MOST_TERMS = 24, SWEEPS = 3 };
+
+#define NEGATION 0.25 /* a leading minus: at most an operation, at best none */
 
 static void order_nodes(struct schedule *s)
 {
@@ -43,95 +45,85 @@ static void order_nodes(struct schedule *s)
     free(seen);
 }
 
-void schedule_coefficient(const struct schedule *s, int n, size_t i, fmpq_t coef)
+rational schedule_coefficient(const struct schedule *s, int n, size_t i)
 {
     const struct edge *e = &s->dag->node[n].edge[i];
-    fmpq_mul(coef, &s->scale[n], e->coef);
-    fmpq_div(coef, coef, &s->scale[e->node]);
+    return rational_mul(rational_mul(s->scale[n], e->coef), rational_inv(s->scale[e->node]));
 }
 
 /* Scale of a node that has no choice. */
 static void derive_scale(struct schedule *s, int n)
 {
     const struct node *node = &s->dag->node[n];
-    fmpq *scale = &s->scale[n];
-    fmpq_one(scale);
+    rational scale = ONE;
     if (node->kind == NODE_ABS)
-        fmpq_abs(scale, &s->scale[node->edge[0].node]);
+        scale = rational_abs(s->scale[node->edge[0].node]);
     if (node->kind == NODE_INVERSE)
-        fmpq_inv(scale, &s->scale[node->edge[0].node]);
-    if (node->kind != NODE_PRODUCT)
-        return;
-    fmpq_t power;
-    fmpq_init(power);
-    for (size_t i = 0; i < node->edges; i++) {
-        fmpq_pow_si(power, &s->scale[node->edge[i].node], node->edge[i].power);
-        fmpq_mul(scale, scale, power);
-    }
-    fmpq_clear(power);
-}
-
-static bool is_whole(const fmpq_t c, long size)
-{
-    return fmpz_is_one(fmpq_denref(c)) && fmpz_cmpabs(fmpq_numref(c), (fmpz[1]){size}) == 0;
+        scale = rational_inv(s->scale[node->edge[0].node]);
+    for (size_t i = 0; node->kind == NODE_PRODUCT && i < node->edges; i++)
+        scale = rational_mul(scale, rational_pow(s->scale[node->edge[i].node], node->edge[i].power));
+    s->scale[n] = scale;
 }
 
 /* Cost of multiplying by a coefficient: nothing for +-1, an addition for +-2, else a multiplication. */
-static long coefficient_cost(const fmpq_t c)
+static double coefficient_cost(const struct schedule *s, rational c)
 {
-    return is_whole(c, 1) ? 0 : is_whole(c, 2) ? 1 : 2;
+    return c == ONE || c == MINUS_ONE ? 0 : c == TWO || c == MINUS_TWO ? s->model->add : s->model->mul;
 }
 
 /* Equal coefficients of a sum are taken out together and count once; a sum without any positive term counts, too. */
-static long sum_cost(const struct schedule *s, int n, fmpq *coef)
+static double sum_cost(const struct schedule *s, int n)
 {
     const struct node *node = &s->dag->node[n];
-    long cost = 0;
+    rational coef[MOST_TERMS];
+    double cost = 0;
     bool positive = false;
     for (size_t i = 0; i < node->edges; i++) {
-        schedule_coefficient(s, n, i, &coef[i]);
-        positive |= fmpq_sgn(&coef[i]) > 0;
-        fmpq_abs(&coef[i], &coef[i]);
+        const rational signed_coef = schedule_coefficient(s, n, i), c = rational_abs(signed_coef);
+        positive |= rational_sign(signed_coef) > 0;
         bool counts = node->edge[i].node != 0;
-        for (size_t k = 0; counts && k < i; k++)
-            counts = !fmpq_equal(&coef[i], &coef[k]) || node->edge[k].node == 0;
-        cost += counts ? 2 * coefficient_cost(&coef[i]) : 0;
+        if (i < MOST_TERMS)
+            coef[i] = counts ? c : ZERO;
+        for (size_t k = 0; counts && k < i && k < MOST_TERMS; k++)
+            counts = c != coef[k];
+        cost += counts ? coefficient_cost(s, c) : 0;
     }
-    return cost + !positive;
+    return cost + (positive ? 0 : NEGATION);
 }
 
-static long node_cost(const struct schedule *s, int n, fmpq *work)
+static double node_cost(const struct schedule *s, int n)
 {
     const struct node *node = &s->dag->node[n];
-    long cost = 0;
+    double cost = 0;
     if (node->kind == NODE_SUM)
-        return sum_cost(s, n, work);
-    for (size_t k = 0; node->kind >= NODE_PDIV && k < node->edges; k++) {
-        schedule_coefficient(s, n, k, &work[0]);
-        cost += 2 * coefficient_cost(&work[0]);
-    }
+        return sum_cost(s, n);
+    for (size_t k = 0; node->kind >= NODE_PDIV && k < node->edges; k++)
+        cost += coefficient_cost(s, schedule_coefficient(s, n, k));
     return cost;
 }
 
-static long total_cost(const struct schedule *s, fmpq *work)
+static double output_cost(const struct schedule *s, const struct value *v)
 {
-    long cost = 0;
+    const rational c = rational_mul(v->coef, rational_inv(s->scale[v->node]));
+    return v->node == 0 ? 0 : coefficient_cost(s, c) + (rational_sign(c) < 0 ? NEGATION : 0);
+}
+
+static double total_cost(const struct schedule *s)
+{
+    double cost = 0;
     for (size_t i = 0; i < s->n; i++)
-        cost += node_cost(s, s->order[i], work);
-    for (size_t o = 0; o < s->dag->outputs; o++) {
-        const struct value *v = &s->dag->output[o];
-        fmpq_div(&work[0], v->coef, &s->scale[v->node]);
-        cost += v->node == 0 ? 0 : 2 * coefficient_cost(&work[0]) + (fmpq_sgn(&work[0]) < 0);
-    }
+        cost += node_cost(s, s->order[i]);
+    for (size_t o = 0; o < s->dag->outputs; o++)
+        cost += output_cost(s, &s->dag->output[o]);
     return cost;
 }
 
-/* State of the search: `trial` are the scales of a move under way, the schedule's own are the best so far. */
+/* State of the search: the schedule's scales are those of a move under way, `best` the best so far. */
 struct search {
     struct schedule *s;
-    fmpq *best, *work, *chosen; /* owned: by node; by edge; two */
-    int *level;                 /* owned: longest way from an input */
-    long least;
+    rational *best; /* owned: by node */
+    int *level;     /* owned: longest way from an input */
+    double least;
 };
 
 /* A sum whose terms have changed by factors takes the one of them that makes it cheapest: if all are the same, its
@@ -139,54 +131,46 @@ struct search {
 static void follow(struct search *x, int n)
 {
     const struct node *node = &x->s->dag->node[n];
-    fmpq *scale = &x->s->scale[n], *cheapest = &x->chosen[0], *ratio = &x->chosen[1];
-    long least = node_cost(x->s, n, x->work);
-    fmpq_set(cheapest, scale);
+    rational *scale = &x->s->scale[n], cheapest = *scale;
+    double least = node_cost(x->s, n);
     for (size_t i = 0; i < node->edges && i < MOST_TERMS; i++) {
         const int k = node->edge[i].node;
-        fmpq_div(ratio, &x->s->scale[k], &x->best[k]);
-        if (fmpq_is_one(ratio))
+        if (x->s->scale[k] == x->best[k])
             continue;
-        fmpq_mul(scale, &x->best[n], ratio);
-        const long cost = node_cost(x->s, n, x->work);
+        *scale = rational_mul(x->best[n], rational_mul(x->s->scale[k], rational_inv(x->best[k])));
+        const double cost = node_cost(x->s, n);
         if (cost < least) {
             least = cost;
-            fmpq_set(cheapest, scale);
+            cheapest = *scale;
         }
     }
-    fmpq_set(scale, cheapest);
+    *scale = cheapest;
 }
 
 /* Multiplies the scales of all sums like n (same level, same coefficients) by `factor`; what uses them follows.  The
  * move stands if the total falls. */
-static void try_factor(struct search *x, int n, const fmpq_t factor)
+static void try_factor(struct search *x, int n, rational factor)
 {
     struct schedule *s = x->s;
     const struct node *model = &s->dag->node[n];
-    if (fmpq_is_one(factor))
+    if (factor == ONE)
         return;
     for (size_t i = 0; i < s->n; i++) {
         const int m = s->order[i];
         const struct node *node = &s->dag->node[m];
         bool alike = node->kind == NODE_SUM && x->level[m] == x->level[n] && node->edges == model->edges;
         for (size_t k = 0; alike && k < node->edges; k++)
-            alike = fmpq_equal(node->edge[k].coef, model->edge[k].coef);
+            alike = node->edge[k].coef == model->edge[k].coef;
         if (alike)
-            fmpq_mul(&s->scale[m], &s->scale[m], factor);
+            s->scale[m] = rational_mul(s->scale[m], factor);
         else if (node->kind == NODE_SUM)
             follow(x, m);
         else
             derive_scale(s, m);
     }
-    const long cost = total_cost(s, x->work);
-    const bool better = cost < x->least;
-    for (size_t i = 0; i < s->n; i++) {
-        const int m = s->order[i];
-        if (better)
-            fmpq_set(&x->best[m], &s->scale[m]);
-        else
-            fmpq_set(&s->scale[m], &x->best[m]);
-    }
+    const double cost = total_cost(s);
+    const bool better = cost < x->least - 1e-9;
+    memcpy(better ? x->best : s->scale, better ? s->scale : x->best, s->dag->nodes * sizeof *s->scale);
     if (better)
         x->least = cost;
 }
@@ -197,76 +181,57 @@ static void improve_sum(struct search *x, size_t position)
     struct schedule *s = x->s;
     const struct dag *g = s->dag;
     const int n = s->order[position];
-    fmpq_t c;
-    fmpq_init(c);
-    for (size_t k = 0; k < g->node[n].edges && k < MOST_TERMS; k++) {
-        schedule_coefficient(s, n, k, c);
-        fmpq_inv(c, c);
-        try_factor(x, n, c);
-    }
+    for (size_t k = 0; k < g->node[n].edges && k < MOST_TERMS; k++)
+        try_factor(x, n, rational_inv(schedule_coefficient(s, n, k)));
     for (size_t j = position + 1; j < s->n; j++)
         for (size_t k = 0; k < g->node[s->order[j]].edges; k++)
-            if (g->node[s->order[j]].kind == NODE_SUM && g->node[s->order[j]].edge[k].node == n) {
-                schedule_coefficient(s, s->order[j], k, c);
-                try_factor(x, n, c);
-            }
+            if (g->node[s->order[j]].kind == NODE_SUM && g->node[s->order[j]].edge[k].node == n)
+                try_factor(x, n, schedule_coefficient(s, s->order[j], k));
     for (size_t o = 0; o < g->outputs; o++)
-        if (g->output[o].node == n) {
-            fmpq_div(c, g->output[o].coef, &s->scale[n]);
-            try_factor(x, n, c);
-        }
-    for (long factor = -1; factor <= 2; factor += 3) {
-        fmpq_set_si(c, factor, 1);
-        try_factor(x, n, c);
-    }
-    fmpq_clear(c);
+        if (g->output[o].node == n)
+            try_factor(x, n, rational_mul(g->output[o].coef, rational_inv(s->scale[n])));
+    try_factor(x, n, MINUS_ONE);
+    try_factor(x, n, TWO);
 }
 
-static void search_scales(struct schedule *s, size_t widest)
+static void search_scales(struct schedule *s)
 {
     struct search x = {.s = s};
-    x.best = _fmpq_vec_init((slong)s->dag->nodes);
-    x.work = _fmpq_vec_init((slong)widest);
-    x.chosen = _fmpq_vec_init(2);
+    x.best = new_array(s->dag->nodes, sizeof *x.best);
     x.level = new_array(s->dag->nodes, sizeof *x.level);
+    memcpy(x.best, s->scale, s->dag->nodes * sizeof *x.best);
     for (size_t i = 0; i < s->n; i++) {
         const struct node *node = &s->dag->node[s->order[i]];
-        fmpq_one(&x.best[s->order[i]]);
         for (size_t k = 0; k < node->edges; k++)
             if (x.level[s->order[i]] <= x.level[node->edge[k].node])
                 x.level[s->order[i]] = x.level[node->edge[k].node] + 1;
     }
-    x.least = total_cost(s, x.work);
+    x.least = total_cost(s);
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        const long before = x.least;
+        const double before = x.least;
         for (size_t i = 0; i < s->n; i++)
             if (s->dag->node[s->order[i]].kind == NODE_SUM)
                 improve_sum(&x, i);
         if (x.least == before)
             break;
     }
-    _fmpq_vec_clear(x.best, (slong)s->dag->nodes);
-    _fmpq_vec_clear(x.work, (slong)widest);
-    _fmpq_vec_clear(x.chosen, 2);
+    free(x.best);
     free(x.level);
 }
 
-struct schedule *schedule_new(const struct dag *g)
+struct schedule *schedule_new(const struct dag *g, const struct cost_model *model)
 {
     struct schedule *s = new_array(1, sizeof *s);
-    size_t widest = 1;
     s->dag = g;
+    s->model = model;
     s->order = new_array(g->nodes, sizeof *s->order);
     s->uses = new_array(g->nodes, sizeof *s->uses);
-    s->scale = _fmpq_vec_init((slong)g->nodes);
+    s->scale = new_array(g->nodes, sizeof *s->scale);
+    for (size_t n = 0; n < g->nodes; n++)
+        s->scale[n] = ONE;
     order_nodes(s);
-    for (size_t n = 0; n < g->nodes; n++) {
-        fmpq_one(&s->scale[n]);
-        if (g->node[n].edges > widest)
-            widest = g->node[n].edges;
-    }
     if (s->n <= MOST_SEARCHED)
-        search_scales(s, widest);
+        search_scales(s);
     return s;
 }
 
@@ -274,7 +239,7 @@ void schedule_free(struct schedule *s)
 {
     if (!s)
         return;
-    _fmpq_vec_clear(s->scale, (slong)s->dag->nodes);
+    free(s->scale);
     free(s->order);
     free(s->uses);
     free(s);

@@ -2,21 +2,23 @@
 #ifndef FOOTPOINT_SCHEDULE_H
 #define FOOTPOINT_SCHEDULE_H
 
+#include "cost.h"
 #include "dag.h"
 
 struct schedule {
-    const struct dag *dag; /* not owned */
-    int *order;            /* owned: used nodes, operands first */
+    const struct dag *dag;          /* not owned */
+    const struct cost_model *model; /* not owned */
+    int *order;                     /* owned: used nodes, operands first */
     size_t n;
     int *uses;   /* owned: by node, how many operands and outputs name it */
-    fmpq *scale; /* owned: by node; the emitted value is scale * the node's value */
+    rational *scale; /* owned: by node; the emitted value is scale * the node's value */
 };
 
 /** A schedule that costs few multiplications by constants. */
-struct schedule *schedule_new(const struct dag *g);
+struct schedule *schedule_new(const struct dag *g, const struct cost_model *model);
 void schedule_free(struct schedule *s);
 
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */
-void schedule_coefficient(const struct schedule *s, int n, size_t i, fmpq_t coef);
+rational schedule_coefficient(const struct schedule *s, int n, size_t i);
 
 #endif

@@ -11,9 +11,8 @@ enum { MOST_OPERANDS = 150, MOST_PAIRS = 1 << 20, MOST_WORK = 20000000 };
 /* One occurrence of a pair of operands a <= b in `user`. */
 struct pair {
     int a, b, user;
-    int count;          /* products: how often it fits; sums: 1 */
-    fmpq_t ratio;       /* sums: coefficient of b over that of a; products: 1 */
-    unsigned long hash; /* of the ratio */
+    int count;      /* products: how often it fits; sums: 1 */
+    rational ratio; /* sums: coefficient of b over that of a; products: ONE */
 };
 
 struct sharing {
@@ -27,14 +26,9 @@ struct sharing {
 
 static void add_pair(struct sharing *s, const struct edge *x, const struct edge *y, int user, int count)
 {
+    const rational ratio = s->kind == NODE_SUM ? rational_mul(y->coef, rational_inv(x->coef)) : ONE;
     grow_array(&s->pair, s->n, &s->room, sizeof *s->pair);
-    struct pair *p = &s->pair[s->n++];
-    *p = (struct pair){.a = x->node, .b = y->node, .user = user, .count = count};
-    fmpq_init(p->ratio);
-    if (s->kind == NODE_SUM)
-        fmpq_div(p->ratio, y->coef, x->coef);
-    p->hash = fmpz_fdiv_ui(fmpq_numref(p->ratio), 4294967291UL) * 4294967296UL +
-              fmpz_fdiv_ui(fmpq_denref(p->ratio), 4294967279UL);
+    s->pair[s->n++] = (struct pair){.a = x->node, .b = y->node, .user = user, .count = count, .ratio = ratio};
 }
 
 static int compare_pairs(const void *x, const void *y)
@@ -44,14 +38,14 @@ static int compare_pairs(const void *x, const void *y)
         return p->a < q->a ? -1 : 1;
     if (p->b != q->b)
         return p->b < q->b ? -1 : 1;
-    if (p->hash != q->hash)
-        return p->hash < q->hash ? -1 : 1;
+    if (p->ratio != q->ratio)
+        return p->ratio < q->ratio ? -1 : 1;
     return (p->user > q->user) - (p->user < q->user);
 }
 
 static bool same_pair(const struct pair *p, const struct pair *q)
 {
-    return p->a == q->a && p->b == q->b && p->hash == q->hash && fmpq_equal(p->ratio, q->ratio);
+    return p->a == q->a && p->b == q->b && p->ratio == q->ratio;
 }
 
 static void list_pairs(struct sharing *s)
@@ -86,8 +80,8 @@ static size_t best_run(const struct sharing *s, size_t *start)
         long occurrences = 0;
         for (j = i; j < s->n && same_pair(&s->pair[i], &s->pair[j]); j++)
             occurrences += s->pair[j].count;
-        const bool plain = s->kind == NODE_PRODUCT || fmpz_is_pm1(fmpq_numref(s->pair[i].ratio));
-        const long saved = (occurrences - 1) * (plain && fmpz_is_one(fmpq_denref(s->pair[i].ratio)) ? 1 : 2);
+        const bool plain = s->pair[i].ratio == ONE || s->pair[i].ratio == MINUS_ONE;
+        const long saved = (occurrences - 1) * (plain ? 1 : 2);
         if (saved > most) {
             most = saved;
             length = j - i;
@@ -99,67 +93,32 @@ static size_t best_run(const struct sharing *s, size_t *start)
 
 static int new_pair_node(struct sharing *s, const struct pair *p)
 {
-    struct dag *g = s->dag;
-    struct edges list = {0};
-    fmpq_t one;
-    fmpq_init(one);
-    fmpq_one(one);
-    if (p->a == p->b)
-        edges_add(&list, one, p->a, 2);
-    else {
-        edges_add(&list, one, p->a, 1);
-        edges_add(&list, s->kind == NODE_SUM ? p->ratio : one, p->b, 1);
-    }
-    grow_array(&g->node, g->nodes, &g->node_room, sizeof *g->node);
-    grow_array(&s->uses, g->nodes, &s->use_room, sizeof *s->uses);
-    s->uses[g->nodes] = 1;
-    g->node[g->nodes] = (struct node){.kind = s->kind, .edge = list.edge, .edges = list.n};
-    fmpq_clear(one);
-    return (int)g->nodes++;
-}
-
-static struct edge *find_edge(struct node *n, int node)
-{
-    for (size_t i = 0; i < n->edges; i++)
-        if (n->edge[i].node == node)
-            return &n->edge[i];
-    return NULL;
-}
-
-static void remove_edge(struct node *n, struct edge *e)
-{
-    fmpq_clear(e->coef);
-    memmove(e, e + 1, (size_t)(n->edge + n->edges - (e + 1)) * sizeof *e);
-    n->edges--;
+    const struct edge edge[2] = {{ONE, p->a, p->a == p->b ? 2 : 1}, {p->ratio, p->b, 1}};
+    grow_array(&s->uses, s->dag->nodes, &s->use_room, sizeof *s->uses);
+    s->uses[s->dag->nodes] = 1;
+    return dag_append(s->dag, s->kind, edge, p->a == p->b ? 1 : 2);
 }
 
 /* Puts node `part` in the place of the pair. */
 static void use_pair(struct sharing *s, const struct pair *p, int part)
 {
     struct node *n = &s->dag->node[p->user];
-    struct edges list = {n->edge, n->edges, n->edges};
-    fmpq_t coef;
-    fmpq_init(coef);
-    struct edge *a = find_edge(n, p->a), *b = find_edge(n, p->b);
-    fmpq_set(coef, a->coef);
-    if (s->kind == NODE_SUM) {
-        remove_edge(n, a < b ? b : a);
-        remove_edge(n, a < b ? a : b);
-    } else {
-        a->power -= p->count * (p->a == p->b ? 2 : 1);
-        if (a != b)
-            b->power -= p->count;
-        struct edge *later = a < b ? b : a, *earlier = a < b ? a : b;
-        if (later != earlier && later->power == 0)
-            remove_edge(n, later);
-        if (earlier->power == 0)
-            remove_edge(n, earlier);
+    struct edge *edge = dag_room(s->dag, n->edges + 1);
+    rational coef = ONE;
+    size_t kept = 0;
+    for (size_t i = 0; i < n->edges; i++) {
+        struct edge e = n->edge[i];
+        const bool mine = e.node == p->a || e.node == p->b;
+        if (e.node == p->a)
+            coef = e.coef;
+        if (mine)
+            e.power -= p->count * (p->a == p->b ? 2 : 1);
+        if (e.power > 0)
+            edge[kept++] = e;
     }
-    list = (struct edges){n->edge, n->edges, n->edges};
-    edges_add(&list, coef, part, p->count);
-    n->edge = list.edge;
-    n->edges = list.n;
-    fmpq_clear(coef);
+    edge[kept++] = (struct edge){coef, part, p->count};
+    n->edge = edge;
+    n->edges = kept;
 }
 
 /* The pairs' terms in a sum may meet in a user only once; of the same user, runs hold it once by construction. */
@@ -176,8 +135,6 @@ static bool share_once(struct sharing *s)
         for (size_t i = start; i < start + length; i++)
             use_pair(s, &s->pair[i], part);
     }
-    for (size_t i = 0; i < s->n; i++)
-        fmpq_clear(s->pair[i].ratio);
     s->n = 0;
     return length > 0;
 }

@@ -18,20 +18,22 @@ struct item {
 struct builder {
     const struct genome_file *file;
     struct dag *dag;
-    fmpq *constant;       /* owned: exact values of the file's constants */
+    rational *constant;   /* owned: of the file's constants */
     struct value *symbol; /* owned */
     struct item *stack;   /* owned */
     size_t depth, room;
 };
 
 /* Exact value of decimal text. */
-static void read_rational(fmpq_t c, const char *text)
+static rational read_rational(const char *text)
 {
+    fmpq_t c;
     char digits[80];
     size_t n = 0;
     long exponent = 0;
     bool after = false;
     fmpz_t ten;
+    fmpq_init(c);
     for (; *text && *text != 'e' && *text != 'E'; text++) {
         if (*text == '.')
             after = true;
@@ -51,25 +53,21 @@ static void read_rational(fmpq_t c, const char *text)
         fmpq_div_fmpz(c, c, ten);
     else
         fmpq_mul_fmpz(c, c, ten);
+    const rational r = rational_intern(c);
     fmpz_clear(ten);
+    fmpq_clear(c);
+    return r;
 }
 
-static void push_value(struct builder *b, const struct value *v)
+static void push_value(struct builder *b, struct value v)
 {
     grow_array(&b->stack, b->depth, &b->room, sizeof *b->stack);
     struct item *it = &b->stack[b->depth++];
-    it->product = true;
-    it->flip = false;
-    it->edges = (struct edges){0};
+    *it = (struct item){.product = true};
     fmpq_init(it->coef);
-    fmpq_set(it->coef, v->coef);
-    if (v->node != 0) {
-        fmpq_t one;
-        fmpq_init(one);
-        fmpq_one(one);
-        edges_add(&it->edges, one, v->node, 1);
-        fmpq_clear(one);
-    }
+    fmpq_set(it->coef, rational_value(v.coef));
+    if (v.node != 0)
+        edges_add(&it->edges, ONE, v.node, 1);
 }
 
 static void flip_edge(const struct item *it, struct edge *e)
@@ -77,62 +75,49 @@ static void flip_edge(const struct item *it, struct edge *e)
     if (it->product)
         e->power = -e->power;
     else
-        fmpq_neg(e->coef, e->coef);
+        e->coef = rational_neg(e->coef);
 }
 
-static void make_value(struct builder *b, struct item *it, struct value *v)
+static struct value make_value(struct builder *b, struct item *it)
 {
     for (size_t i = 0; it->flip && i < it->edges.n; i++)
         flip_edge(it, &it->edges.edge[i]);
     it->flip = false;
-    if (it->product)
-        dag_product(b->dag, it->coef, &it->edges, v);
-    else
-        dag_sum(b->dag, &it->edges, v);
+    return it->product ? dag_product(b->dag, rational_intern(it->coef), &it->edges) : dag_sum(b->dag, &it->edges);
 }
 
 /* Pops an item as one value. */
-static void pop_value(struct builder *b, struct value *v)
+static struct value pop_value(struct builder *b)
 {
     struct item *it = &b->stack[--b->depth];
-    make_value(b, it, v);
+    const struct value v = make_value(b, it);
     fmpq_clear(it->coef);
+    return v;
 }
 
-/* Makes the top item a sum. */
+/* Makes the item a sum. */
 static void as_sum(struct builder *b, struct item *it)
 {
     if (!it->product)
         return;
-    struct value v;
-    value_init(&v);
-    make_value(b, it, &v);
-    if (!fmpq_is_zero(v.coef))
+    const struct value v = make_value(b, it);
+    if (v.coef != ZERO)
         edges_add(&it->edges, v.coef, v.node, 1);
     it->product = false;
-    value_clear(&v);
 }
 
 static void as_product(struct builder *b, struct item *it)
 {
     if (it->product)
         return;
-    struct value v;
-    value_init(&v);
-    make_value(b, it, &v);
-    fmpq_set(it->coef, v.coef);
-    if (v.node != 0) {
-        fmpq_t one;
-        fmpq_init(one);
-        fmpq_one(one);
-        edges_add(&it->edges, one, v.node, 1);
-        fmpq_clear(one);
-    }
+    const struct value v = make_value(b, it);
+    fmpq_set(it->coef, rational_value(v.coef));
+    if (v.node != 0)
+        edges_add(&it->edges, ONE, v.node, 1);
     it->product = true;
-    value_clear(&v);
 }
 
-/* Moves the operands of the top item into the one below it, the shorter list into the longer one. */
+/* Moves the operands of `second` into `first`, the shorter list into the longer one. */
 static void merge(struct item *first, struct item *second)
 {
     if (first->edges.n < second->edges.n) {
@@ -180,31 +165,35 @@ static bool multiply(struct builder *b, bool divide)
     return true;
 }
 
-/* A function of constants, or one that its semantics decide: true if *v is set. */
-static bool fold(int gene, const struct value *x, const struct value *y, struct value *v)
+static bool exact_root(rational r, rational *root)
 {
-    const bool same = x->node == y->node && fmpq_equal(x->coef, y->coef);
-    const bool constant = x->node == 0 && y->node == 0;
-    if (gene == GENE_PDIV && (same || (y->node == 0 && fmpq_is_zero(y->coef)))) {
-        fmpq_one(v->coef);
-        v->node = 0;
-    } else if (gene == GENE_PDIV && y->node == 0) {
-        fmpq_div(v->coef, x->coef, y->coef);
-        v->node = fmpq_is_zero(v->coef) ? 0 : x->node;
-    } else if ((gene == GENE_MIN || gene == GENE_MAX) && (same || constant)) {
-        const bool first = (fmpq_cmp(x->coef, y->coef) < 0) == (gene == GENE_MIN);
-        fmpq_set(v->coef, first ? x->coef : y->coef);
-        v->node = x->node;
-    } else if (gene == GENE_ABS && x->node == 0) {
-        fmpq_abs(v->coef, x->coef);
-        v->node = 0;
-    } else if (gene == GENE_SQRT && x->node == 0 && fmpz_is_square(fmpq_numref(x->coef)) &&
-               fmpz_is_square(fmpq_denref(x->coef))) {
-        fmpz_sqrt(fmpq_numref(v->coef), fmpq_numref(x->coef));
-        fmpz_sqrt(fmpq_denref(v->coef), fmpq_denref(x->coef));
-        v->node = 0;
-    } else
+    const fmpq *q = rational_value(r);
+    if (!fmpz_is_square(fmpq_numref(q)) || !fmpz_is_square(fmpq_denref(q)))
         return false;
+    fmpq_t s;
+    fmpq_init(s);
+    fmpz_sqrt(fmpq_numref(s), fmpq_numref(q));
+    fmpz_sqrt(fmpq_denref(s), fmpq_denref(q));
+    *root = rational_intern(s);
+    fmpq_clear(s);
+    return true;
+}
+
+/* A function of constants, or one that its semantics decide: true if *v is set. */
+static bool fold(int gene, struct value x, struct value y, struct value *v)
+{
+    const bool same = x.node == y.node && x.coef == y.coef, constant = x.node == 0 && y.node == 0;
+    if (gene == GENE_PDIV && (same || y.coef == ZERO))
+        *v = dag_constant(ONE);
+    else if (gene == GENE_PDIV && y.node == 0)
+        *v = (struct value){rational_mul(x.coef, rational_inv(y.coef)), x.node};
+    else if ((gene == GENE_MIN || gene == GENE_MAX) && (same || constant)) {
+        const bool less = fmpq_cmp(rational_value(x.coef), rational_value(y.coef)) < 0;
+        *v = less == (gene == GENE_MIN) ? x : y;
+    } else if (gene == GENE_ABS && x.node == 0)
+        *v = dag_constant(rational_abs(x.coef));
+    else
+        return gene == GENE_SQRT && x.node == 0 && exact_root(x.coef, &v->coef);
     return true;
 }
 
@@ -215,54 +204,37 @@ static void apply_function(struct builder *b, int gene)
                                                         [GENE_MAX] = NODE_MAX,
                                                         [GENE_SQRT] = NODE_SQRT,
                                                         [GENE_ABS] = NODE_ABS};
-    struct value x, y, v;
-    value_init(&x);
-    value_init(&y);
-    value_init(&v);
-    pop_value(b, &x);
+    struct value x = pop_value(b), y = {ZERO, 0}, v = {ZERO, 0};
     if (gene_arity(gene) == 2)
-        pop_value(b, &y);
-    if (!fold(gene, &x, &y, &v))
-        dag_function(b->dag, kind[gene], &x, &y, &v);
-    push_value(b, &v);
-    value_clear(&x);
-    value_clear(&y);
-    value_clear(&v);
-}
-
-static void push_leaf(struct builder *b, int gene)
-{
-    if (gene >= GENE_SYMBOL) {
-        push_value(b, &b->symbol[gene - GENE_SYMBOL]);
-        return;
-    }
-    struct value v;
-    value_init(&v);
-    fmpq_set(v.coef, &b->constant[-1 - gene]);
-    push_value(b, &v);
-    value_clear(&v);
+        y = pop_value(b);
+    if (!fold(gene, x, y, &v))
+        v = dag_function(b->dag, kind[gene], x, y);
+    push_value(b, v);
 }
 
 static bool build(struct builder *b, const struct genome_expr *e, struct value *v, struct diag *d)
 {
     for (size_t i = e->length; i-- > 0;) {
         const int gene = e->gene[i];
-        if (gene < 0 || gene >= GENE_SYMBOL)
-            push_leaf(b, gene);
+        if (gene < 0)
+            push_value(b, dag_constant(b->constant[-1 - gene]));
+        else if (gene >= GENE_SYMBOL)
+            push_value(b, b->symbol[gene - GENE_SYMBOL]);
         else if (gene == GENE_ADD || gene == GENE_SUB)
             add(b, gene == GENE_SUB);
         else if (gene == GENE_MUL)
             multiply(b, false);
         else if (gene == GENE_NEG) {
-            as_product(b, &b->stack[b->depth - 1]);
-            fmpq_neg(b->stack[b->depth - 1].coef, b->stack[b->depth - 1].coef);
+            struct item *top = &b->stack[b->depth - 1];
+            as_product(b, top);
+            fmpq_neg(top->coef, top->coef);
         } else if (gene == GENE_DIV) {
             if (!multiply(b, true))
                 return diag_at(d, b->file->path, e->line, 1, "'%s' divides by a value that is always 0", e->name);
         } else
             apply_function(b, gene);
     }
-    pop_value(b, v);
+    *v = pop_value(b);
     return true;
 }
 
@@ -279,9 +251,9 @@ static void count_references(const struct genome_file *f, const struct genome *g
                 references[f->let[k].gene[i] - GENE_SYMBOL]++;
 }
 
-static void keep_let(struct dag *g, const struct value *v, enum keep_lets keep)
+static void keep_let(struct dag *g, struct value v, enum keep_lets keep)
 {
-    struct node *n = &g->node[v->node];
+    struct node *n = &g->node[v.node];
     bool quotient = n->kind == NODE_INVERSE;
     for (size_t i = 0; n->kind == NODE_PRODUCT && i < n->edges; i++)
         quotient |= g->node[n->edge[i].node].kind == NODE_INVERSE;
@@ -296,37 +268,31 @@ struct dag *simplify_genome(const struct genome_file *f, const struct genome *ge
     struct builder b = {.file = f, .dag = dag_new(f->inputs)};
     long *references = new_array(symbols, sizeof *references);
     bool good = true;
-    b.constant = _fmpq_vec_init((slong)f->constants);
+    b.constant = new_array(f->constants, sizeof *b.constant);
     b.symbol = new_array(symbols, sizeof *b.symbol);
     for (size_t i = 0; i < f->constants; i++)
-        read_rational(&b.constant[i], f->constant[i].text);
-    for (size_t i = 0; i < symbols; i++)
-        value_init(&b.symbol[i]);
+        b.constant[i] = read_rational(f->constant[i].text);
     for (size_t i = 0; i < f->inputs; i++)
-        dag_input(b.dag, i, &b.symbol[i]);
+        b.symbol[i] = dag_input(b.dag, i);
     count_references(f, genome, references);
     for (size_t i = 0; i < f->lets && good; i++)
         if (references[f->inputs + i] > 0) {
             struct value *v = &b.symbol[f->inputs + i];
             good = build(&b, &f->let[i], v, d);
             if (good && references[f->inputs + i] > 1)
-                keep_let(b.dag, v, keep);
+                keep_let(b.dag, *v, keep);
         }
     for (size_t i = 0; i < genome->outs && good; i++) {
         struct value v;
-        value_init(&v);
         good = build(&b, &genome->out[i], &v, d);
         if (good)
-            dag_add_output(b.dag, genome->out[i].name, &v);
-        value_clear(&v);
+            dag_add_output(b.dag, genome->out[i].name, v);
     }
     for (size_t i = 0; i < b.depth; i++) {
         edges_clear(&b.stack[i].edges);
         fmpq_clear(b.stack[i].coef);
     }
-    for (size_t i = 0; i < symbols; i++)
-        value_clear(&b.symbol[i]);
-    _fmpq_vec_clear(b.constant, (slong)f->constants);
+    free(b.constant);
     free(b.symbol);
     free(b.stack);
     free(references);

@@ -1,0 +1,33 @@
+/* Exact rational coefficients, each stored once: a coefficient is the number of its value, so that equality is equality
+ * of numbers, and products and sums that were formed before are looked up.  They live until the program ends. */
+#ifndef FOOTPOINT_RATIONAL_H
+#define FOOTPOINT_RATIONAL_H
+
+#include <flint/fmpq.h>
+#include <stdbool.h>
+
+typedef int rational;
+
+enum { ZERO, ONE, MINUS_ONE, TWO, MINUS_TWO };
+
+/** Primes below 2^60, modulo which values are compared. */
+enum { PRIMES = 2 };
+extern const mp_limb_t rational_prime[PRIMES];
+
+/** Makes the table, once; to be called before anything else here. */
+void rational_start(void);
+rational rational_intern(const fmpq *q);
+rational rational_from_si(long n);
+/** The value; valid until the next rational is made. */
+const fmpq *rational_value(rational r);
+rational rational_mul(rational a, rational b);
+rational rational_add(rational a, rational b);
+rational rational_neg(rational a);
+rational rational_inv(rational a); /* a != 0 */
+rational rational_abs(rational a);
+rational rational_pow(rational a, int n);
+int rational_sign(rational a);
+/** Residue modulo rational_prime[k]. */
+mp_limb_t rational_mod(rational a, int k);
+
+#endif
