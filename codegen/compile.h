@@ -17,8 +17,8 @@ struct compiled {
     size_t removed;           /* divisions that cancelled: singularities of the genome that the code does not have */
 };
 
-/** Cost of a count: mul + add + 8 div (a vector division costs about as much as 8 fused multiply-adds). */
-long operations_cost(const struct operations *ops);
+/** Sum of the costs of all operations. */
+double operations_cost(const struct operations *ops, const struct cost_model *m);
 
 /** False with *d filled, and no text, when the genome divides by 0 everywhere or needs a constant that is no double. */
 bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,

@@ -15,6 +15,13 @@ struct text {
     enum precedence level; /* of num */
 };
 
+/* size * node, named. */
+struct shared_term {
+    rational size;
+    int node;
+    char name[32];
+};
+
 struct emitter {
     const struct genome_file *file;
     const struct schedule *s;
@@ -24,6 +31,8 @@ struct emitter {
     char *body; /* owned */
     size_t size, room;
     long helpers; /* named operands that are no nodes */
+    struct shared_term *shared_term; /* owned */
+    size_t shared, shared_room;
 };
 
 static char *join(const char *a, const char *b, const char *c)
@@ -182,6 +191,26 @@ static char *scaled_text(struct emitter *e, rational coef, const struct text *t)
     return all;
 }
 
+/* size * node as a term of a sum; what several sums have is named once. */
+static char *term_text(struct emitter *e, rational size, int node)
+{
+    if (size == ONE || node == 0 || !schedule_shares_term(e->s, size, node))
+        return scaled_text(e, size, &e->text[node]);
+    struct shared_term *t = NULL;
+    for (size_t i = 0; i < e->shared && !t; i++)
+        if (e->shared_term[i].size == size && e->shared_term[i].node == node)
+            t = &e->shared_term[i];
+    if (!t) {
+        grow_array(&e->shared_term, e->shared, &e->shared_room, sizeof *e->shared_term);
+        t = &e->shared_term[e->shared++];
+        *t = (struct shared_term){.size = size, .node = node};
+        char *text = scaled_text(e, size, &e->text[node]);
+        name_value(e, 'u', ++e->helpers, text, t->name);
+        free(text);
+    }
+    return join(t->name, "", "");
+}
+
 /* A sum: terms of equal |coefficient| together, a positive one first. */
 static void print_sum(struct emitter *e, int n, struct text *t)
 {
@@ -221,7 +250,7 @@ static void print_sum(struct emitter *e, int n, struct text *t)
         }
         if (members == 1) {
             free(group);
-            group = scaled_text(e, size, &e->text[node->edge[i].node]);
+            group = term_text(e, size, node->edge[i].node);
         } else if (size != ONE) {
             struct text inner = {group, NULL, SUM};
             char *all = scaled_text(e, size, &inner);
@@ -417,5 +446,6 @@ void emit_statements(const struct genome_file *f, const struct schedule *s, stru
     }
     free(e.text);
     free(e.named);
+    free(e.shared_term);
     out->text = e.body ? e.body : join("", "", "");
 }

@@ -71,27 +71,46 @@ static double coefficient_cost(const struct schedule *s, rational c)
     return c == ONE || c == MINUS_ONE ? 0 : c == TWO || c == MINUS_TWO ? s->model->add : s->model->mul;
 }
 
+/* A term c x of several sums is computed once: the table holds those met in the count under way. */
+static bool meet_term(struct schedule *s, rational size, int node)
+{
+    struct met_term *t = s->met;
+    size_t i = ((size_t)size * 2654435761u + (size_t)node * 40503u) & (s->mets - 1);
+    for (; t[i].count == s->count; i = (i + 1) & (s->mets - 1))
+        if (t[i].size == size && t[i].node == node) {
+            t[i].times++;
+            return true;
+        }
+    t[i] = (struct met_term){size, node, 1, s->count};
+    return false;
+}
+
 /* Equal coefficients of a sum are taken out together and count once; a sum without any positive term counts, too. */
-static double sum_cost(const struct schedule *s, int n)
+static double sum_cost(struct schedule *s, int n)
 {
     const struct node *node = &s->dag->node[n];
     rational coef[MOST_TERMS];
     double cost = 0;
     bool positive = false;
-    for (size_t i = 0; i < node->edges; i++) {
-        const rational signed_coef = schedule_coefficient(s, n, i), c = rational_abs(signed_coef);
-        positive |= rational_sign(signed_coef) > 0;
-        bool counts = node->edge[i].node != 0;
-        if (i < MOST_TERMS)
-            coef[i] = counts ? c : ZERO;
-        for (size_t k = 0; counts && k < i && k < MOST_TERMS; k++)
-            counts = c != coef[k];
-        cost += counts ? coefficient_cost(s, c) : 0;
+    const size_t edges = node->edges < MOST_TERMS ? node->edges : MOST_TERMS;
+    for (size_t i = 0; i < edges; i++) {
+        const rational c = schedule_coefficient(s, n, i);
+        positive |= rational_sign(c) > 0;
+        coef[i] = node->edge[i].node ? rational_abs(c) : ZERO;
+    }
+    for (size_t i = 0; i < edges; i++) {
+        bool first = coef[i] > ONE, alone = first;
+        for (size_t k = 0; first && k < edges; k++) {
+            first = k >= i || coef[k] != coef[i];
+            alone &= k == i || coef[k] != coef[i];
+        }
+        if (first && !(alone && meet_term(s, coef[i], node->edge[i].node)))
+            cost += coefficient_cost(s, coef[i]);
     }
     return cost + (positive ? 0 : NEGATION);
 }
 
-static double node_cost(const struct schedule *s, int n)
+static double node_cost(struct schedule *s, int n)
 {
     const struct node *node = &s->dag->node[n];
     double cost = 0;
@@ -108,9 +127,10 @@ static double output_cost(const struct schedule *s, const struct value *v)
     return v->node == 0 ? 0 : coefficient_cost(s, c) + (rational_sign(c) < 0 ? NEGATION : 0);
 }
 
-static double total_cost(const struct schedule *s)
+static double total_cost(struct schedule *s)
 {
     double cost = 0;
+    s->count++;
     for (size_t i = 0; i < s->n; i++)
         cost += node_cost(s, s->order[i]);
     for (size_t o = 0; o < s->dag->outputs; o++)
@@ -132,12 +152,14 @@ static void follow(struct search *x, int n)
 {
     const struct node *node = &x->s->dag->node[n];
     rational *scale = &x->s->scale[n], cheapest = *scale;
+    x->s->count++;
     double least = node_cost(x->s, n);
     for (size_t i = 0; i < node->edges && i < MOST_TERMS; i++) {
         const int k = node->edge[i].node;
         if (x->s->scale[k] == x->best[k])
             continue;
         *scale = rational_mul(x->best[n], rational_mul(x->s->scale[k], rational_inv(x->best[k])));
+        x->s->count++;
         const double cost = node_cost(x->s, n);
         if (cost < least) {
             least = cost;
@@ -230,15 +252,32 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     for (size_t n = 0; n < g->nodes; n++)
         s->scale[n] = ONE;
     order_nodes(s);
+    size_t edges = 0;
+    for (size_t n = 0; n < g->nodes; n++)
+        edges += g->node[n].kind == NODE_SUM ? g->node[n].edges : 0;
+    for (s->mets = 16; s->mets < 2 * edges; s->mets *= 2)
+        ;
+    s->met = new_array(s->mets, sizeof *s->met);
     if (s->n <= MOST_SEARCHED)
         search_scales(s);
+    total_cost(s); /* leaves the table filled */
     return s;
+}
+
+bool schedule_shares_term(const struct schedule *s, rational size, int node)
+{
+    const struct met_term *t = s->met;
+    size_t i = ((size_t)size * 2654435761u + (size_t)node * 40503u) & (s->mets - 1);
+    while (t[i].count == s->count && (t[i].size != size || t[i].node != node))
+        i = (i + 1) & (s->mets - 1);
+    return t[i].count == s->count && t[i].times > 1;
 }
 
 void schedule_free(struct schedule *s)
 {
     if (!s)
         return;
+    free(s->met);
     free(s->scale);
     free(s->order);
     free(s->uses);

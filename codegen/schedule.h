@@ -5,6 +5,13 @@
 #include "cost.h"
 #include "dag.h"
 
+/** A term size * node of sums, and how many of them have it. */
+struct met_term {
+    rational size;
+    int node, times;
+    long count; /* the count that met it */
+};
+
 struct schedule {
     const struct dag *dag;          /* not owned */
     const struct cost_model *model; /* not owned */
@@ -12,6 +19,9 @@ struct schedule {
     size_t n;
     int *uses;   /* owned: by node, how many operands and outputs name it */
     rational *scale; /* owned: by node; the emitted value is scale * the node's value */
+    struct met_term *met; /* owned: hash table of the terms met in the last count */
+    size_t mets;
+    long count;
 };
 
 /** A schedule that costs few multiplications by constants. */
@@ -20,5 +30,8 @@ void schedule_free(struct schedule *s);
 
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */
 rational schedule_coefficient(const struct schedule *s, int n, size_t i);
+
+/** True if several sums have the term size * emitted value of `node`, so that it is computed once. */
+bool schedule_shares_term(const struct schedule *s, rational size, int node);
 
 #endif

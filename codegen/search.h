@@ -1,0 +1,18 @@
+/* The search for the cheapest form: over the shapes that a genome was given, and over Horner's choices in each. */
+#ifndef FOOTPOINT_SEARCH_H
+#define FOOTPOINT_SEARCH_H
+
+#include "compile.h"
+
+struct search;
+
+struct search *search_new(const struct genome_file *f, const struct compile_options *o);
+void search_free(struct search *s);
+
+/** Another shape of the same outputs; the graph becomes the search's.  `what` says in a few words how it was made. */
+void search_add(struct search *s, struct dag *g, const char *what);
+
+/** The cheapest emission found with the options' effort.  e->text is the caller's. */
+void search_run(struct search *s, struct emission *e);
+
+#endif
