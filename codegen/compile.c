@@ -31,10 +31,9 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
             search_free(s);
             return false;
         }
-        c->removed = g->removed;
         search_add(s, g, keep == KEEP_ALL ? "as written, named products whole" : "as written");
     }
-    search_run(s, &c->emission);
+    c->removed = search_run(s, &c->emission);
     search_free(s);
     if (!c->emission.out_of_range)
         return true;

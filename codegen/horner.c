@@ -23,65 +23,13 @@ struct terms {
 struct factoring {
     const struct dag *from;
     struct dag *to;
-    const struct horner_policy *policy;
-    struct horner_record *record;
+    const struct policy *policy;
+    struct record *record;
     struct value *image; /* owned: of each node of `from` */
     int *uses;           /* owned */
     int *count;          /* owned: by node of `to`, all 0 between uses */
     size_t counts;
 };
-
-static uint64_t mix(uint64_t z)
-{
-    z += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-static int compare_choices(const void *a, const void *b)
-{
-    const struct horner_choice *x = a, *y = b;
-    return (x->key > y->key) - (x->key < y->key);
-}
-
-void horner_choose(struct horner_policy *p, struct horner_choice c)
-{
-    struct horner_choice *known = p->choices ? bsearch(&c, p->choice, p->choices, sizeof c, compare_choices) : NULL;
-    if (known) {
-        *known = c;
-        return;
-    }
-    grow_array(&p->choice, p->choices, &p->choice_room, sizeof *p->choice);
-    size_t i = p->choices++;
-    for (; i > 0 && p->choice[i - 1].key > c.key; i--)
-        p->choice[i] = p->choice[i - 1];
-    p->choice[i] = c;
-}
-
-void horner_policy_copy(struct horner_policy *to, const struct horner_policy *from)
-{
-    to->seed = from->seed;
-    to->preference = from->preference;
-    to->choices = 0;
-    for (size_t i = 0; i < from->choices; i++) {
-        grow_array(&to->choice, to->choices, &to->choice_room, sizeof *to->choice);
-        to->choice[to->choices++] = from->choice[i];
-    }
-}
-
-void horner_policy_clear(struct horner_policy *p)
-{
-    free(p->choice);
-    *p = (struct horner_policy){0};
-}
-
-void horner_record_clear(struct horner_record *r)
-{
-    free(r->decision);
-    free(r->alternative);
-    *r = (struct horner_record){0};
-}
 
 static void add_term(struct terms *list, const struct dag *g, rational coef, int node)
 {
@@ -104,36 +52,17 @@ static uint64_t key_of(const struct dag *g, const struct terms *list)
         uint64_t term = rational_mod(list->term[i].coef, 0);
         for (size_t k = 0; k < list->term[i].factors.n; k++) {
             const struct edge *e = &list->term[i].factors.edge[k];
-            term += mix(g->node[e->node].mark[0] + (uint64_t)e->power);
+            term += policy_mix(g->node[e->node].mark[0] + (uint64_t)e->power);
         }
-        key += mix(term);
+        key += policy_mix(term);
     }
     return key;
-}
-
-static double liking(const struct horner_policy *p, uint64_t factor)
-{
-    return p->preference > 0 ? p->preference * (double)(mix(factor ^ mix(p->seed)) >> 11) * 0x1p-53 : 0;
-}
-
-static void record_decision(struct factoring *f, uint64_t key, uint64_t chosen, const int *seen, size_t n)
-{
-    struct horner_record *r = f->record;
-    grow_array(&r->decision, r->decisions, &r->decision_room, sizeof *r->decision);
-    struct horner_decision *d = &r->decision[r->decisions++];
-    *d = (struct horner_decision){key, chosen, r->alternatives, 0};
-    for (size_t i = 0; i < n; i++)
-        if (f->count[seen[i]] > 1) {
-            grow_array(&r->alternative, r->alternatives, &r->alternative_room, sizeof *r->alternative);
-            r->alternative[r->alternatives++] = f->to->node[seen[i]].mark[0];
-            d->alternatives++;
-        }
 }
 
 /* The factor to take out next, or -1. */
 static int choose_factor(struct factoring *f, const struct terms *list)
 {
-    const struct horner_policy *p = f->policy;
+    const struct policy *p = f->policy;
     int best = -1, *seen;
     size_t n = 0, room = 0, shared = 0;
     double most = 0;
@@ -153,26 +82,24 @@ static int choose_factor(struct factoring *f, const struct terms *list)
             shared += f->count[node] == 2;
         }
     if (shared > 0) {
-        struct horner_choice key = {0, 0};
-        const struct horner_choice *forced = NULL;
-        if (f->record || p->choices)
-            key.key = key_of(f->to, list);
-        if (p->choices)
-            forced = bsearch(&key, p->choice, p->choices, sizeof key, compare_choices);
+        const uint64_t key = f->record || p->choices ? policy_key(CHOICE_FACTOR, key_of(f->to, list)) : 0;
+        const struct choice *forced = policy_find(p, key);
+        record_decision(f->record, key);
+        record_alternative(f->record, 0);
         for (size_t i = 0; i < n; i++) {
             if (f->count[seen[i]] < 2)
                 continue;
             const uint64_t mark = f->to->node[seen[i]].mark[0];
-            const double score = f->count[seen[i]] + liking(p, mark) + (forced && forced->factor == mark ? 1e9 : 0);
+            const double score = f->count[seen[i]] + (p->preference > 0 ? p->preference * policy_liking(p, mark) : 0) +
+                                 (forced && forced->what == mark ? 1e9 : 0);
+            record_alternative(f->record, mark);
             if (score > most || (score == most && seen[i] < best)) {
                 most = score;
                 best = seen[i];
             }
         }
-        if (forced && forced->factor == 0)
+        if (forced && forced->what == 0)
             best = -1;
-        if (f->record)
-            record_decision(f, key.key, best < 0 ? 0 : f->to->node[best].mark[0], seen, n);
     }
     for (size_t i = 0; i < n; i++)
         f->count[seen[i]] = 0;
@@ -306,13 +233,11 @@ static struct value map_function(struct factoring *f, const struct node *n)
     return n->kind == NODE_INVERSE ? dag_inverse(f->to, a[0]) : dag_function(f->to, n->kind, a[0], a[1]);
 }
 
-struct dag *horner_factor(const struct dag *g, const struct horner_policy *policy, struct horner_record *record)
+struct dag *horner_factor(const struct dag *g, const struct policy *policy, struct record *record)
 {
     struct factoring f = {
         .from = g, .to = dag_new(g->inputs), .policy = policy, .record = record, .uses = dag_uses(g)};
     f.image = new_array(g->nodes, sizeof *f.image);
-    if (record)
-        record->decisions = record->alternatives = 0;
     /* a sum spread into its only user is not built on its own */
     bool *spread = new_array(g->nodes, sizeof *spread);
     for (size_t n = 0; n < g->nodes; n++)

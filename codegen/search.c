@@ -4,12 +4,13 @@
 #include "search.h"
 
 #include "horner.h"
+#include "shape.h"
 #include "share.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { BEAM = 6, FIRST_TRIES = 12, UNIT = 400 /* nodes and edges handled in about a millisecond */ };
+enum { BEAM = 6, FIRST_TRIES = 24, UNIT = 400 /* nodes and edges handled in about a millisecond */ };
 
 struct shape {
     struct dag *dag; /* owned */
@@ -19,8 +20,7 @@ struct shape {
 /* A way to emit a shape. */
 struct candidate {
     size_t shape;
-    bool factor;
-    struct horner_policy policy; /* owned */
+    struct policy policy; /* owned */
     double cost;
 };
 
@@ -33,6 +33,7 @@ struct search {
     size_t n;
     struct emission best; /* owned text */
     double least;
+    size_t removed;
     uint64_t random;
     double work, limit;
 };
@@ -52,7 +53,7 @@ void search_free(struct search *s)
     for (size_t i = 0; i < s->shapes; i++)
         dag_free(s->shape[i].dag);
     for (size_t i = 0; i <= BEAM; i++)
-        horner_policy_clear(&s->beam[i].policy);
+        policy_clear(&s->beam[i].policy);
     free(s->shape);
     free(s);
 }
@@ -71,34 +72,63 @@ static uint64_t next_random(struct search *s)
     return z ^ (z >> 31);
 }
 
-/* Emits the candidate; the text is kept if it is the cheapest so far. */
-static void evaluate(struct search *s, struct candidate *c, struct horner_record *record)
+static void count_work(struct search *s, const struct dag *g)
 {
-    const struct dag *g = s->shape[c->shape].dag;
-    struct dag *factored = c->factor ? horner_factor(g, &c->policy, record) : dag_copy(g);
+    for (size_t i = 0; i < g->nodes; i++)
+        s->work += 1 + (double)g->node[i].edges;
+}
+
+/* One pass done: its result takes the place of the graph that it was made from. */
+static void step(struct search *s, struct dag **g, struct dag *made)
+{
+    count_work(s, made);
+    dag_free(*g);
+    *g = made;
+}
+
+static bool divides(const struct dag *g)
+{
+    for (size_t i = 0; i < g->outputs; i++)
+        if (g->node[g->output[i].node].divides)
+            return true;
+    return false;
+}
+
+/* Emits the candidate; the text is kept if it is the cheapest so far. */
+static void evaluate(struct search *s, struct candidate *c, struct record *record)
+{
+    const struct policy *p = &c->policy;
+    struct dag *g = dag_copy(s->shape[c->shape].dag);
     struct emission e;
-    share_pairs(factored);
-    struct schedule *schedule = schedule_new(factored, &s->options->cost);
+    if (record)
+        record->decisions = record->alternatives = 0;
+    if (divides(g))
+        step(s, &g, shape_combine(g, p, record));
+    step(s, &g, shape_dissolve(g, p, record));
+    if (p->join && divides(g))
+        step(s, &g, shape_join(g));
+    if (!p->plain)
+        step(s, &g, horner_factor(g, p, record));
+    share_pairs(g);
+    struct schedule *schedule = schedule_new(g, &s->options->cost);
     emit_statements(s->file, schedule, &e);
     c->cost = operations_cost(&e.ops, &s->options->cost) + (e.out_of_range ? 1e9 : 0);
-    for (size_t i = 0; i < factored->nodes; i++)
-        s->work += 1 + (double)factored->node[i].edges;
     if (!s->best.text || c->cost < s->least - 1e-9 || (c->cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul)) {
         free(s->best.text);
         s->best = e;
         s->least = c->cost;
+        s->removed = g->removed;
     } else
         free(e.text);
     schedule_free(schedule);
-    dag_free(factored);
+    dag_free(g);
 }
 
 static void copy_candidate(struct candidate *to, const struct candidate *from)
 {
     to->shape = from->shape;
-    to->factor = from->factor;
     to->cost = from->cost;
-    horner_policy_copy(&to->policy, &from->policy);
+    policy_copy(&to->policy, &from->policy);
 }
 
 /* Puts the candidate under trial in its place of the beam. */
@@ -116,26 +146,36 @@ static void enter_beam(struct search *s)
     s->beam[i] = c;
 }
 
+/* The starting points: as written, multiplied out, brought to common denominators, and mixtures. */
 static void try_first(struct search *s)
 {
+    static const double preference[] = {0.9, 3, 1000};
     for (int attempt = 0; attempt < FIRST_TRIES; attempt++)
         for (size_t i = 0; i < s->shapes; i++) {
-            static const double preference[] = {0, 0, 0.9, 3, 1000};
             struct candidate *c = &s->beam[BEAM];
-            if (attempt > 1 && s->work > s->limit / 2)
+            struct policy *p = &c->policy;
+            const int form = attempt % 8;
+            if (attempt > 0 && s->work > s->limit / 2)
                 return;
             c->shape = i;
-            c->factor = attempt != 1;
-            c->policy.choices = 0;
-            c->policy.seed = next_random(s);
-            c->policy.preference = preference[attempt < 2 ? 0 : 2 + attempt % 3];
+            p->choices = 0;
+            p->seed = next_random(s);
+            p->preference = attempt < 8 ? 0 : preference[attempt % 3];
+            p->dissolve = form & 1 ? 1 : 0;
+            p->combine = form & 2 ? 1 : 0;
+            p->join = form & 4;
+            p->plain = false;
+            if (form > 1 && !divides(s->shape[i].dag)) {
+                p->dissolve = 0.5 * (attempt % 3);
+                p->plain = attempt == 2;
+            }
             evaluate(s, c, NULL);
             enter_beam(s);
         }
 }
 
 /* One choice of the candidate under trial overruled. */
-static void mutate(struct search *s, struct candidate *c, const struct horner_record *record)
+static void mutate(struct search *s, struct candidate *c, const struct record *record)
 {
     if (c->policy.choices > 0 && next_random(s) % 8 == 0) {
         const size_t k = next_random(s) % c->policy.choices;
@@ -143,15 +183,14 @@ static void mutate(struct search *s, struct candidate *c, const struct horner_re
                 (c->policy.choices-- - k - 1) * sizeof *c->policy.choice);
         return;
     }
-    const struct horner_decision *d = &record->decision[next_random(s) % record->decisions];
+    const struct decision *d = &record->decision[next_random(s) % record->decisions];
     const size_t k = next_random(s) % (d->alternatives + 1);
-    horner_choose(&c->policy, (struct horner_choice){
-                                  d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
+    policy_choose(&c->policy, (struct choice){d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
 }
 
 static void climb(struct search *s, struct candidate *at, double until)
 {
-    struct horner_record record = {0}, next = {0};
+    struct record record = {0}, next = {0};
     struct candidate *trial = &s->beam[BEAM];
     evaluate(s, at, &record);
     while (s->work < until && record.decisions > 0) {
@@ -162,21 +201,20 @@ static void climb(struct search *s, struct candidate *at, double until)
         if (trial->cost > at->cost)
             continue;
         copy_candidate(at, trial);
-        const struct horner_record swap = record;
+        const struct record swap = record;
         record = next;
         next = swap;
     }
-    horner_record_clear(&record);
-    horner_record_clear(&next);
+    record_clear(&record);
+    record_clear(&next);
 }
 
-void search_run(struct search *s, struct emission *e)
+size_t search_run(struct search *s, struct emission *e)
 {
     try_first(s);
     const double start = s->work, share = (s->limit - start) / (2 * (double)(s->n + 1));
     for (size_t i = 0; i < s->n && s->work < s->limit; i++)
-        if (s->beam[i].factor)
-            climb(s, &s->beam[i], s->work + share);
+        climb(s, &s->beam[i], s->work + share);
     size_t best = 0;
     for (size_t i = 0; i < s->n; i++)
         if (s->beam[i].cost < s->beam[best].cost)
@@ -184,4 +222,5 @@ void search_run(struct search *s, struct emission *e)
     if (s->n > 0 && s->work < s->limit)
         climb(s, &s->beam[best], s->limit);
     *e = s->best;
+    return s->removed;
 }

@@ -12,7 +12,8 @@ void search_free(struct search *s);
 /** Another shape of the same outputs; the graph becomes the search's.  `what` says in a few words how it was made. */
 void search_add(struct search *s, struct dag *g, const char *what);
 
-/** The cheapest emission found with the options' effort.  e->text is the caller's. */
-void search_run(struct search *s, struct emission *e);
+/** The cheapest emission found with the options' effort, and how many singularities it removed.  e->text is the
+ *  caller's. */
+size_t search_run(struct search *s, struct emission *e);
 
 #endif

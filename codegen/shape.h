@@ -1,0 +1,23 @@
+/* Other forms of the same values, before factors are taken out. */
+#ifndef FOOTPOINT_SHAPE_H
+#define FOOTPOINT_SHAPE_H
+
+#include "dag.h"
+#include "policy.h"
+
+/** A new graph in which the sums that the policy dissolves (CHOICE_DISSOLVE) are multiplied out where they are used, as
+ *  long as no sum gets too long. */
+struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, struct record *record);
+
+/** A new graph in which quotients are brought to a common denominator, kept as a product, where the policy says so
+ *  (CHOICE_COMBINE).  Quotients inside quotients are resolved: singularities go, counted in `removed`. */
+struct dag *shape_combine(const struct dag *g, const struct policy *policy, struct record *record);
+
+/** Independent inverses 1/a, 1/b become b r, a r with one r = 1/(a b). */
+struct dag *shape_join(const struct dag *g);
+
+/** A new graph in which each sum of terms that are not sums is factored over the rationals, and each quotient
+ *  cancelled by the greatest common divisor; NULL if nothing factors or all is too large to try. */
+struct dag *shape_factor(const struct dag *g);
+
+#endif
