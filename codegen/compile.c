@@ -2,6 +2,7 @@
 #include "compile.h"
 
 #include "search.h"
+#include "shape.h"
 #include "simplify.h"
 
 #include <stdlib.h>
@@ -20,6 +21,24 @@ struct compile_options compile_defaults(void)
     return o;
 }
 
+/* What multiplying out, with or without common denominators, and factoring makes of the genome as written. */
+static void add_factored(struct search *s)
+{
+    const struct policy all = {.dissolve = 1, .combine = 1};
+    for (int combine = 0; combine <= 1; combine++) {
+        struct dag *g = dag_copy(search_first(s));
+        for (int pass = !combine; pass < 3 && g; pass++) {
+            struct dag *made = pass == 0 ? shape_combine(g, &all, NULL)
+                               : pass == 1 ? shape_dissolve(g, &all, NULL)
+                                           : shape_factor(g);
+            dag_free(g);
+            g = made;
+        }
+        if (g)
+            search_add(s, g, combine ? "combined, multiplied out and factored" : "multiplied out and factored");
+    }
+}
+
 bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,
                     struct compiled *c, struct diag *d)
 {
@@ -33,6 +52,7 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
         }
         search_add(s, g, keep == KEEP_ALL ? "as written, named products whole" : "as written");
     }
+    add_factored(s);
     c->removed = search_run(s, &c->emission);
     search_free(s);
     if (!c->emission.out_of_range)

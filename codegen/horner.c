@@ -4,6 +4,8 @@
  * first is decided anew for each sub-sum. */
 #include "horner.h"
 
+#include "walk.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,13 +23,10 @@ struct terms {
 };
 
 struct factoring {
-    const struct dag *from;
-    struct dag *to;
+    struct walk walk;
     const struct policy *policy;
     struct record *record;
-    struct value *image; /* owned: of each node of `from` */
-    int *uses;           /* owned */
-    int *count;          /* owned: by node of `to`, all 0 between uses */
+    int *count; /* owned: by node of the new graph, all 0 between uses */
     size_t counts;
 };
 
@@ -66,9 +65,9 @@ static int choose_factor(struct factoring *f, const struct terms *list)
     int best = -1, *seen;
     size_t n = 0, room = 0, shared = 0;
     double most = 0;
-    if (f->counts < f->to->nodes) {
+    if (f->counts < f->walk.to->nodes) {
         free(f->count);
-        f->counts = 2 * f->to->nodes;
+        f->counts = 2 * f->walk.to->nodes;
         f->count = new_array(f->counts, sizeof *f->count);
     }
     for (size_t i = 0; i < list->n; i++)
@@ -82,14 +81,14 @@ static int choose_factor(struct factoring *f, const struct terms *list)
             shared += f->count[node] == 2;
         }
     if (shared > 0) {
-        const uint64_t key = f->record || p->choices ? policy_key(CHOICE_FACTOR, key_of(f->to, list)) : 0;
+        const uint64_t key = f->record || p->choices ? policy_key(CHOICE_FACTOR, key_of(f->walk.to, list)) : 0;
         const struct choice *forced = policy_find(p, key);
         record_decision(f->record, key);
         record_alternative(f->record, 0);
         for (size_t i = 0; i < n; i++) {
             if (f->count[seen[i]] < 2)
                 continue;
-            const uint64_t mark = f->to->node[seen[i]].mark[0];
+            const uint64_t mark = f->walk.to->node[seen[i]].mark[0];
             const double score = f->count[seen[i]] + (p->preference > 0 ? p->preference * policy_liking(p, mark) : 0) +
                                  (forced && forced->what == mark ? 1e9 : 0);
             record_alternative(f->record, mark);
@@ -158,23 +157,23 @@ static struct value factor_terms(struct factoring *f, struct terms *list, int de
         struct edges product = {0};
         edges_add(&product, ONE, node, power);
         edges_add(&product, ONE, part.node, 1);
-        const struct value v = dag_product(f->to, part.coef, &product);
+        const struct value v = dag_product(f->walk.to, part.coef, &product);
         if (v.coef != ZERO)
-            add_term(list, f->to, v.coef, v.node);
+            add_term(list, f->walk.to, v.coef, v.node);
     }
     for (size_t i = 0; i < list->n; i++) {
-        const struct value v = dag_product(f->to, list->term[i].coef, &list->term[i].factors);
+        const struct value v = dag_product(f->walk.to, list->term[i].coef, &list->term[i].factors);
         if (v.coef != ZERO)
             edges_add(&sum, v.coef, v.node, 1);
     }
     free(list->term);
     *list = (struct terms){0};
-    return dag_sum(f->to, &sum);
+    return dag_sum(f->walk.to, &sum);
 }
 
 static bool joins(const struct factoring *f, const struct edge *e)
 {
-    return f->from->node[e->node].kind == NODE_SUM && f->uses[e->node] == 1 &&
+    return f->walk.from->node[e->node].kind == NODE_SUM && f->walk.uses[e->node] == 1 &&
            (e->coef == ONE || e->coef == MINUS_ONE);
 }
 
@@ -182,7 +181,7 @@ static bool joins(const struct factoring *f, const struct edge *e)
  * may nest deep). */
 static void gather(const struct factoring *f, size_t node, struct edges *terms)
 {
-    const struct node *n = &f->from->node[node];
+    const struct node *n = &f->walk.from->node[node];
     for (size_t i = 0; i < n->edges; i++)
         edges_add(terms, n->edge[i].coef, n->edge[i].node, 1);
     for (size_t i = 0; i < terms->n;) {
@@ -191,7 +190,7 @@ static void gather(const struct factoring *f, size_t node, struct edges *terms)
             i++;
             continue;
         }
-        const struct node *inner = &f->from->node[joined.node];
+        const struct node *inner = &f->walk.from->node[joined.node];
         terms->edge[i] = (struct edge){rational_mul(joined.coef, inner->edge[0].coef), inner->edge[0].node, 1};
         for (size_t j = 1; j < inner->edges; j++)
             edges_add(terms, rational_mul(joined.coef, inner->edge[j].coef), inner->edge[j].node, 1);
@@ -204,66 +203,29 @@ static struct value map_sum(struct factoring *f, size_t node)
     struct terms list = {0};
     gather(f, node, &edges);
     for (size_t i = 0; i < edges.n; i++) {
-        const struct value image = f->image[edges.edge[i].node];
-        add_term(&list, f->to, rational_mul(edges.edge[i].coef, image.coef), image.node);
+        const struct value image = f->walk.image[edges.edge[i].node];
+        add_term(&list, f->walk.to, rational_mul(edges.edge[i].coef, image.coef), image.node);
     }
     edges_clear(&edges);
     return factor_terms(f, &list, 0);
 }
 
-static struct value map_product(struct factoring *f, const struct node *n)
-{
-    struct edges factors = {0};
-    rational coef = ONE;
-    for (size_t i = 0; i < n->edges; i++) {
-        const struct value image = f->image[n->edge[i].node];
-        coef = rational_mul(coef, rational_pow(image.coef, n->edge[i].power));
-        edges_add(&factors, ONE, image.node, n->edge[i].power);
-    }
-    return dag_product(f->to, coef, &factors);
-}
-
-static struct value map_function(struct factoring *f, const struct node *n)
-{
-    struct value a[2] = {{ZERO, 0}, {ZERO, 0}};
-    for (size_t i = 0; i < n->edges; i++) {
-        const struct value image = f->image[n->edge[i].node];
-        a[i] = (struct value){rational_mul(n->edge[i].coef, image.coef), image.node};
-    }
-    return n->kind == NODE_INVERSE ? dag_inverse(f->to, a[0]) : dag_function(f->to, n->kind, a[0], a[1]);
-}
-
 struct dag *horner_factor(const struct dag *g, const struct policy *policy, struct record *record)
 {
-    struct factoring f = {
-        .from = g, .to = dag_new(g->inputs), .policy = policy, .record = record, .uses = dag_uses(g)};
-    f.image = new_array(g->nodes, sizeof *f.image);
+    struct factoring f = {.walk = walk_begin(g), .policy = policy, .record = record};
     /* a sum spread into its only user is not built on its own */
     bool *spread = new_array(g->nodes, sizeof *spread);
     for (size_t n = 0; n < g->nodes; n++)
-        for (size_t i = 0; f.uses[n] && g->node[n].kind == NODE_SUM && i < g->node[n].edges; i++)
+        for (size_t i = 0; f.walk.uses[n] && g->node[n].kind == NODE_SUM && i < g->node[n].edges; i++)
             if (joins(&f, &g->node[n].edge[i]))
                 spread[g->node[n].edge[i].node] = true;
-    f.image[0] = dag_constant(ONE);
     for (size_t n = 1; n < g->nodes; n++) {
-        const struct node *node = &g->node[n];
-        if (f.uses[n] == 0 || spread[n])
+        if (f.walk.uses[n] == 0 || spread[n])
             continue;
-        f.image[n] = node->kind == NODE_INPUT     ? dag_input(f.to, (size_t)node->input)
-                     : node->kind == NODE_SUM     ? map_sum(&f, n)
-                     : node->kind == NODE_PRODUCT ? map_product(&f, node)
-                                                  : map_function(&f, node);
-        f.to->node[f.image[n].node].kept |= node->kept;
+        f.walk.image[n] = g->node[n].kind == NODE_SUM ? map_sum(&f, n) : walk_map(&f.walk, &g->node[n]);
+        f.walk.to->node[f.walk.image[n].node].kept |= g->node[n].kept;
     }
-    for (size_t i = 0; i < g->outputs; i++) {
-        const struct value image = f.image[g->output[i].node];
-        dag_add_output(f.to, g->output_name[i],
-                       (struct value){rational_mul(g->output[i].coef, image.coef), image.node});
-    }
-    free(f.image);
-    free(f.uses);
     free(f.count);
     free(spread);
-    f.to->removed = g->removed;
-    return f.to;
+    return walk_end(&f.walk);
 }

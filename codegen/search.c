@@ -64,6 +64,11 @@ void search_add(struct search *s, struct dag *g, const char *what)
     s->shape[s->shapes++] = (struct shape){g, what};
 }
 
+const struct dag *search_first(const struct search *s)
+{
+    return s->shape[0].dag;
+}
+
 static uint64_t next_random(struct search *s)
 {
     uint64_t z = s->random += 0x9e3779b97f4a7c15u;

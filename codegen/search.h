@@ -12,6 +12,9 @@ void search_free(struct search *s);
 /** Another shape of the same outputs; the graph becomes the search's.  `what` says in a few words how it was made. */
 void search_add(struct search *s, struct dag *g, const char *what);
 
+/** The shape that was added first. */
+const struct dag *search_first(const struct search *s);
+
 /** The cheapest emission found with the options' effort, and how many singularities it removed.  e->text is the
  *  caller's. */
 size_t search_run(struct search *s, struct emission *e);

@@ -2,72 +2,12 @@
  * keeps for every node its image in the new graph. */
 #include "shape.h"
 
+#include "walk.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 enum { MOST_TERMS = 600, MOST_PRODUCTS = 6000 };
-
-struct walk {
-    const struct dag *from;
-    struct dag *to;
-    const struct policy *policy;
-    struct record *record;
-    struct value *image; /* owned: by node of `from` */
-    int *uses;           /* owned */
-};
-
-static struct walk walk_begin(const struct dag *g, const struct policy *policy, struct record *record)
-{
-    struct walk w = {.from = g, .to = dag_new(g->inputs), .policy = policy, .record = record, .uses = dag_uses(g)};
-    w.image = new_array(g->nodes, sizeof *w.image);
-    w.image[0] = dag_constant(ONE);
-    w.to->removed = g->removed;
-    return w;
-}
-
-static struct dag *walk_end(struct walk *w)
-{
-    for (size_t i = 0; i < w->from->outputs; i++) {
-        const struct value image = w->image[w->from->output[i].node];
-        dag_add_output(w->to, w->from->output_name[i],
-                       (struct value){rational_mul(w->from->output[i].coef, image.coef), image.node});
-    }
-    free(w->image);
-    free(w->uses);
-    return w->to;
-}
-
-static struct value image_of(const struct walk *w, const struct edge *e)
-{
-    const struct value image = w->image[e->node];
-    return (struct value){rational_mul(e->coef, image.coef), image.node};
-}
-
-/* The image of a node from those of its operands, unchanged in form. */
-static struct value map_node(struct walk *w, const struct node *n)
-{
-    struct edges list = {0};
-    struct value a = {ZERO, 0}, b = {ZERO, 0};
-    rational coef = ONE;
-    if (n->kind == NODE_INPUT)
-        return dag_input(w->to, (size_t)n->input);
-    if (n->kind == NODE_SUM || n->kind == NODE_PRODUCT) {
-        for (size_t i = 0; i < n->edges; i++) {
-            const struct value v = image_of(w, &n->edge[i]);
-            if (n->kind == NODE_SUM && v.coef != ZERO)
-                edges_add(&list, v.coef, v.node, 1);
-            if (n->kind == NODE_PRODUCT) {
-                coef = rational_mul(coef, rational_pow(v.coef, n->edge[i].power));
-                edges_add(&list, ONE, v.node, n->edge[i].power);
-            }
-        }
-        return n->kind == NODE_SUM ? dag_sum(w->to, &list) : dag_product(w->to, coef, &list);
-    }
-    a = image_of(w, &n->edge[0]);
-    if (n->edges > 1)
-        b = image_of(w, &n->edge[1]);
-    return n->kind == NODE_INVERSE ? dag_inverse(w->to, a) : dag_function(w->to, n->kind, a, b);
-}
 
 /* ---- multiplying out ---- */
 
@@ -152,7 +92,7 @@ static void sum_terms(struct walk *w, const struct node *n, const struct edges *
         if (open[e->node].n > 0 && terms->n < MOST_PRODUCTS)
             add_scaled(terms, e->coef, &open[e->node]);
         else {
-            const struct value v = image_of(w, e);
+            const struct value v = walk_image(w, e);
             if (v.coef != ZERO)
                 edges_add(terms, v.coef, v.node, 1);
         }
@@ -162,14 +102,14 @@ static void sum_terms(struct walk *w, const struct node *n, const struct edges *
 
 struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, struct record *record)
 {
-    struct walk w = walk_begin(g, policy, record);
+    struct walk w = walk_begin(g);
     struct edges *open = new_array(g->nodes, sizeof *open); /* terms of the nodes that dissolve where they are used */
     for (size_t n = 1; n < g->nodes; n++) {
         const struct node *node = &g->node[n];
         if (w.uses[n] == 0)
             continue;
         if (node->kind != NODE_SUM && node->kind != NODE_PRODUCT) {
-            w.image[n] = map_node(&w, node);
+            w.image[n] = walk_map(&w, node);
             w.to->node[w.image[n].node].kept |= node->kept;
             continue;
         }
@@ -331,7 +271,7 @@ static struct fraction invert_fraction(struct walk *w, const struct fraction *f)
 
 struct dag *shape_combine(const struct dag *g, const struct policy *policy, struct record *record)
 {
-    struct walk w = walk_begin(g, policy, record);
+    struct walk w = walk_begin(g);
     struct fraction *f = new_array(g->nodes, sizeof *f);
     f[0].num = dag_constant(ONE);
     for (size_t n = 1; n < g->nodes; n++) {
@@ -347,7 +287,7 @@ struct dag *shape_combine(const struct dag *g, const struct policy *policy, stru
         else {
             for (size_t i = 0; i < node->edges; i++)
                 w.image[node->edge[i].node] = whole_value(&w, &f[node->edge[i].node]);
-            f[n].num = map_node(&w, node);
+            f[n].num = walk_map(&w, node);
         }
         if (node->kept && f[n].den.n == 0)
             w.to->node[f[n].num.node].kept = true;
@@ -402,7 +342,7 @@ static void join_level(struct walk *w, const int *level, int at)
 
 struct dag *shape_join(const struct dag *g)
 {
-    struct walk w = walk_begin(g, NULL, NULL);
+    struct walk w = walk_begin(g);
     int *level = division_levels(g), deepest = 0;
     for (size_t n = 0; n < g->nodes; n++)
         deepest = w.uses[n] && level[n] > deepest ? level[n] : deepest;
@@ -411,7 +351,7 @@ struct dag *shape_join(const struct dag *g)
             join_level(&w, level, at);
         for (size_t n = 1; n < g->nodes; n++)
             if (w.uses[n] && level[n] == at && g->node[n].kind != NODE_INVERSE) {
-                w.image[n] = map_node(&w, &g->node[n]);
+                w.image[n] = walk_map(&w, &g->node[n]);
                 w.to->node[w.image[n].node].kept |= g->node[n].kept;
             }
     }
