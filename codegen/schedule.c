@@ -258,10 +258,15 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     for (s->mets = 16; s->mets < 2 * edges; s->mets *= 2)
         ;
     s->met = new_array(s->mets, sizeof *s->met);
-    if (s->n <= MOST_SEARCHED)
-        search_scales(s);
     total_cost(s); /* leaves the table filled */
     return s;
+}
+
+void schedule_improve(struct schedule *s)
+{
+    if (s->n <= MOST_SEARCHED)
+        search_scales(s);
+    total_cost(s);
 }
 
 bool schedule_shares_term(const struct schedule *s, rational size, int node)

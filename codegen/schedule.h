@@ -24,8 +24,10 @@ struct schedule {
     long count;
 };
 
-/** A schedule that costs few multiplications by constants. */
+/** A schedule with every value in its own scale; schedule_improve looks for scales that cost fewer multiplications by
+ *  constants. */
 struct schedule *schedule_new(const struct dag *g, const struct cost_model *model);
+void schedule_improve(struct schedule *s);
 void schedule_free(struct schedule *s);
 
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */

@@ -7,10 +7,20 @@
 #include "shape.h"
 #include "share.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BEAM = 6, FIRST_TRIES = 24, UNIT = 400 /* nodes and edges handled in about a millisecond */ };
+enum {
+    BEAM = 6,
+    FIRST_TRIES = 24,
+    UNIT = 1500, /* nodes and edges handled in about a millisecond */
+    SCALES = 12, /* work of searching a node's scale, in nodes */
+    SLACK = 2    /* multiplications that a search of scales may make up for */
+};
+
+
+static const double HOT = 0.5; /* multiplications by which annealing may go up at first */
 
 struct shape {
     struct dag *dag; /* owned */
@@ -21,6 +31,7 @@ struct shape {
 struct candidate {
     size_t shape;
     struct policy policy; /* owned */
+    double estimate; /* cost before scales are searched */
     double cost;
 };
 
@@ -99,12 +110,10 @@ static bool divides(const struct dag *g)
     return false;
 }
 
-/* Emits the candidate; the text is kept if it is the cheapest so far. */
-static void evaluate(struct search *s, struct candidate *c, struct record *record)
+static struct dag *run_passes(struct search *s, const struct candidate *c, struct record *record)
 {
     const struct policy *p = &c->policy;
     struct dag *g = dag_copy(s->shape[c->shape].dag);
-    struct emission e;
     if (record)
         record->decisions = record->alternatives = 0;
     if (divides(g))
@@ -112,19 +121,38 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
     step(s, &g, shape_dissolve(g, p, record));
     if (p->join && divides(g))
         step(s, &g, shape_join(g));
-    if (!p->plain)
-        step(s, &g, horner_factor(g, p, record));
+    step(s, &g, horner_factor(g, p, record));
     share_pairs(g);
-    struct schedule *schedule = schedule_new(g, &s->options->cost);
+    return g;
+}
+
+static double emit(struct search *s, const struct schedule *schedule)
+{
+    struct emission e;
     emit_statements(s->file, schedule, &e);
-    c->cost = operations_cost(&e.ops, &s->options->cost) + (e.out_of_range ? 1e9 : 0);
-    if (!s->best.text || c->cost < s->least - 1e-9 || (c->cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul)) {
+    const double cost = operations_cost(&e.ops, &s->options->cost) + (e.out_of_range ? 1e9 : 0);
+    if (!s->best.text || cost < s->least - 1e-9 || (cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul)) {
         free(s->best.text);
         s->best = e;
-        s->least = c->cost;
-        s->removed = g->removed;
+        s->least = cost;
+        s->removed = schedule->dag->removed;
     } else
         free(e.text);
+    return cost;
+}
+
+/* Emits the candidate; the text is kept if it is the cheapest so far.  One whose estimate is beyond `limit` is not
+ * looked at any further. */
+static void evaluate(struct search *s, struct candidate *c, struct record *record, double limit)
+{
+    struct dag *g = run_passes(s, c, record);
+    struct schedule *schedule = schedule_new(g, &s->options->cost);
+    c->cost = c->estimate = emit(s, schedule);
+    if (c->estimate <= limit) {
+        schedule_improve(schedule);
+        c->cost = emit(s, schedule);
+        s->work += SCALES * (double)schedule->n;
+    }
     schedule_free(schedule);
     dag_free(g);
 }
@@ -133,6 +161,7 @@ static void copy_candidate(struct candidate *to, const struct candidate *from)
 {
     to->shape = from->shape;
     to->cost = from->cost;
+    to->estimate = from->estimate;
     policy_copy(&to->policy, &from->policy);
 }
 
@@ -151,32 +180,33 @@ static void enter_beam(struct search *s)
     s->beam[i] = c;
 }
 
-/* The starting points: as written, multiplied out, brought to common denominators, and mixtures. */
+/* The starting points: as written, multiplied out, brought to common denominators, one division for several, in all
+ * mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear. */
 static void try_first(struct search *s)
 {
     static const double preference[] = {0.9, 3, 1000};
+    bool *dear = new_array(s->shapes, sizeof *dear);
     for (int attempt = 0; attempt < FIRST_TRIES; attempt++)
         for (size_t i = 0; i < s->shapes; i++) {
             struct candidate *c = &s->beam[BEAM];
             struct policy *p = &c->policy;
-            const int form = attempt % 8;
-            if (attempt > 0 && s->work > s->limit / 2)
-                return;
+            const bool quotients = divides(s->shape[i].dag), expand = attempt & 1;
+            const int form = attempt / 2 % 4;
+            const double before = s->work;
+            if ((attempt >= 8 && s->work > s->limit / 2) || (expand && dear[i]) || (form > 0 && attempt < 8 && !quotients))
+                continue;
             c->shape = i;
             p->choices = 0;
             p->seed = next_random(s);
             p->preference = attempt < 8 ? 0 : preference[attempt % 3];
-            p->dissolve = form & 1 ? 1 : 0;
-            p->combine = form & 2 ? 1 : 0;
-            p->join = form & 4;
-            p->plain = false;
-            if (form > 1 && !divides(s->shape[i].dag)) {
-                p->dissolve = 0.5 * (attempt % 3);
-                p->plain = attempt == 2;
-            }
-            evaluate(s, c, NULL);
+            p->dissolve = expand ? (attempt < 8 ? 1 : 0.5) : 0;
+            p->combine = form & 1;
+            p->join = form & 2;
+            evaluate(s, c, NULL, HUGE_VAL);
             enter_beam(s);
+            dear[i] |= s->work - before > s->limit / 20;
         }
+    free(dear);
 }
 
 /* One choice of the candidate under trial overruled. */
@@ -193,23 +223,35 @@ static void mutate(struct search *s, struct candidate *c, const struct record *r
     policy_choose(&c->policy, (struct choice){d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
 }
 
-static void climb(struct search *s, struct candidate *at, double until)
+static double uniform(struct search *s)
+{
+    return (double)(next_random(s) >> 11) * 0x1p-53;
+}
+
+/* Simulated annealing from a candidate until so much work is done; it becomes the best that was met. */
+static void anneal(struct search *s, struct candidate *best, double hot, double until)
 {
     struct record record = {0}, next = {0};
-    struct candidate *trial = &s->beam[BEAM];
-    evaluate(s, at, &record);
+    struct candidate at = {0}, *trial = &s->beam[BEAM];
+    const double start = s->work;
+    copy_candidate(&at, best);
+    evaluate(s, &at, &record, HUGE_VAL);
     while (s->work < until && record.decisions > 0) {
-        copy_candidate(trial, at);
+        const double heat = hot * (1 - (s->work - start) / (until - start)) * s->options->cost.mul;
+        copy_candidate(trial, &at);
         for (uint64_t moves = 1 + next_random(s) % 3; moves > 0; moves--)
             mutate(s, trial, &record);
-        evaluate(s, trial, &next);
-        if (trial->cost > at->cost)
+        evaluate(s, trial, &next, at.estimate + SLACK * s->options->cost.mul);
+        if (trial->cost > at.cost - heat * log(1 - uniform(s)))
             continue;
-        copy_candidate(at, trial);
+        copy_candidate(&at, trial);
         const struct record swap = record;
         record = next;
         next = swap;
+        if (at.cost < best->cost)
+            copy_candidate(best, &at);
     }
+    policy_clear(&at.policy);
     record_clear(&record);
     record_clear(&next);
 }
@@ -219,13 +261,13 @@ size_t search_run(struct search *s, struct emission *e)
     try_first(s);
     const double start = s->work, share = (s->limit - start) / (2 * (double)(s->n + 1));
     for (size_t i = 0; i < s->n && s->work < s->limit; i++)
-        climb(s, &s->beam[i], s->work + share);
+        anneal(s, &s->beam[i], HOT, s->work + share);
     size_t best = 0;
     for (size_t i = 0; i < s->n; i++)
         if (s->beam[i].cost < s->beam[best].cost)
             best = i;
     if (s->n > 0 && s->work < s->limit)
-        climb(s, &s->beam[best], s->limit);
+        anneal(s, &s->beam[best], HOT, s->limit);
     *e = s->best;
     return s->removed;
 }
