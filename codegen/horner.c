@@ -97,7 +97,7 @@ static int choose_factor(struct factoring *f, const struct terms *list)
                 best = seen[i];
             }
         }
-        if (forced && forced->what == 0)
+        if (forced ? forced->what == 0 : p->plain)
             best = -1;
     }
     for (size_t i = 0; i < n; i++)

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SEARCHED = 1000, MOST_TERMS = 24, SWEEPS = 3 };
+enum { MOST_SEARCHED = 1000, MOST_TERMS = 24, MOST_FACTORS = 32, SWEEPS = 3 };
 
 #define NEGATION 0.25 /* a leading minus: at most an operation, at best none */
 
@@ -141,10 +141,30 @@ static double total_cost(struct schedule *s)
 /* State of the search: the schedule's scales are those of a move under way, `best` the best so far. */
 struct search {
     struct schedule *s;
-    rational *best; /* owned: by node */
-    int *level;     /* owned: longest way from an input */
+    rational *best;     /* owned: by node */
+    int *level;         /* owned: longest way from an input */
+    size_t *first_user; /* owned: of node n, user[first_user[n]] to user[first_user[n + 1] - 1] */
+    int *user;          /* owned */
+    rational factor[MOST_FACTORS]; /* to try on the sum at hand */
+    size_t factors;
     double least;
 };
+
+static void list_users(struct search *x)
+{
+    const struct schedule *s = x->s;
+    size_t *next = new_array(s->dag->nodes + 2, sizeof *next); /* shifted by one while counting */
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t k = 0; k < s->dag->node[s->order[i]].edges; k++)
+            next[s->dag->node[s->order[i]].edge[k].node + 2]++;
+    for (size_t n = 1; n < s->dag->nodes + 2; n++)
+        next[n] += next[n - 1];
+    x->user = new_array(next[s->dag->nodes + 1], sizeof *x->user);
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t k = 0; k < s->dag->node[s->order[i]].edges; k++)
+            x->user[next[s->dag->node[s->order[i]].edge[k].node + 1]++] = s->order[i];
+    x->first_user = next;
+}
 
 /* A sum whose terms have changed by factors takes the one of them that makes it cheapest: if all are the same, its
  * coefficients stay as they are. */
@@ -169,23 +189,25 @@ static void follow(struct search *x, int n)
     *scale = cheapest;
 }
 
-/* Multiplies the scales of all sums like n (same level, same coefficients) by `factor`; what uses them follows.  The
- * move stands if the total falls. */
-static void try_factor(struct search *x, int n, rational factor)
+static bool alike(const struct search *x, int m, int n)
+{
+    const struct node *a = &x->s->dag->node[m], *b = &x->s->dag->node[n];
+    bool same = a->kind == NODE_SUM && x->level[m] == x->level[n] && a->edges == b->edges;
+    for (size_t k = 0; same && k < a->edges; k++)
+        same = a->edge[k].coef == b->edge[k].coef;
+    return same;
+}
+
+/* Multiplies the scale of a sum, or of all sums like it (same level, same coefficients), by `factor`; what uses them
+ * follows.  The move stands if the total falls. */
+static void try_factor(struct search *x, int n, rational factor, bool all)
 {
     struct schedule *s = x->s;
-    const struct node *model = &s->dag->node[n];
-    if (factor == ONE)
-        return;
     for (size_t i = 0; i < s->n; i++) {
         const int m = s->order[i];
-        const struct node *node = &s->dag->node[m];
-        bool alike = node->kind == NODE_SUM && x->level[m] == x->level[n] && node->edges == model->edges;
-        for (size_t k = 0; alike && k < node->edges; k++)
-            alike = node->edge[k].coef == model->edge[k].coef;
-        if (alike)
+        if (m == n || (all && alike(x, m, n)))
             s->scale[m] = rational_mul(s->scale[m], factor);
-        else if (node->kind == NODE_SUM)
+        else if (s->dag->node[m].kind == NODE_SUM)
             follow(x, m);
         else
             derive_scale(s, m);
@@ -197,23 +219,52 @@ static void try_factor(struct search *x, int n, rational factor)
         x->least = cost;
 }
 
+static void add_factor(struct search *x, rational c)
+{
+    for (size_t i = 0; i < x->factors; i++)
+        if (x->factor[i] == c)
+            return;
+    if (c != ONE && c != ZERO && x->factors < MOST_FACTORS)
+        x->factor[x->factors++] = c;
+}
+
+/* The coefficients with which a node, or a product that it is a factor of, stands in sums and outputs. */
+static void add_user_factors(struct search *x, int n, int depth)
+{
+    const struct schedule *s = x->s;
+    for (size_t i = x->first_user[n]; i < x->first_user[n + 1]; i++) {
+        const int u = x->user[i];
+        const struct node *user = &s->dag->node[u];
+        for (size_t k = 0; user->kind == NODE_SUM && k < user->edges; k++)
+            if (user->edge[k].node == n)
+                add_factor(x, schedule_coefficient(s, u, k));
+        if (user->kind == NODE_PRODUCT && depth > 0)
+            add_user_factors(x, u, depth - 1);
+    }
+    for (size_t o = 0; o < s->dag->outputs; o++)
+        if (s->dag->output[o].node == n)
+            add_factor(x, rational_mul(s->dag->output[o].coef, rational_inv(s->scale[n])));
+}
+
 /* Factors that make one coefficient of the sum, or of a user, 1 or -1. */
 static void improve_sum(struct search *x, size_t position)
 {
-    struct schedule *s = x->s;
-    const struct dag *g = s->dag;
-    const int n = s->order[position];
-    for (size_t k = 0; k < g->node[n].edges && k < MOST_TERMS; k++)
-        try_factor(x, n, rational_inv(schedule_coefficient(s, n, k)));
-    for (size_t j = position + 1; j < s->n; j++)
-        for (size_t k = 0; k < g->node[s->order[j]].edges; k++)
-            if (g->node[s->order[j]].kind == NODE_SUM && g->node[s->order[j]].edge[k].node == n)
-                try_factor(x, n, schedule_coefficient(s, s->order[j], k));
-    for (size_t o = 0; o < g->outputs; o++)
-        if (g->output[o].node == n)
-            try_factor(x, n, rational_mul(g->output[o].coef, rational_inv(s->scale[n])));
-    try_factor(x, n, MINUS_ONE);
-    try_factor(x, n, TWO);
+    const int n = x->s->order[position];
+    const struct node *node = &x->s->dag->node[n];
+    x->factors = 0;
+    add_factor(x, MINUS_ONE);
+    add_factor(x, TWO);
+    for (size_t k = 0; k < node->edges && k < MOST_TERMS; k++)
+        add_factor(x, rational_inv(schedule_coefficient(x->s, n, k)));
+    add_user_factors(x, n, 3);
+    bool others = false;
+    for (size_t i = 0; !others && i < x->s->n; i++)
+        others = x->s->order[i] != n && alike(x, x->s->order[i], n);
+    for (size_t i = 0; i < x->factors; i++) {
+        try_factor(x, n, x->factor[i], false);
+        if (others)
+            try_factor(x, n, x->factor[i], true);
+    }
 }
 
 static void search_scales(struct schedule *s)
@@ -228,6 +279,7 @@ static void search_scales(struct schedule *s)
             if (x.level[s->order[i]] <= x.level[node->edge[k].node])
                 x.level[s->order[i]] = x.level[node->edge[k].node] + 1;
     }
+    list_users(&x);
     x.least = total_cost(s);
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
         const double before = x.least;
@@ -239,6 +291,8 @@ static void search_scales(struct schedule *s)
     }
     free(x.best);
     free(x.level);
+    free(x.user);
+    free(x.first_user);
 }
 
 struct schedule *schedule_new(const struct dag *g, const struct cost_model *model)

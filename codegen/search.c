@@ -13,7 +13,8 @@
 
 enum {
     BEAM = 6,
-    FIRST_TRIES = 24,
+    FORMS = 16,
+    RANDOM_TRIES = 20,
     UNIT = 1500, /* nodes and edges handled in about a millisecond */
     SCALES = 12, /* work of searching a node's scale, in nodes */
     SLACK = 2    /* multiplications that a search of scales may make up for */
@@ -146,14 +147,24 @@ static double emit(struct search *s, const struct schedule *schedule)
 static void evaluate(struct search *s, struct candidate *c, struct record *record, double limit)
 {
     struct dag *g = run_passes(s, c, record);
-    struct schedule *schedule = schedule_new(g, &s->options->cost);
-    c->cost = c->estimate = emit(s, schedule);
-    if (c->estimate <= limit) {
-        schedule_improve(schedule);
-        c->cost = emit(s, schedule);
-        s->work += SCALES * (double)schedule->n;
+    c->cost = HUGE_VAL;
+    for (int multiples = 0; multiples < 2; multiples++) {
+        if (multiples > 0)
+            share_multiples(g);
+        struct schedule *schedule = schedule_new(g, &s->options->cost);
+        double cost = emit(s, schedule);
+        if (multiples == 0)
+            c->estimate = cost;
+        if (c->estimate <= limit) {
+            schedule_improve(schedule);
+            cost = emit(s, schedule);
+            s->work += SCALES * (double)schedule->n;
+        }
+        c->cost = cost < c->cost ? cost : c->cost;
+        schedule_free(schedule);
+        if (c->estimate > limit || c->cost > s->least + SLACK * s->options->cost.mul)
+            break;
     }
-    schedule_free(schedule);
     dag_free(g);
 }
 
@@ -180,33 +191,42 @@ static void enter_beam(struct search *s)
     s->beam[i] = c;
 }
 
-/* The starting points: as written, multiplied out, brought to common denominators, one division for several, in all
- * mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear. */
+/* Evaluates a shape under a policy without choices, for the beam. */
+static void try_policy(struct search *s, size_t shape, const struct policy *p)
+{
+    struct candidate *c = &s->beam[BEAM];
+    c->shape = shape;
+    policy_copy(&c->policy, p);
+    evaluate(s, c, NULL, HUGE_VAL);
+    enter_beam(s);
+}
+
+/* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
+ * or not, in all mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear. */
 static void try_first(struct search *s)
 {
     static const double preference[] = {0.9, 3, 1000};
-    bool *dear = new_array(s->shapes, sizeof *dear);
-    for (int attempt = 0; attempt < FIRST_TRIES; attempt++)
-        for (size_t i = 0; i < s->shapes; i++) {
-            struct candidate *c = &s->beam[BEAM];
-            struct policy *p = &c->policy;
-            const bool quotients = divides(s->shape[i].dag), expand = attempt & 1;
-            const int form = attempt / 2 % 4;
+    for (size_t i = 0; i < s->shapes; i++) {
+        const bool quotients = divides(s->shape[i].dag);
+        bool dear = false;
+        for (int form = 0; form < FORMS; form++) {
+            const struct policy p = {.plain = form & 1, .dissolve = form >> 1 & 1, .combine = form >> 2 & 1, .join = form & 8};
             const double before = s->work;
-            if ((attempt >= 8 && s->work > s->limit / 2) || (expand && dear[i]) || (form > 0 && attempt < 8 && !quotients))
+            if ((form >= 4 && !quotients) || (p.dissolve > 0 && dear))
                 continue;
-            c->shape = i;
-            p->choices = 0;
-            p->seed = next_random(s);
-            p->preference = attempt < 8 ? 0 : preference[attempt % 3];
-            p->dissolve = expand ? (attempt < 8 ? 1 : 0.5) : 0;
-            p->combine = form & 1;
-            p->join = form & 2;
-            evaluate(s, c, NULL, HUGE_VAL);
-            enter_beam(s);
-            dear[i] |= s->work - before > s->limit / 20;
+            try_policy(s, i, &p);
+            dear |= s->work - before > s->limit / 20;
         }
-    free(dear);
+        for (int attempt = 0; attempt < RANDOM_TRIES && s->work < s->limit / 2 * (double)(i + 1) / (double)s->shapes; attempt++) {
+            const struct policy p = {.seed = next_random(s),
+                                     .preference = preference[attempt % 3],
+                                     .plain = attempt % 4 == 3,
+                                     .dissolve = dear ? 0 : 0.5 * (attempt % 3),
+                                     .combine = quotients ? attempt / 2 % 2 : 0,
+                                     .join = quotients && attempt & 4};
+            try_policy(s, i, &p);
+        }
+    }
 }
 
 /* One choice of the candidate under trial overruled. */

@@ -151,3 +151,24 @@ void share_pairs(struct dag *g)
     free(s.uses);
     free(s.pair);
 }
+
+void share_multiples(struct dag *g)
+{
+    int *uses = dag_uses(g), *times = new_array(g->nodes, sizeof *times), *alias = new_array(g->nodes, sizeof *alias);
+    const size_t nodes = g->nodes;
+    for (size_t n = 0; n < nodes; n++)
+        for (size_t i = 0; uses[n] && g->node[n].kind == NODE_PRODUCT && i < g->node[n].edges; i++)
+            times[g->node[n].edge[i].node]++;
+    for (size_t n = 1; n < nodes; n++)
+        if (times[n] > 1 && (g->node[n].kind == NODE_INPUT || g->node[n].kind == NODE_PRODUCT)) {
+            const struct edge e = {ONE, (int)n, 1};
+            alias[n] = dag_append(g, NODE_SUM, &e, 1);
+        }
+    for (size_t n = 0; n < nodes; n++)
+        for (size_t i = 0; g->node[n].kind == NODE_PRODUCT && i < g->node[n].edges; i++)
+            if (alias[g->node[n].edge[i].node])
+                g->node[n].edge[i].node = alias[g->node[n].edge[i].node];
+    free(uses);
+    free(times);
+    free(alias);
+}

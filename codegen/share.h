@@ -8,4 +8,8 @@
  *  than once become nodes of their own.  Afterwards node numbers are no topological order and values are not unique. */
 void share_pairs(struct dag *g);
 
+/** Gives what is a factor of several products a node of its own there, a sum of one term, so that a multiple of it may
+ *  be shared: 2 x y and 2 x z. */
+void share_multiples(struct dag *g);
+
 #endif
