@@ -16,7 +16,7 @@ struct text {
 };
 
 /* size * node, named. */
-struct shared_term {
+struct named_term {
     rational size;
     int node;
     char name[32];
@@ -31,8 +31,8 @@ struct emitter {
     char *body; /* owned */
     size_t size, room;
     long helpers; /* named operands that are no nodes */
-    struct shared_term *shared_term; /* owned */
-    size_t shared, shared_room;
+    struct named_term *term; /* owned */
+    size_t terms, term_room;
 };
 
 static char *join(const char *a, const char *b, const char *c)
@@ -196,14 +196,14 @@ static char *term_text(struct emitter *e, rational size, int node)
 {
     if (size == ONE || node == 0 || !schedule_shares_term(e->s, size, node))
         return scaled_text(e, size, &e->text[node]);
-    struct shared_term *t = NULL;
-    for (size_t i = 0; i < e->shared && !t; i++)
-        if (e->shared_term[i].size == size && e->shared_term[i].node == node)
-            t = &e->shared_term[i];
+    struct named_term *t = NULL;
+    for (size_t i = 0; i < e->terms && !t; i++)
+        if (e->term[i].size == size && e->term[i].node == node)
+            t = &e->term[i];
     if (!t) {
-        grow_array(&e->shared_term, e->shared, &e->shared_room, sizeof *e->shared_term);
-        t = &e->shared_term[e->shared++];
-        *t = (struct shared_term){.size = size, .node = node};
+        grow_array(&e->term, e->terms, &e->term_room, sizeof *e->term);
+        t = &e->term[e->terms++];
+        *t = (struct named_term){.size = size, .node = node};
         char *text = scaled_text(e, size, &e->text[node]);
         name_value(e, 'u', ++e->helpers, text, t->name);
         free(text);
@@ -292,6 +292,7 @@ static void print_product(struct emitter *e, int n, struct text *t)
                 t->den = join("(", both, ")");
                 free(both);
                 e->out->ops.mul++;
+                e->out->ops.div--; /* two divisions become one */
             } else if (part->den)
                 append(&t->den, part->den);
         }
@@ -354,11 +355,20 @@ static void print_function(struct emitter *e, int n, struct text *t)
     free(b);
 }
 
+/* Where divisions are cheap, each user of an inverse divides by itself instead of multiplying by the inverse. */
+static bool divides_anew(const struct emitter *e, int n)
+{
+    const struct cost_model *m = e->s->model;
+    const int uses = e->s->uses[n];
+    return uses > 1 && !e->named[n] && (uses - 1) * m->div < uses * m->mul;
+}
+
 static void print_node(struct emitter *e, int n)
 {
     const struct node *node = &e->s->dag->node[n];
     struct text *t = &e->text[n];
     char name[32];
+    bool divided_anew = false;
     if (node->kind == NODE_ONE)
         return;
     if (node->kind == NODE_INPUT) {
@@ -378,14 +388,15 @@ static void print_node(struct emitter *e, int n)
     else if (node->kind == NODE_INVERSE) {
         const struct text *below = &e->text[node->edge[0].node];
         t->den = below->level == ATOM ? join(below->num, "", "") : join("(", below->num, ")");
-        e->out->ops.div++;
+        divided_anew = divides_anew(e, n);
+        e->out->ops.div += divided_anew ? e->s->uses[n] : 1;
     } else
         print_function(e, n, t);
     enum precedence level;
     char *all = whole_text(t, &level);
     const bool plain =
         strcspn(all, " (/*+-") == strlen(all); /* a name or an input: an alias needs no name of its own */
-    if (!plain && (e->s->uses[n] > 1 || e->named[n] || strlen(all) > INLINE_LENGTH)) {
+    if (!plain && !divided_anew && (e->s->uses[n] > 1 || e->named[n] || strlen(all) > INLINE_LENGTH)) {
         name_value(e, 't', e->out->ops.temporaries + 1 - e->helpers, all, name);
         free(t->num);
         free(t->den);
@@ -446,6 +457,6 @@ void emit_statements(const struct genome_file *f, const struct schedule *s, stru
     }
     free(e.text);
     free(e.named);
-    free(e.shared_term);
+    free(e.term);
     out->text = e.body ? e.body : join("", "", "");
 }

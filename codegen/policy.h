@@ -24,6 +24,7 @@ struct policy {
     double preference;        /* random liking of each factor, in terms that hold it */
     double dissolve, combine; /* share of the flags that are set where no choice says otherwise */
     bool join;                /* independent inverses share one division */
+    bool early;               /* common parts of sums are looked for before factors are taken out, too */
     bool plain;               /* nothing is factored where no choice says so */
     struct choice *choice;    /* owned; sorted by key */
     size_t choices, choice_room;

@@ -5,11 +5,10 @@
 #include "cost.h"
 #include "dag.h"
 
-/** A term size * node of sums, and how many of them have it. */
-struct met_term {
+/** A term size * node, and how many sums have it with a coefficient of its own.  An entry of size ZERO is empty. */
+struct shared_term {
     rational size;
     int node, times;
-    long count; /* the count that met it */
 };
 
 struct schedule {
@@ -17,17 +16,15 @@ struct schedule {
     const struct cost_model *model; /* not owned */
     int *order;                     /* owned: used nodes, operands first */
     size_t n;
-    int *uses;   /* owned: by node, how many operands and outputs name it */
-    rational *scale; /* owned: by node; the emitted value is scale * the node's value */
-    struct met_term *met; /* owned: hash table of the terms met in the last count */
-    size_t mets;
-    long count;
+    int *uses;                /* owned: by node, how many operands and outputs name it */
+    rational *scale;          /* owned: by node; the emitted value is scale * the node's value */
+    struct shared_term *term; /* owned: hash table, a power of 2 of places */
+    size_t terms;
 };
 
-/** A schedule with every value in its own scale; schedule_improve looks for scales that cost fewer multiplications by
- *  constants. */
-struct schedule *schedule_new(const struct dag *g, const struct cost_model *model);
-void schedule_improve(struct schedule *s);
+/** A schedule of the outputs: with every value as the graph has it, or, after a search, in scales that cost fewer
+ *  multiplications by constants. */
+struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, bool search);
 void schedule_free(struct schedule *s);
 
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */
@@ -35,5 +32,8 @@ rational schedule_coefficient(const struct schedule *s, int n, size_t i);
 
 /** True if several sums have the term size * emitted value of `node`, so that it is computed once. */
 bool schedule_shares_term(const struct schedule *s, rational size, int node);
+
+/** Place of a term in such a table: its own, or the empty one where it belongs. */
+struct shared_term *schedule_term(struct shared_term *table, size_t room, rational size, int node);
 
 #endif

@@ -6,6 +6,7 @@
 #include "horner.h"
 #include "shape.h"
 #include "share.h"
+#include "walk.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +14,7 @@
 
 enum {
     BEAM = 6,
-    FORMS = 16,
+    FORMS = 24,
     RANDOM_TRIES = 20,
     UNIT = 1500, /* nodes and edges handled in about a millisecond */
     SCALES = 12, /* work of searching a node's scale, in nodes */
@@ -122,21 +123,29 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     step(s, &g, shape_dissolve(g, p, record));
     if (p->join && divides(g))
         step(s, &g, shape_join(g));
+    if (p->early) {
+        share_pairs(g);
+        step(s, &g, walk_again(g));
+    }
     step(s, &g, horner_factor(g, p, record));
     share_pairs(g);
     return g;
 }
 
-static double emit(struct search *s, const struct schedule *schedule)
+/* Emits a graph, in its own scales or in those that a search finds; returns the cost. */
+static double emit(struct search *s, const struct dag *g, bool scales)
 {
+    struct schedule *schedule = schedule_new(g, &s->options->cost, scales);
     struct emission e;
     emit_statements(s->file, schedule, &e);
+    s->work += (scales ? SCALES : 2) * (double)schedule->n;
+    schedule_free(schedule);
     const double cost = operations_cost(&e.ops, &s->options->cost) + (e.out_of_range ? 1e9 : 0);
     if (!s->best.text || cost < s->least - 1e-9 || (cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul)) {
         free(s->best.text);
         s->best = e;
         s->least = cost;
-        s->removed = schedule->dag->removed;
+        s->removed = g->removed;
     } else
         free(e.text);
     return cost;
@@ -151,17 +160,12 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
     for (int multiples = 0; multiples < 2; multiples++) {
         if (multiples > 0)
             share_multiples(g);
-        struct schedule *schedule = schedule_new(g, &s->options->cost);
-        double cost = emit(s, schedule);
         if (multiples == 0)
-            c->estimate = cost;
+            c->estimate = emit(s, g, false);
         if (c->estimate <= limit) {
-            schedule_improve(schedule);
-            cost = emit(s, schedule);
-            s->work += SCALES * (double)schedule->n;
+            const double cost = emit(s, g, true);
+            c->cost = cost < c->cost ? cost : c->cost;
         }
-        c->cost = cost < c->cost ? cost : c->cost;
-        schedule_free(schedule);
         if (c->estimate > limit || c->cost > s->least + SLACK * s->options->cost.mul)
             break;
     }
@@ -210,9 +214,13 @@ static void try_first(struct search *s)
         const bool quotients = divides(s->shape[i].dag);
         bool dear = false;
         for (int form = 0; form < FORMS; form++) {
-            const struct policy p = {.plain = form & 1, .dissolve = form >> 1 & 1, .combine = form >> 2 & 1, .join = form & 8};
+            const struct policy p = {.plain = form % 3 == 1,
+                                     .early = form % 3 == 2,
+                                     .dissolve = form / 3 & 1,
+                                     .combine = form / 6 & 1,
+                                     .join = form / 12 & 1};
             const double before = s->work;
-            if ((form >= 4 && !quotients) || (p.dissolve > 0 && dear))
+            if ((form >= 6 && !quotients) || (p.dissolve > 0 && dear))
                 continue;
             try_policy(s, i, &p);
             dear |= s->work - before > s->limit / 20;
@@ -221,6 +229,7 @@ static void try_first(struct search *s)
             const struct policy p = {.seed = next_random(s),
                                      .preference = preference[attempt % 3],
                                      .plain = attempt % 4 == 3,
+                                     .early = attempt % 5 == 1,
                                      .dissolve = dear ? 0 : 0.5 * (attempt % 3),
                                      .combine = quotients ? attempt / 2 % 2 : 0,
                                      .join = quotients && attempt & 4};

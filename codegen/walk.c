@@ -66,3 +66,32 @@ struct value walk_map(struct walk *w, const struct node *n)
         return dag_inverse(w->to, a);
     return dag_function(w->to, n->kind, a, n->edges > 1 ? walk_image(w, &n->edge[1]) : a);
 }
+
+struct dag *walk_again(const struct dag *g)
+{
+    struct walk w = walk_begin(g);
+    int *stack = new_array(g->nodes, sizeof *stack);
+    size_t *next = new_array(g->nodes, sizeof *next); /* operand to look at, plus one once the node is on the stack */
+    for (size_t o = 0; o < g->outputs; o++) {
+        size_t depth = 0;
+        if (g->output[o].node != 0 && next[g->output[o].node] == 0)
+            stack[depth++] = g->output[o].node;
+        while (depth > 0) {
+            const int n = stack[depth - 1];
+            const struct node *node = &g->node[n];
+            if (next[n] < node->edges) {
+                const int k = node->edge[next[n]++].node;
+                if (k != 0 && next[k] == 0)
+                    stack[depth++] = k;
+                continue;
+            }
+            w.image[n] = walk_map(&w, node);
+            w.to->node[w.image[n].node].kept |= node->kept;
+            next[n] = node->edges + 1;
+            depth--;
+        }
+    }
+    free(stack);
+    free(next);
+    return walk_end(&w);
+}

@@ -20,4 +20,7 @@ struct value walk_image(const struct walk *w, const struct edge *e);
 /** The node made anew from the images of its operands, in the same form. */
 struct value walk_map(struct walk *w, const struct node *n);
 
+/** A graph whose node numbers are no topological order, as share_pairs leaves it, made anew. */
+struct dag *walk_again(const struct dag *g);
+
 #endif

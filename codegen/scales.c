@@ -1,0 +1,327 @@
+/* A sum may be computed as any multiple of itself, since whoever uses it can take the multiple back.  A local search
+ * moves the scales of single sums, and of like sums together (the x, y and z of a vector), and lets everything
+ * homogeneous in them follow, to leave the fewest coefficients other than 1 and -1.  Costs are kept by node, so that a
+ * move touches only what depends on it. */
+#include "scales.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_NODES = 1000, MOST_TERMS = 24, MOST_FACTORS = 32, SWEEPS = 3, DEPTH = 3 };
+
+static const double NEGATION = 0.25; /* a leading minus: at most an operation, at best none */
+
+/* State of the search: the schedule's scales are those of the move under way, `best` the best so far.  An output counts
+ * as a node beyond the graph's. */
+struct search {
+    struct schedule *s;
+    rational *best;           /* owned: by node */
+    int *level;               /* owned: by node, longest way from an input */
+    size_t *first_user;       /* owned: user[first_user[n]] to user[first_user[n + 1] - 1] are those of node n */
+    int *user;                /* owned */
+    bool *dirty;              /* owned: by node, an operand's scale has changed */
+    int *changed, *affected;  /* owned: nodes whose scale the move changed, whose cost it changed */
+    bool *listed;             /* owned: by node, is in `affected` */
+    struct shared_term *term; /* owned: the terms that stand alone, with the best scales */
+    size_t terms, used;
+    rational factor[MOST_FACTORS]; /* to try on the sum at hand */
+    size_t factors;
+    bool improved;
+};
+
+static rational coefficient(const struct dag *g, const rational *scale, int n, size_t i)
+{
+    const struct edge *e = &g->node[n].edge[i];
+    return rational_mul(rational_mul(scale[n], e->coef), rational_inv(scale[e->node]));
+}
+
+/* Scale of a node that has no choice. */
+static rational derived_scale(const struct schedule *s, const struct node *node)
+{
+    rational scale = ONE;
+    if (node->kind == NODE_ABS)
+        scale = rational_abs(s->scale[node->edge[0].node]);
+    if (node->kind == NODE_INVERSE)
+        scale = rational_inv(s->scale[node->edge[0].node]);
+    for (size_t i = 0; node->kind == NODE_PRODUCT && i < node->edges; i++)
+        scale = rational_mul(scale, rational_pow(s->scale[node->edge[i].node], node->edge[i].power));
+    return scale;
+}
+
+/* Cost of multiplying by a coefficient: nothing for +-1, an addition for +-2, else a multiplication. */
+static double coefficient_cost(const struct schedule *s, rational c)
+{
+    return c == ONE || c == MINUS_ONE ? 0 : c == TWO || c == MINUS_TWO ? s->model->add : s->model->mul;
+}
+
+/* A term that stands alone comes (+1) or goes (-1): only the first of its kind costs. */
+static double charge_term(struct search *x, rational size, int node, int sign)
+{
+    struct shared_term *t = schedule_term(x->term, x->terms, size, node);
+    const int before = t->times;
+    x->used += t->size == 0;
+    *t = (struct shared_term){size, node, before + sign};
+    return (before == 0) != (t->times == 0) ? sign * coefficient_cost(x->s, size) : 0;
+}
+
+/* Equal coefficients of a sum are taken out together and count once; a sum without any positive term counts, too.  With
+ * sign 0 terms count as if nobody else had them. */
+static double charge_sum(struct search *x, const rational *scale, int n, int sign)
+{
+    const struct node *node = &x->s->dag->node[n];
+    const size_t edges = node->edges < MOST_TERMS ? node->edges : MOST_TERMS;
+    const int factor = sign ? sign : 1;
+    rational coef[MOST_TERMS];
+    double cost = 0;
+    bool positive = false;
+    for (size_t i = 0; i < edges; i++) {
+        const rational c = coefficient(x->s->dag, scale, n, i);
+        positive |= rational_sign(c) > 0;
+        coef[i] = node->edge[i].node ? rational_abs(c) : ZERO;
+    }
+    for (size_t i = 0; i < edges; i++) {
+        bool first = coef[i] > ONE, alone = first;
+        for (size_t k = 0; first && k < edges; k++) {
+            first = k >= i || coef[k] != coef[i];
+            alone &= k == i || coef[k] != coef[i];
+        }
+        if (first && alone && sign)
+            cost += charge_term(x, coef[i], node->edge[i].node, sign);
+        else if (first)
+            cost += factor * coefficient_cost(x->s, coef[i]);
+    }
+    return cost + (positive ? 0 : factor * NEGATION);
+}
+
+/* Change of the total when a node's cost, with those scales, comes or goes. */
+static double charge(struct search *x, const rational *scale, int n, int sign)
+{
+    const struct dag *g = x->s->dag;
+    double cost = 0;
+    if ((size_t)n >= g->nodes) {
+        const struct value *v = &g->output[(size_t)n - g->nodes];
+        const rational c = rational_mul(v->coef, rational_inv(scale[v->node]));
+        return v->node == 0 ? 0 : sign * (coefficient_cost(x->s, c) + (rational_sign(c) < 0 ? NEGATION : 0));
+    }
+    if (g->node[n].kind == NODE_SUM)
+        return charge_sum(x, scale, n, sign);
+    for (size_t k = 0; g->node[n].kind >= NODE_PDIV && k < g->node[n].edges; k++)
+        cost += sign * coefficient_cost(x->s, coefficient(g, scale, n, k));
+    return cost;
+}
+
+/* The table of terms from the best scales. */
+static void fill_terms(struct search *x)
+{
+    x->used = 0;
+    memset(x->term, 0, x->terms * sizeof *x->term);
+    for (size_t i = 0; i < x->s->n; i++)
+        charge(x, x->best, x->s->order[i], 1);
+}
+
+/* A sum whose terms have changed by factors takes the one of them that makes it cheapest: if all are the same, its
+ * coefficients stay as they are. */
+static void follow(struct search *x, int n)
+{
+    const struct node *node = &x->s->dag->node[n];
+    rational *scale = &x->s->scale[n], cheapest = *scale;
+    double least = charge_sum(x, x->s->scale, n, 0);
+    for (size_t i = 0; i < node->edges && i < MOST_TERMS; i++) {
+        const int k = node->edge[i].node;
+        if (x->s->scale[k] == x->best[k])
+            continue;
+        *scale = rational_mul(x->best[n], rational_mul(x->s->scale[k], rational_inv(x->best[k])));
+        const double cost = charge_sum(x, x->s->scale, n, 0);
+        if (cost < least) {
+            least = cost;
+            cheapest = *scale;
+        }
+    }
+    *scale = cheapest;
+}
+
+static bool alike(const struct search *x, int m, int n)
+{
+    const struct node *a = &x->s->dag->node[m], *b = &x->s->dag->node[n];
+    bool same = a->kind == NODE_SUM && x->level[m] == x->level[n] && a->edges == b->edges;
+    for (size_t k = 0; same && k < a->edges; k++)
+        same = a->edge[k].coef == b->edge[k].coef;
+    return same;
+}
+
+static void add_affected(struct search *x, size_t *n, int node)
+{
+    if (!x->listed[node])
+        x->affected[(*n)++] = node;
+    x->listed[node] = true;
+}
+
+/* Multiplies the scale of a sum, or of all sums like it (same level, same coefficients), by `factor`; what uses them
+ * follows.  The move stands if the total falls. */
+static void try_factor(struct search *x, size_t position, rational factor, bool all)
+{
+    struct schedule *s = x->s;
+    const int n = s->order[position];
+    size_t changed = 0, affected = 0;
+    double difference = 0;
+    if (2 * x->used > x->terms)
+        fill_terms(x);
+    for (size_t i = all ? 0 : position; i < s->n; i++) {
+        const int m = s->order[i];
+        if (m == n || (all && alike(x, m, n)))
+            s->scale[m] = rational_mul(s->scale[m], factor);
+        else if (!x->dirty[m])
+            continue;
+        else if (s->dag->node[m].kind == NODE_SUM)
+            follow(x, m);
+        else
+            s->scale[m] = derived_scale(s, &s->dag->node[m]);
+        x->dirty[m] = false;
+        if (s->scale[m] == x->best[m])
+            continue;
+        x->changed[changed++] = m;
+        add_affected(x, &affected, m);
+        for (size_t k = x->first_user[m]; k < x->first_user[m + 1]; k++) {
+            add_affected(x, &affected, x->user[k]);
+            x->dirty[x->user[k]] = true;
+        }
+    }
+    for (size_t i = 0; i < affected; i++)
+        difference += charge(x, x->best, x->affected[i], -1);
+    for (size_t i = 0; i < affected; i++)
+        difference += charge(x, s->scale, x->affected[i], 1);
+    const bool better = difference < -1e-9;
+    for (size_t i = 0; i < affected; i++) {
+        x->listed[x->affected[i]] = false;
+        if (!better)
+            charge(x, s->scale, x->affected[i], -1);
+    }
+    for (size_t i = 0; !better && i < affected; i++)
+        charge(x, x->best, x->affected[i], 1);
+    for (size_t i = 0; i < changed; i++) {
+        const int m = x->changed[i];
+        *(better ? &x->best[m] : &s->scale[m]) = better ? s->scale[m] : x->best[m];
+    }
+    x->improved |= better;
+}
+
+static void add_factor(struct search *x, rational c)
+{
+    for (size_t i = 0; i < x->factors; i++)
+        if (x->factor[i] == c)
+            return;
+    if (c != ONE && c != ZERO && x->factors < MOST_FACTORS)
+        x->factor[x->factors++] = c;
+}
+
+/* The coefficients with which a node, or a product that it is a factor of, stands in sums and outputs. */
+static void add_user_factors(struct search *x, int n, int depth)
+{
+    const struct dag *g = x->s->dag;
+    for (size_t i = x->first_user[n]; i < x->first_user[n + 1]; i++) {
+        const int u = x->user[i];
+        if ((size_t)u >= g->nodes) {
+            add_factor(x, rational_mul(g->output[(size_t)u - g->nodes].coef, rational_inv(x->best[n])));
+            continue;
+        }
+        const struct node *user = &g->node[u];
+        for (size_t k = 0; user->kind == NODE_SUM && k < user->edges; k++)
+            if (user->edge[k].node == n)
+                add_factor(x, coefficient(g, x->best, u, k));
+        if (user->kind == NODE_PRODUCT && depth > 0)
+            add_user_factors(x, u, depth - 1);
+    }
+}
+
+/* Factors that make one coefficient of the sum, or of a user, 1 or -1. */
+static void improve_sum(struct search *x, size_t position)
+{
+    const int n = x->s->order[position];
+    const struct node *node = &x->s->dag->node[n];
+    bool others = false;
+    x->factors = 0;
+    add_factor(x, MINUS_ONE);
+    add_factor(x, TWO);
+    for (size_t k = 0; k < node->edges && k < MOST_TERMS; k++)
+        add_factor(x, rational_inv(coefficient(x->s->dag, x->best, n, k)));
+    add_user_factors(x, n, DEPTH);
+    for (size_t i = 0; !others && i < x->s->n; i++)
+        others = i != position && alike(x, x->s->order[i], n);
+    for (size_t i = 0; i < x->factors; i++) {
+        try_factor(x, position, x->factor[i], false);
+        if (others)
+            try_factor(x, position, x->factor[i], true);
+    }
+}
+
+static void list_users(struct search *x)
+{
+    const struct schedule *s = x->s;
+    const struct dag *g = s->dag;
+    size_t *next = new_array(g->nodes + 2, sizeof *next); /* shifted by one while counting */
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t k = 0; k < g->node[s->order[i]].edges; k++)
+            next[g->node[s->order[i]].edge[k].node + 2]++;
+    for (size_t o = 0; o < g->outputs; o++)
+        next[g->output[o].node + 2]++;
+    for (size_t n = 1; n < g->nodes + 2; n++)
+        next[n] += next[n - 1];
+    x->user = new_array(next[g->nodes + 1], sizeof *x->user);
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t k = 0; k < g->node[s->order[i]].edges; k++)
+            x->user[next[g->node[s->order[i]].edge[k].node + 1]++] = s->order[i];
+    for (size_t o = 0; o < g->outputs; o++)
+        x->user[next[g->output[o].node + 1]++] = (int)(g->nodes + o);
+    x->first_user = next;
+}
+
+static void find_levels(struct search *x)
+{
+    for (size_t i = 0; i < x->s->n; i++) {
+        const int n = x->s->order[i];
+        const struct node *node = &x->s->dag->node[n];
+        for (size_t k = 0; k < node->edges; k++)
+            if (x->level[n] <= x->level[node->edge[k].node])
+                x->level[n] = x->level[node->edge[k].node] + 1;
+    }
+}
+
+void scales_improve(struct schedule *s)
+{
+    const size_t all = s->dag->nodes + s->dag->outputs;
+    size_t edges = 0;
+    if (s->n > MOST_NODES)
+        return;
+    struct search x = {.s = s};
+    for (size_t i = 0; i < s->n; i++)
+        edges += s->dag->node[s->order[i]].edges;
+    for (x.terms = 64; x.terms < 8 * edges; x.terms *= 2)
+        ;
+    x.best = new_array(s->dag->nodes, sizeof *x.best);
+    x.level = new_array(s->dag->nodes, sizeof *x.level);
+    x.dirty = new_array(all, sizeof *x.dirty);
+    x.listed = new_array(all, sizeof *x.listed);
+    x.changed = new_array(all, sizeof *x.changed);
+    x.affected = new_array(all, sizeof *x.affected);
+    x.term = new_array(x.terms, sizeof *x.term);
+    memcpy(x.best, s->scale, s->dag->nodes * sizeof *x.best);
+    list_users(&x);
+    find_levels(&x);
+    fill_terms(&x);
+    x.improved = true;
+    for (int sweep = 0; sweep < SWEEPS && x.improved; sweep++) {
+        x.improved = false;
+        for (size_t i = 0; i < s->n; i++)
+            if (s->dag->node[s->order[i]].kind == NODE_SUM)
+                improve_sum(&x, i);
+    }
+    free(x.best);
+    free(x.level);
+    free(x.first_user);
+    free(x.user);
+    free(x.dirty);
+    free(x.listed);
+    free(x.changed);
+    free(x.affected);
+    free(x.term);
+}

@@ -1,0 +1,10 @@
+/* The scales of a schedule. */
+#ifndef FOOTPOINT_SCALES_H
+#define FOOTPOINT_SCALES_H
+
+#include "schedule.h"
+
+/** Changes the scales, all ONE so far, so that few multiplications by constants are left. */
+void scales_improve(struct schedule *s);
+
+#endif
