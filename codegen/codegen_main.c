@@ -75,7 +75,7 @@ static bool check_names(const struct genome_file *f, struct diag *d)
 
 static bool compile_all(const struct genome_file *f, struct compiled *c, struct diag *d)
 {
-    struct compile_options options = compile_defaults(); if (getenv("EFFORT")) options.effort = atol(getenv("EFFORT")); if (getenv("COST")) cost_model_find(getenv("COST"), &options.cost, d);
+    const struct compile_options options = compile_defaults();
     for (size_t i = 0; i < f->genomes; i++) {
         if (!compile_genome(f, &f->genome[i], &options, &c[i], d) || !prove_equal(f, &f->genome[i], c[i].emission.text, d))
             return false;

@@ -28,7 +28,7 @@ static void add_factored(struct search *s)
     for (int combine = 0; combine <= 1; combine++) {
         struct dag *g = dag_copy(search_first(s));
         for (int pass = !combine; pass < 3 && g; pass++) {
-            struct dag *made = pass == 0 ? shape_combine(g, &all, NULL)
+            struct dag *made = pass == 0   ? shape_combine(g, &all, NULL)
                                : pass == 1 ? shape_dissolve(g, &all, NULL)
                                            : shape_factor(g);
             dag_free(g);
@@ -44,6 +44,8 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
 {
     struct search *s = search_new(f, o);
     *c = (struct compiled){0};
+    if (o->explain)
+        fprintf(o->explain, "%s\n", genome->name);
     for (int keep = KEEP_QUOTIENTS; keep <= KEEP_ALL; keep++) {
         struct dag *g = simplify_genome(f, genome, (enum keep_lets)keep, d);
         if (!g) {

@@ -139,6 +139,7 @@ void dag_free(struct dag *g)
     for (size_t i = 0; i < g->outputs; i++)
         free(g->output_name[i]);
     free(g->pool);
+    free(g->removed);
     free(g->node);
     free(g->bucket);
     free(g->output);
@@ -157,7 +158,7 @@ struct dag *dag_copy(const struct dag *g)
     }
     for (size_t i = 0; i < g->outputs; i++)
         dag_add_output(c, g->output_name[i], g->output[i]);
-    c->removed = g->removed;
+    dag_inherit_removed(c, g);
     return c;
 }
 
@@ -196,11 +197,10 @@ static void sort_edges(struct edges *list)
     }
 }
 
-/* Sort; add up coefficients (sums) or powers (products) of the same node; drop what vanishes.  Returns how many terms
- * with divisions vanished. */
-static size_t collect(const struct dag *g, struct edges *list, bool sum)
+/* Sort; add up coefficients (sums) or powers (products) of the same node; drop what vanishes. */
+static void collect(struct dag *g, struct edges *list, bool sum)
 {
-    size_t n = 0, vanished = 0;
+    size_t n = 0;
     sort_edges(list);
     for (size_t i = 0; i < list->n;) {
         struct edge e = list->edge[i++];
@@ -211,27 +211,27 @@ static size_t collect(const struct dag *g, struct edges *list, bool sum)
                 e.power += list->edge[i].power;
         if (sum ? e.coef != ZERO : e.power != 0)
             list->edge[n++] = e;
-        else
-            vanished += g->node[e.node].divides;
+        else if (g->node[e.node].divides)
+            dag_remove(g, e.node);
     }
     list->n = n;
-    return vanished;
 }
 
 struct value dag_sum(struct dag *g, struct edges *terms)
 {
     struct value v = {ZERO, 0};
-    g->removed += collect(g, terms, true);
+    collect(g, terms, true);
     if (terms->n > 0) {
         /* the leading term is not the constant 1, so that x + 2 and 2x + 4 are x + 2 times 1 and 2 */
         const rational lead = terms->edge[terms->edge[0].node == 0 && terms->n > 1 ? 1 : 0].coef;
         mp_limb_t mark[PRIMES] = {0};
-        bool divides = false;
+        int divides = -1;
         for (size_t i = 0; lead != ONE && i < terms->n; i++)
             terms->edge[i].coef = rational_mul(terms->edge[i].coef, rational_inv(lead));
         for (size_t i = 0; i < terms->n; i++) {
             const struct edge *e = &terms->edge[i];
-            divides |= g->node[e->node].divides;
+            if (g->node[e->node].divides)
+                divides = e->node;
             for (int k = 0; k < PRIMES; k++)
                 mark[k] = nmod_add(mark[k], nmod_mul(rational_mod(e->coef, k), g->node[e->node].mark[k], modulus(k)),
                                    modulus(k));
@@ -240,7 +240,8 @@ struct value dag_sum(struct dag *g, struct edges *terms)
             v = value_of(lead, terms->edge[0].node);
         else if (mark[0] != 0 || mark[1] != 0)
             v = value_of(lead, make(g, NODE_SUM, 0, terms, mark));
-        g->removed += divides && !g->node[v.node].divides; /* equal to something that does not divide */
+        if (divides >= 0 && !g->node[v.node].divides) /* equal to something that does not divide */
+            dag_remove(g, divides);
     }
     edges_clear(terms);
     return v;
@@ -288,29 +289,51 @@ static void spread_factors(const struct dag *g, struct edges *list)
     }
 }
 
+/* What was divided by, and is so no more or less often, cancelled.  `after` is `before` collected. */
+static void note_cancelled(struct dag *g, struct edges *before, const struct edges *after)
+{
+    size_t k = 0;
+    sort_edges(before);
+    for (size_t i = 0; i < before->n;) {
+        const int node = before->edge[i].node;
+        int below = 0;
+        for (; i < before->n && before->edge[i].node == node; i++)
+            below += before->edge[i].power < 0 ? before->edge[i].power : 0;
+        while (k < after->n && after->edge[k].node < node)
+            k++;
+        const bool left = k < after->n && after->edge[k].node == node && after->edge[k].power < 0;
+        if ((left ? after->edge[k].power : 0) > below)
+            dag_remove(g, node);
+    }
+}
+
 struct value dag_product(struct dag *g, rational coef, struct edges *factors)
 {
     mp_limb_t mark[PRIMES] = {1, 1};
     struct edges kept = {0}, below = {0};
     struct value v = {coef, 0};
-    size_t divisors = 0, left = 0;
-    bool divides = false;
+    int divides = -1;
     for (size_t i = 0; i < factors->n; i++)
-        divides |= factors->edge[i].power < 0 || g->node[factors->edge[i].node].divides;
+        if (factors->edge[i].power < 0 || g->node[factors->edge[i].node].divides)
+            divides = factors->edge[i].node;
     spread_factors(g, factors);
-    for (size_t i = 0; i < factors->n; i++)
-        divisors += factors->edge[i].power < 0 ? (size_t)-factors->edge[i].power : 0;
-    collect(g, factors, false);
+    if (divides >= 0) {
+        struct edges before = {0};
+        for (size_t i = 0; i < factors->n; i++)
+            edges_add(&before, ONE, factors->edge[i].node, factors->edge[i].power);
+        collect(g, factors, false);
+        note_cancelled(g, &before, factors);
+        edges_clear(&before);
+    } else
+        collect(g, factors, false);
     for (size_t i = 0; i < factors->n; i++) {
         const struct edge *e = &factors->edge[i];
         if (e->node == 0)
             continue;
         if (e->power > 0)
             edges_add(&kept, ONE, e->node, e->power);
-        else {
+        else
             edges_add(&below, ONE, e->node, -e->power);
-            left += (size_t)-e->power;
-        }
     }
     if (below.n > 0) { /* all divisors together are one inverse */
         edges_add(&kept, ONE, invert_node(g, dag_product(g, ONE, &below).node), 1);
@@ -327,7 +350,8 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors)
         v = value_of(coef, kept.edge[0].node);
     else if (kept.n > 0)
         v = value_of(coef, make(g, NODE_PRODUCT, 0, &kept, mark));
-    g->removed += divisors > left ? divisors - left : divides && !g->node[v.node].divides;
+    if (divides >= 0 && !g->node[v.node].divides)
+        dag_remove(g, divides);
     edges_clear(&kept);
     edges_clear(&below);
     edges_clear(factors);
@@ -345,7 +369,8 @@ struct value dag_times(struct dag *g, struct value a, struct value b)
 struct value dag_inverse(struct dag *g, struct value a)
 {
     const int inverse = a.node ? invert_node(g, a.node) : 0;
-    g->removed += g->node[a.node].divides && !g->node[inverse].divides;
+    if (g->node[a.node].divides && !g->node[inverse].divides)
+        dag_remove(g, a.node);
     return value_of(rational_inv(a.coef), inverse);
 }
 
@@ -374,6 +399,74 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
         mark[k] = mix(low ^ mix(high ^ mix((uint64_t)kind * 3 + (uint64_t)k))) % rational_prime[k];
     }
     return value_of(outside, make(g, kind, 0, &list, mark));
+}
+
+static void note_removed(struct dag *g, int node)
+{
+    grow_array(&g->removed, g->removals, &g->removal_room, sizeof *g->removed);
+    g->removed[g->removals++] = g->node[node].mark[0];
+}
+
+void dag_remove(struct dag *g, int node)
+{
+    const struct node *n = &g->node[node];
+    if (!n->divides)
+        note_removed(g, node);
+    for (size_t i = 0; n->divides && i < n->edges; i++)
+        if (n->kind == NODE_INVERSE || g->node[n->edge[i].node].kind == NODE_INVERSE) {
+            const int below = n->kind == NODE_INVERSE ? n->edge[i].node : g->node[n->edge[i].node].edge[0].node;
+            const struct node *d = &g->node[below];
+            for (size_t k = 0; d->kind == NODE_PRODUCT && k < d->edges; k++)
+                note_removed(g, d->edge[k].node);
+            if (d->kind != NODE_PRODUCT)
+                note_removed(g, below);
+        }
+}
+
+void dag_inherit_removed(struct dag *g, const struct dag *from)
+{
+    for (size_t i = 0; i < from->removals; i++) {
+        grow_array(&g->removed, g->removals, &g->removal_room, sizeof *g->removed);
+        g->removed[g->removals++] = from->removed[i];
+    }
+}
+
+static int compare_marks(const void *a, const void *b)
+{
+    const mp_limb_t x = *(const mp_limb_t *)a, y = *(const mp_limb_t *)b;
+    return (x > y) - (x < y);
+}
+
+size_t dag_removed(const struct dag *g)
+{
+    size_t n = g->removals, different = 0;
+    int *uses = dag_uses(g);
+    mp_limb_t *mark = new_array(n, sizeof *mark);
+    bool *present = new_array(n, sizeof *present);
+    if (n > 0)
+        memcpy(mark, g->removed, n * sizeof *mark);
+    qsort(mark, n, sizeof *mark, compare_marks);
+    for (size_t i = 0; n > 0 && i < g->nodes; i++) {
+        if (!uses[i] || g->node[i].kind != NODE_INVERSE)
+            continue;
+        const int below = g->node[i].edge[0].node;
+        const struct edge self = {ONE, below, 1};
+        const bool product = g->node[below].kind == NODE_PRODUCT;
+        for (size_t k = 0; k < (product ? g->node[below].edges : 1); k++) {
+            const mp_limb_t m = g->node[product ? g->node[below].edge[k].node : self.node].mark[0];
+            const mp_limb_t *found = bsearch(&m, mark, n, sizeof m, compare_marks);
+            for (const mp_limb_t *f = found; f && f >= mark && *f == m; f--)
+                present[f - mark] = true;
+            for (const mp_limb_t *f = found; f && f < mark + n && *f == m; f++)
+                present[f - mark] = true;
+        }
+    }
+    for (size_t i = 0; i < n; i++)
+        different += !present[i] && (i == 0 || mark[i] != mark[i - 1]);
+    free(uses);
+    free(mark);
+    free(present);
+    return different;
 }
 
 int *dag_uses(const struct dag *g)

@@ -35,8 +35,8 @@ struct node {
     int input;
     struct edge *edge; /* owned by the graph */
     size_t edges;
-    bool kept;               /* a named value that products leave whole */
-    bool divides;            /* it, or what it is made of, divides */
+    bool kept;              /* a named value that products leave whole */
+    bool divides;           /* it, or what it is made of, divides */
     mp_limb_t mark[PRIMES]; /* values at the random points */
 };
 
@@ -57,7 +57,8 @@ struct dag {
     char **output_name;   /* owned */
     size_t outputs, output_room, output_name_room;
     size_t inputs;
-    size_t removed; /* singularities that cancellation removed (x/x and the like) */
+    mp_limb_t *removed; /* owned: marks of the divisors that cancelled (x/x and the like), in no order, maybe repeated */
+    size_t removals, removal_room;
 };
 
 struct dag *dag_new(size_t inputs);
@@ -91,6 +92,13 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
 int dag_append(struct dag *g, enum node_kind kind, const struct edge *edge, size_t n);
 /** Room for n edges in the graph's pool. */
 struct edge *dag_room(struct dag *g, size_t n);
+
+/** Notes that the divisors of a node, a quotient, are gone; or the node itself if it is none. */
+void dag_remove(struct dag *g, int node);
+/** What was removed from `from` is removed from g, too. */
+void dag_inherit_removed(struct dag *g, const struct dag *from);
+/** How many different divisors were removed and are none of the used ones any more. */
+size_t dag_removed(const struct dag *g);
 
 /** How often each node is used by the outputs, directly or not; unused nodes have 0.  uses[g->nodes], caller frees. */
 int *dag_uses(const struct dag *g);

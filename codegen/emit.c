@@ -30,7 +30,7 @@ struct emitter {
     struct emission *out;
     char *body; /* owned */
     size_t size, room;
-    long helpers; /* named operands that are no nodes */
+    long helpers;            /* named operands that are no nodes */
     struct named_term *term; /* owned */
     size_t terms, term_room;
 };

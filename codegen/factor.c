@@ -1,5 +1,5 @@
-/* Factoring over the rationals, with FLINT.  Equal factors of a numerator and of its denominator meet as equal nodes and
- * cancel by themselves; so this is also the reduction of quotients to lowest terms.  See shape.h. */
+/* Factoring over the rationals, with FLINT.  Equal factors of a numerator and of its denominator meet as equal nodes
+ * and cancel by themselves; so this is also the reduction of quotients to lowest terms.  See shape.h. */
 #include "shape.h"
 
 #include "walk.h"

@@ -60,8 +60,8 @@ static void count_terms(struct schedule *s)
             const int node = s->dag->node[n].edge[k].node;
             bool alone = node != 0 && size != ONE;
             for (size_t j = 0; alone && j < s->dag->node[n].edges; j++)
-                alone = j == k || s->dag->node[n].edge[j].node == 0 ||
-                        rational_abs(schedule_coefficient(s, n, j)) != size;
+                alone =
+                    j == k || s->dag->node[n].edge[j].node == 0 || rational_abs(schedule_coefficient(s, n, j)) != size;
             if (!alone)
                 continue;
             struct shared_term *t = schedule_term(s->term, s->terms, size, node);

@@ -21,7 +21,6 @@ enum {
     SLACK = 2    /* multiplications that a search of scales may make up for */
 };
 
-
 static const double HOT = 0.5; /* multiplications by which annealing may go up at first */
 
 struct shape {
@@ -33,7 +32,7 @@ struct shape {
 struct candidate {
     size_t shape;
     struct policy policy; /* owned */
-    double estimate; /* cost before scales are searched */
+    double estimate;      /* cost before scales are searched */
     double cost;
 };
 
@@ -44,11 +43,13 @@ struct search {
     size_t shapes, shape_room;
     struct candidate beam[BEAM + 1]; /* sorted by cost; the last place is for the one under trial */
     size_t n;
-    struct emission best; /* owned text */
+    struct emission best;    /* owned text */
+    struct candidate winner; /* that it came from */
     double least;
-    size_t removed;
+    size_t removing, removed; /* singularities: by the passes under way, by the winner's */
     uint64_t random;
     double work, limit;
+    bool explaining; /* the passes print what they made */
 };
 
 struct search *search_new(const struct genome_file *f, const struct compile_options *o)
@@ -67,6 +68,7 @@ void search_free(struct search *s)
         dag_free(s->shape[i].dag);
     for (size_t i = 0; i <= BEAM; i++)
         policy_clear(&s->beam[i].policy);
+    policy_clear(&s->winner.policy);
     free(s->shape);
     free(s);
 }
@@ -82,12 +84,44 @@ const struct dag *search_first(const struct search *s)
     return s->shape[0].dag;
 }
 
+/* One line: the operations of a graph before scales are chosen. */
+static void explain_graph(FILE *out, const char *pass, const struct dag *g)
+{
+    struct operations ops = {0};
+    int *uses = dag_uses(g);
+    for (size_t n = 1; n < g->nodes; n++) {
+        const struct node *node = &g->node[n];
+        if (!uses[n])
+            continue;
+        for (size_t i = 0; i < node->edges; i++) {
+            ops.mul += node->kind == NODE_PRODUCT ? node->edge[i].power : 0;
+            ops.mul += node->edge[i].node != 0 && node->edge[i].coef != ONE && node->edge[i].coef != MINUS_ONE;
+        }
+        ops.mul -= node->kind == NODE_PRODUCT;
+        ops.add += node->kind == NODE_SUM ? (long)node->edges - 1 : 0;
+        ops.div += node->kind == NODE_INVERSE || node->kind == NODE_PDIV;
+        ops.sqrt += node->kind == NODE_SQRT;
+        ops.compare += node->kind >= NODE_PDIV && node->kind != NODE_SQRT;
+    }
+    fprintf(out, "  %-26s %5ld mul %4ld div %5ld add %4ld sqrt %4ld compare\n", pass, ops.mul, ops.div, ops.add,
+            ops.sqrt, ops.compare);
+    free(uses);
+}
+
 static uint64_t next_random(struct search *s)
 {
     uint64_t z = s->random += 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
+}
+
+static void copy_candidate(struct candidate *to, const struct candidate *from)
+{
+    to->shape = from->shape;
+    to->cost = from->cost;
+    to->estimate = from->estimate;
+    policy_copy(&to->policy, &from->policy);
 }
 
 static void count_work(struct search *s, const struct dag *g)
@@ -97,11 +131,13 @@ static void count_work(struct search *s, const struct dag *g)
 }
 
 /* One pass done: its result takes the place of the graph that it was made from. */
-static void step(struct search *s, struct dag **g, struct dag *made)
+static void step(struct search *s, struct dag **g, struct dag *made, const char *pass)
 {
     count_work(s, made);
     dag_free(*g);
     *g = made;
+    if (s->explaining)
+        explain_graph(s->options->explain, pass, made);
 }
 
 static bool divides(const struct dag *g)
@@ -119,21 +155,24 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     if (record)
         record->decisions = record->alternatives = 0;
     if (divides(g))
-        step(s, &g, shape_combine(g, p, record));
-    step(s, &g, shape_dissolve(g, p, record));
+        step(s, &g, shape_combine(g, p, record), "common denominators");
+    step(s, &g, shape_dissolve(g, p, record), "multiplying out");
     if (p->join && divides(g))
-        step(s, &g, shape_join(g));
+        step(s, &g, shape_join(g), "one division for several");
     if (p->early) {
         share_pairs(g);
-        step(s, &g, walk_again(g));
+        step(s, &g, walk_again(g), "early sharing");
     }
-    step(s, &g, horner_factor(g, p, record));
+    step(s, &g, horner_factor(g, p, record), "Horner");
+    s->removing = dag_removed(g);
     share_pairs(g);
+    if (s->explaining)
+        explain_graph(s->options->explain, "sharing", g);
     return g;
 }
 
 /* Emits a graph, in its own scales or in those that a search finds; returns the cost. */
-static double emit(struct search *s, const struct dag *g, bool scales)
+static double emit(struct search *s, const struct dag *g, const struct candidate *from, bool scales)
 {
     struct schedule *schedule = schedule_new(g, &s->options->cost, scales);
     struct emission e;
@@ -145,7 +184,8 @@ static double emit(struct search *s, const struct dag *g, bool scales)
         free(s->best.text);
         s->best = e;
         s->least = cost;
-        s->removed = g->removed;
+        s->removed = s->removing;
+        copy_candidate(&s->winner, from);
     } else
         free(e.text);
     return cost;
@@ -161,23 +201,15 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
         if (multiples > 0)
             share_multiples(g);
         if (multiples == 0)
-            c->estimate = emit(s, g, false);
+            c->estimate = emit(s, g, c, false);
         if (c->estimate <= limit) {
-            const double cost = emit(s, g, true);
+            const double cost = emit(s, g, c, true);
             c->cost = cost < c->cost ? cost : c->cost;
         }
         if (c->estimate > limit || c->cost > s->least + SLACK * s->options->cost.mul)
             break;
     }
     dag_free(g);
-}
-
-static void copy_candidate(struct candidate *to, const struct candidate *from)
-{
-    to->shape = from->shape;
-    to->cost = from->cost;
-    to->estimate = from->estimate;
-    policy_copy(&to->policy, &from->policy);
 }
 
 /* Puts the candidate under trial in its place of the beam. */
@@ -206,7 +238,8 @@ static void try_policy(struct search *s, size_t shape, const struct policy *p)
 }
 
 /* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
- * or not, in all mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear. */
+ * or not, in all mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear.
+ */
 static void try_first(struct search *s)
 {
     static const double preference[] = {0.9, 3, 1000};
@@ -225,7 +258,8 @@ static void try_first(struct search *s)
             try_policy(s, i, &p);
             dear |= s->work - before > s->limit / 20;
         }
-        for (int attempt = 0; attempt < RANDOM_TRIES && s->work < s->limit / 2 * (double)(i + 1) / (double)s->shapes; attempt++) {
+        for (int attempt = 0; attempt < RANDOM_TRIES && s->work < s->limit / 2 * (double)(i + 1) / (double)s->shapes;
+             attempt++) {
             const struct policy p = {.seed = next_random(s),
                                      .preference = preference[attempt % 3],
                                      .plain = attempt % 4 == 3,
@@ -285,6 +319,21 @@ static void anneal(struct search *s, struct candidate *best, double hot, double 
     record_clear(&next);
 }
 
+/* How the result came about: the winner's passes once more. */
+static void explain(struct search *s)
+{
+    FILE *out = s->options->explain;
+    fprintf(out, "  %zu shapes, %.0f units of work; the cheapest is \"%s\" with %zu choices overruled\n", s->shapes,
+            s->work / UNIT, s->shape[s->winner.shape].what, s->winner.policy.choices);
+    s->explaining = true;
+    explain_graph(out, "simplified", s->shape[s->winner.shape].dag);
+    dag_free(run_passes(s, &s->winner, NULL));
+    s->explaining = false;
+    fprintf(out, "  %-26s %5ld mul %4ld div %5ld add %4ld sqrt %4ld compare; cost %g (%s)\n", "emitted",
+            s->best.ops.mul, s->best.ops.div, s->best.ops.add, s->best.ops.sqrt, s->best.ops.compare, s->least,
+            s->options->cost.name);
+}
+
 size_t search_run(struct search *s, struct emission *e)
 {
     try_first(s);
@@ -297,6 +346,8 @@ size_t search_run(struct search *s, struct emission *e)
             best = i;
     if (s->n > 0 && s->work < s->limit)
         anneal(s, &s->beam[best], HOT, s->limit);
+    if (s->options->explain)
+        explain(s);
     *e = s->best;
     return s->removed;
 }

@@ -44,8 +44,7 @@ static bool multiply_terms(struct walk *w, struct edges *terms, const struct edg
     for (size_t i = 0; i < terms->n; i++)
         for (size_t k = 0; k < other->n; k++) {
             const struct edge *x = &terms->edge[i], *y = &other->edge[k];
-            const struct value v =
-                dag_times(w->to, (struct value){x->coef, x->node}, (struct value){y->coef, y->node});
+            const struct value v = dag_times(w->to, (struct value){x->coef, x->node}, (struct value){y->coef, y->node});
             edges_add(&product, v.coef, v.node, 1);
         }
     collect_terms(w, &product);
@@ -119,8 +118,8 @@ struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, str
         else
             product_terms(&w, node, open, &terms);
         const bool plain = node->kind == NODE_PRODUCT && terms.n == 1 && !node->kept;
-        const bool dissolves = plain || (terms.n <= MOST_TERMS &&
-                                         policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0]));
+        const bool dissolves =
+            plain || (terms.n <= MOST_TERMS && policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0]));
         if (dissolves && terms.n > 0)
             add_scaled(&open[n], ONE, &terms);
         w.image[n] = dag_sum(w.to, &terms);
@@ -221,7 +220,7 @@ static void cancel(struct walk *w, struct fraction *f)
         if (least > 0) {
             edges_add(&num, ONE, f->den.edge[i].node, -least);
             f->den.edge[i].power -= least;
-            w->to->removed++;
+            dag_remove(w->to, f->den.edge[i].node);
         }
     }
     size_t kept = 0;
@@ -265,7 +264,8 @@ static struct fraction invert_fraction(struct walk *w, const struct fraction *f)
         edges_add(&num, ONE, f->den.edge[i].node, f->den.edge[i].power);
     inverse.num = dag_product(w->to, rational_inv(f->num.coef), &num);
     add_factors(w->to, &inverse.den, f->num.node, 1);
-    w->to->removed += f->den.n;
+    for (size_t i = 0; i < f->den.n; i++)
+        dag_remove(w->to, f->den.edge[i].node);
     return inverse;
 }
 

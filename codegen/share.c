@@ -1,6 +1,6 @@
-/* Greedy sharing of pairs, for products of factors and for sums of terms alike: the pair that saves most is given a node
- * of its own wherever it occurs, until none occurs twice.  A hash table counts all pairs; each round takes the pairs of
- * the nodes that it rewrites out and puts their new ones in. */
+/* Greedy sharing of pairs, for products of factors and for sums of terms alike: the pair that saves most is given a
+ * node of its own wherever it occurs, until none occurs twice.  A hash table counts all pairs; each round takes the
+ * pairs of the nodes that it rewrites out and puts their new ones in. */
 #include "share.h"
 
 #include "policy.h"
@@ -86,8 +86,7 @@ static void count_node(struct sharing *s, const struct node *node, int sign)
         if (s->kind == NODE_PRODUCT && x->power > 1)
             count_pair(s, x, x, sign * (x->power / 2));
         for (size_t j = i + 1; j < node->edges; j++)
-            count_pair(s, x, &node->edge[j],
-                       sign * (x->power < node->edge[j].power ? x->power : node->edge[j].power));
+            count_pair(s, x, &node->edge[j], sign * (x->power < node->edge[j].power ? x->power : node->edge[j].power));
     }
 }
 

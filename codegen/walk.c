@@ -8,7 +8,7 @@ struct walk walk_begin(const struct dag *g)
     struct walk w = {.from = g, .to = dag_new(g->inputs), .uses = dag_uses(g)};
     w.image = new_array(g->nodes, sizeof *w.image);
     w.image[0] = dag_constant(ONE);
-    w.to->removed = g->removed;
+    dag_inherit_removed(w.to, g);
     return w;
 }
 

@@ -18,7 +18,8 @@ static char *compile(const char *expression, struct operations *ops)
     char text[4000];
     struct diag d = {0};
     struct compiled c;
-    const struct compile_options o = compile_defaults();
+    struct compile_options o = compile_defaults();
+    o.effort = 20;
     snprintf(text, sizeof text, "footpoint-genome 1\ninput x y z\ngenome g\nr = %s\nend\n", expression);
     struct genome_file *f = genome_parse("test", text, strlen(text), &d);
     if (!f || !compile_genome(f, &f->genome[0], &o, &c, &d) || !prove_equal(f, &f->genome[0], c.emission.text, &d))
@@ -102,7 +103,8 @@ static void test_ten_term_pair(void **state)
         "     * 0.24 * yC * yS yS * 0.31 * xC * yD yS * 0.71 * yC * xS yS * 0.62 * yD * xS yS\nend\n";
     struct diag d = {0};
     struct compiled c;
-    const struct compile_options o = compile_defaults();
+    struct compile_options o = compile_defaults();
+    o.effort = 20;
     struct genome_file *f = genome_parse("pair", text, sizeof text - 1, &d);
     assert_non_null(f);
     assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
@@ -119,7 +121,8 @@ static void test_proof_refuses(void **state)
     static const char text[] = "footpoint-genome 1\ninput x y z\ngenome g\nr = + * x + y 0.3 / sqrt z + y 2\nend\n";
     struct diag d = {0};
     struct compiled c;
-    const struct compile_options o = compile_defaults();
+    struct compile_options o = compile_defaults();
+    o.effort = 20;
     struct genome_file *f = genome_parse("proof", text, sizeof text - 1, &d);
     assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
     assert_true(prove_equal(f, &f->genome[0], c.emission.text, &d));
