@@ -401,6 +401,45 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
     return value_of(outside, make(g, kind, 0, &list, mark));
 }
 
+/* Least and greatest power of a node's value in the scale of the inputs, from those of its operands. */
+static void find_degrees(const struct node *n, int *low, int *high, size_t at)
+{
+    enum { MOST = 1 << 20 };
+    low[at] = high[at] = n->kind == NODE_INPUT;
+    for (size_t i = 0; i < n->edges; i++) {
+        const int l = low[n->edge[i].node], h = high[n->edge[i].node];
+        if (n->kind == NODE_PRODUCT) {
+            low[at] += n->edge[i].power * l;
+            high[at] += n->edge[i].power * h;
+        } else if (n->kind == NODE_INVERSE || (n->kind == NODE_PDIV && i == 1)) {
+            low[at] -= h;
+            high[at] -= l;
+        } else {
+            low[at] = i == 0 || l < low[at] ? l : low[at];
+            high[at] = i == 0 || h > high[at] ? h : high[at];
+        }
+    }
+    low[at] = low[at] < -MOST ? -MOST : low[at];
+    high[at] = high[at] > MOST ? MOST : high[at];
+}
+
+int dag_degree(const struct dag *g)
+{
+    int *uses = dag_uses(g), *low = new_array(g->nodes, sizeof *low), *high = new_array(g->nodes, sizeof *high);
+    int degree = 0;
+    for (size_t n = 1; n < g->nodes; n++) {
+        if (!uses[n])
+            continue;
+        find_degrees(&g->node[n], low, high, n);
+        degree = -low[n] > degree ? -low[n] : degree;
+        degree = high[n] > degree ? high[n] : degree;
+    }
+    free(uses);
+    free(low);
+    free(high);
+    return degree;
+}
+
 static void note_removed(struct dag *g, int node)
 {
     grow_array(&g->removed, g->removals, &g->removal_room, sizeof *g->removed);

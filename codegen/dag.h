@@ -57,7 +57,8 @@ struct dag {
     char **output_name;   /* owned */
     size_t outputs, output_room, output_name_room;
     size_t inputs;
-    mp_limb_t *removed; /* owned: marks of the divisors that cancelled (x/x and the like), in no order, maybe repeated */
+    mp_limb_t
+        *removed; /* owned: marks of the divisors that cancelled (x/x and the like), in no order, maybe repeated */
     size_t removals, removal_room;
 };
 
@@ -99,6 +100,10 @@ void dag_remove(struct dag *g, int node);
 void dag_inherit_removed(struct dag *g, const struct dag *from);
 /** How many different divisors were removed and are none of the used ones any more. */
 size_t dag_removed(const struct dag *g);
+
+/** Greatest |power| with which any used value grows when all inputs are scaled together: what decides at which scale
+ *  values leave the range of double. */
+int dag_degree(const struct dag *g);
 
 /** How often each node is used by the outputs, directly or not; unused nodes have 0.  uses[g->nodes], caller frees. */
 int *dag_uses(const struct dag *g);

@@ -16,9 +16,11 @@ enum {
     BEAM = 6,
     FORMS = 24,
     RANDOM_TRIES = 20,
-    UNIT = 1500, /* nodes and edges handled in about a millisecond */
-    SCALES = 12, /* work of searching a node's scale, in nodes */
-    SLACK = 2    /* multiplications that a search of scales may make up for */
+    UNIT = 1500,     /* nodes and edges handled in about a millisecond */
+    SCALES = 12,     /* work of searching a node's scale, in nodes */
+    SLACK = 2,       /* multiplications that a search of scales may make up for */
+    FREE_DEGREE = 64 /* common denominators may raise the degree up to this; of a segment's functions, whose scale is
+                      * any length, never beyond the genome's own */
 };
 
 static const double HOT = 0.5; /* multiplications by which annealing may go up at first */
@@ -48,6 +50,7 @@ struct search {
     double least;
     size_t removing, removed; /* singularities: by the passes under way, by the winner's */
     uint64_t random;
+    int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
     double work, limit;
     bool explaining; /* the passes print what they made */
 };
@@ -59,6 +62,7 @@ struct search *search_new(const struct genome_file *f, const struct compile_opti
     s->options = o;
     s->random = o->seed;
     s->limit = (double)o->effort * UNIT;
+    s->least_degree = f->segment ? 0 : FREE_DEGREE;
     return s;
 }
 
@@ -76,6 +80,8 @@ void search_free(struct search *s)
 void search_add(struct search *s, struct dag *g, const char *what)
 {
     grow_array(&s->shape, s->shapes, &s->shape_room, sizeof *s->shape);
+    if (s->shapes == 0)
+        s->most_degree = dag_degree(g) > s->least_degree ? dag_degree(g) : s->least_degree;
     s->shape[s->shapes++] = (struct shape){g, what};
 }
 
@@ -165,6 +171,7 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     }
     step(s, &g, horner_factor(g, p, record), "Horner");
     s->removing = dag_removed(g);
+    s->degree = dag_degree(g);
     share_pairs(g);
     if (s->explaining)
         explain_graph(s->options->explain, "sharing", g);
@@ -196,7 +203,11 @@ static double emit(struct search *s, const struct dag *g, const struct candidate
 static void evaluate(struct search *s, struct candidate *c, struct record *record, double limit)
 {
     struct dag *g = run_passes(s, c, record);
-    c->cost = HUGE_VAL;
+    c->cost = c->estimate = HUGE_VAL;
+    if (s->degree > s->most_degree) {
+        dag_free(g);
+        return;
+    }
     for (int multiples = 0; multiples < 2; multiples++) {
         if (multiples > 0)
             share_multiples(g);
