@@ -16,7 +16,7 @@ double operations_cost(const struct operations *ops, const struct cost_model *m)
 struct compile_options compile_defaults(void)
 {
     struct diag d;
-    struct compile_options o = {.seed = 1, .effort = 1000};
+    struct compile_options o = {.seed = 1, .effort = 2000};
     cost_model_find("throughput", &o.cost, &d);
     return o;
 }

@@ -164,11 +164,17 @@ static bool in_range(rational r)
     return fmpz_bits(fmpq_numref(c)) < 1000 && fmpz_bits(fmpq_denref(c)) < 1000;
 }
 
+/* Whether 2x is written as x + x.  Where both cost the same, 2.0 * x has the advantage that it can fuse. */
+static bool emit_doubles(const struct cost_model *m)
+{
+    return m->add < m->mul;
+}
+
 /* coef * text for a coefficient > 0, as a factor or term; counts the operation. */
 static char *scaled_text(struct emitter *e, rational coef, const struct text *t)
 {
     enum precedence level;
-    if (t->num && !t->den && t->level == ATOM && coef == TWO && !strchr(t->num, '(')) {
+    if (t->num && !t->den && t->level == ATOM && coef == TWO && emit_doubles(e->s->model) && !strchr(t->num, '(')) {
         char *left = join("(", t->num, " + "), *twice = join(left, t->num, ")"); /* an addition, at no rounding error */
         e->out->ops.add++;
         free(left);
@@ -416,7 +422,7 @@ static void mark_named(struct emitter *e)
             bool twice = n->edge[k].power > 1 || n->kind >= NODE_PDIV;
             if (n->kind == NODE_SUM) {
                 const rational coef = schedule_coefficient(e->s, e->s->order[i], k);
-                twice = coef == TWO || coef == MINUS_TWO;
+                twice = emit_doubles(e->s->model) && (coef == TWO || coef == MINUS_TWO);
             }
             const bool divisor = n->kind == NODE_INVERSE && g->node[n->edge[k].node].kind != NODE_SUM;
             if (twice || divisor)

@@ -3,6 +3,7 @@
  * that the result does not depend on the machine. */
 #include "search.h"
 
+#include "balance.h"
 #include "horner.h"
 #include "shape.h"
 #include "share.h"
@@ -13,9 +14,9 @@
 #include <string.h>
 
 enum {
-    BEAM = 6,
+    BEAM = 4,
     FORMS = 24,
-    RANDOM_TRIES = 20,
+    RANDOM_TRIES = 200,
     UNIT = 1500,     /* nodes and edges handled in about a millisecond */
     SCALES = 12,     /* work of searching a node's scale, in nodes */
     SLACK = 2,       /* multiplications that a search of scales may make up for */
@@ -23,7 +24,8 @@ enum {
                       * any length, never beyond the genome's own */
 };
 
-static const double HOT = 0.5; /* multiplications by which annealing may go up at first */
+static const double TIE = 1e-3; /* what all operations count where the longest chain is the cost */
+static const double HOT = 0.5;  /* multiplications by which annealing may go up at first */
 
 struct shape {
     struct dag *dag; /* owned */
@@ -51,6 +53,8 @@ struct search {
     size_t removing, removed; /* singularities: by the passes under way, by the winner's */
     uint64_t random;
     int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
+    double chain;                          /* longest one of the graph at hand, where the cost model asks for it */
+    struct cost_model latency; /* when operands are ready */
     double work, limit;
     bool explaining; /* the passes print what they made */
 };
@@ -60,7 +64,9 @@ struct search *search_new(const struct genome_file *f, const struct compile_opti
     struct search *s = new_array(1, sizeof *s);
     s->file = f;
     s->options = o;
+    struct diag d;
     s->random = o->seed;
+    cost_model_find("latency", &s->latency, &d);
     s->limit = (double)o->effort * UNIT;
     s->least_degree = f->segment ? 0 : FREE_DEGREE;
     return s;
@@ -175,6 +181,10 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     share_pairs(g);
     if (s->explaining)
         explain_graph(s->options->explain, "sharing", g);
+    if (s->options->cost.chain)
+        s->chain = balance_trees(g, &s->options->cost);
+    else
+        balance_order(g, &s->latency);
     return g;
 }
 
@@ -186,7 +196,8 @@ static double emit(struct search *s, const struct dag *g, const struct candidate
     emit_statements(s->file, schedule, &e);
     s->work += (scales ? SCALES : 2) * (double)schedule->n;
     schedule_free(schedule);
-    const double cost = operations_cost(&e.ops, &s->options->cost) + (e.out_of_range ? 1e9 : 0);
+    const double sum = operations_cost(&e.ops, &s->options->cost);
+    const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
     if (!s->best.text || cost < s->least - 1e-9 || (cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul)) {
         free(s->best.text);
         s->best = e;

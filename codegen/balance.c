@@ -1,0 +1,139 @@
+/* When values are ready; see balance.h.  Of the operands of a sum or a product, the two that are ready first are
+ * combined, and their result takes its place among the others: the tree of least height (Huffman's, with the later of
+ * two times for their sum). */
+#include "balance.h"
+
+#include "schedule.h"
+
+#include <stdlib.h>
+
+enum { MOST_OPERANDS = 200 }; /* longer lists stay chains */
+
+struct operand {
+    struct edge edge;
+    double ready;
+};
+
+static double later(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* Keeps a list sorted by time, the latest first. */
+static void put_operand(struct operand *list, size_t *n, struct operand o)
+{
+    size_t i = (*n)++;
+    for (; i > 0 && list[i - 1].ready < o.ready; i--)
+        list[i] = list[i - 1];
+    list[i] = o;
+}
+
+/* Factors one by one, terms with the time of their coefficient. */
+static size_t list_operands(const struct node *n, const double *ready, const struct cost_model *m, struct operand *list)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n->edges; i++) {
+        const struct edge *e = &n->edge[i];
+        const bool scaled = n->kind == NODE_SUM && e->node != 0 && e->coef != ONE && e->coef != MINUS_ONE;
+        for (int k = 0; k < (n->kind == NODE_SUM ? 1 : e->power); k++)
+            put_operand(list, &count, (struct operand){{e->coef, e->node, 1}, ready[e->node] + (scaled ? m->mul : 0)});
+    }
+    return count;
+}
+
+static size_t operand_count(const struct node *n)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n->edges; i++)
+        count += n->kind == NODE_SUM ? 1 : (size_t)n->edge[i].power;
+    return count;
+}
+
+/* Time at which the node is ready; its operands beyond two are combined into new nodes. */
+static double balance_node(struct dag *g, int n, const double *ready, const struct cost_model *m)
+{
+    const enum node_kind kind = g->node[n].kind;
+    const double step = kind == NODE_SUM ? m->add : m->mul;
+    struct operand list[MOST_OPERANDS];
+    size_t count = list_operands(&g->node[n], ready, m, list);
+    while (count > 2) {
+        const struct operand a = list[count - 1], b = list[count - 2];
+        const bool squared = kind == NODE_PRODUCT && a.edge.node == b.edge.node;
+        const struct edge pair[2] = {{a.edge.coef, a.edge.node, squared ? 2 : 1}, b.edge};
+        count -= 2;
+        put_operand(
+            list, &count,
+            (struct operand){{ONE, dag_append(g, kind, pair, squared ? 1 : 2), 1}, later(a.ready, b.ready) + step});
+    }
+    const bool squared = kind == NODE_PRODUCT && count == 2 && list[0].edge.node == list[1].edge.node;
+    struct edge *edge = dag_room(g, count);
+    for (size_t i = 0; i < count; i++)
+        edge[i] = list[count - 1 - i].edge;
+    if (squared)
+        edge[0].power = 2;
+    g->node[n].edge = edge;
+    g->node[n].edges = squared ? 1 : count;
+    return count > 1 ? later(list[0].ready, list[1].ready) + step : list[0].ready;
+}
+
+static double function_time(const struct node *n, const double *ready, const struct cost_model *m)
+{
+    const double step = n->kind == NODE_SQRT                              ? m->sqrt
+                        : n->kind == NODE_INVERSE || n->kind == NODE_PDIV ? m->div
+                                                                          : m->compare;
+    double start = 0;
+    for (size_t i = 0; i < n->edges; i++)
+        start = later(start, ready[n->edge[i].node]);
+    return n->edges > 0 ? start + step : 0;
+}
+
+/* Time at which a chain over the sorted operands is ready. */
+static double sort_node(struct dag *g, int n, const double *ready, const struct cost_model *m)
+{
+    const double step = g->node[n].kind == NODE_SUM ? m->add : m->mul;
+    struct operand list[MOST_OPERANDS];
+    size_t count = list_operands(&g->node[n], ready, m, list), kept = 0;
+    double time = 0;
+    for (size_t i = count; i-- > 0;) {
+        struct edge *e = &g->node[n].edge[kept];
+        time = i + 1 == count ? list[i].ready : later(time, list[i].ready) + step;
+        if (kept > 0 && g->node[n].kind == NODE_PRODUCT && e[-1].node == list[i].edge.node)
+            e[-1].power++;
+        else {
+            *e = list[i].edge;
+            kept++;
+        }
+    }
+    return time;
+}
+
+/* Time at which the last output is ready. */
+static double balance(struct dag *g, const struct cost_model *m, bool trees)
+{
+    struct schedule *s = schedule_new(g, m, false);
+    double *ready = new_array(g->nodes, sizeof *ready), longest = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        const int n = s->order[i];
+        const struct node *node = &g->node[n];
+        const bool list = node->kind == NODE_SUM || node->kind == NODE_PRODUCT;
+        if (!list || operand_count(node) > MOST_OPERANDS)
+            ready[n] = function_time(node, ready, m);
+        else
+            ready[n] = trees ? balance_node(g, n, ready, m) : sort_node(g, n, ready, m);
+    }
+    for (size_t o = 0; o < g->outputs; o++)
+        longest = later(longest, ready[g->output[o].node]);
+    schedule_free(s);
+    free(ready);
+    return longest;
+}
+
+double balance_trees(struct dag *g, const struct cost_model *latency)
+{
+    return balance(g, latency, true);
+}
+
+void balance_order(struct dag *g, const struct cost_model *latency)
+{
+    balance(g, latency, false);
+}
