@@ -164,22 +164,28 @@ static bool in_range(rational r)
     return fmpz_bits(fmpq_numref(c)) < 1000 && fmpz_bits(fmpq_denref(c)) < 1000;
 }
 
-/* Whether 2x is written as x + x.  Where both cost the same, 2.0 * x has the advantage that it can fuse. */
-static bool emit_doubles(const struct cost_model *m)
+/* x + x, or that of a name for x + x: additions without rounding error. */
+static char *doubled_text(struct emitter *e, const char *x, int times)
 {
-    return m->add < m->mul;
+    char name[32];
+    char *left = join("(", x, " + "), *twice = join(left, x, ")");
+    free(left);
+    e->out->ops.add++;
+    if (times > 1) {
+        name_value(e, 'u', ++e->helpers, twice, name);
+        free(twice);
+        twice = doubled_text(e, name, times - 1);
+    }
+    return twice;
 }
 
 /* coef * text for a coefficient > 0, as a factor or term; counts the operation. */
 static char *scaled_text(struct emitter *e, rational coef, const struct text *t)
 {
     enum precedence level;
-    if (t->num && !t->den && t->level == ATOM && coef == TWO && emit_doubles(e->s->model) && !strchr(t->num, '(')) {
-        char *left = join("(", t->num, " + "), *twice = join(left, t->num, ")"); /* an addition, at no rounding error */
-        e->out->ops.add++;
-        free(left);
-        return twice;
-    }
+    const int doublings = schedule_doublings(e->s, coef);
+    if (doublings > 0 && t->num && !t->den && t->level == ATOM && !strchr(t->num, '('))
+        return doubled_text(e, t->num, doublings);
     if (coef == ONE)
         return t->den ? whole_text(t, &level) : factor_text(t);
     char *c = emit_rational(rational_value(coef)), *all;
@@ -259,9 +265,14 @@ static void print_sum(struct emitter *e, int n, struct text *t)
             group = term_text(e, size, node->edge[i].node);
         } else if (size != ONE) {
             struct text inner = {group, NULL, SUM};
-            char *all = scaled_text(e, size, &inner);
-            free(group);
-            group = all;
+            if (schedule_doublings(e->s, size) > 0) { /* what is doubled is written twice: it needs a name */
+                char name[32];
+                name_value(e, 'u', ++e->helpers, group, name);
+                inner = (struct text){join(name, "", ""), NULL, ATOM};
+                free(group);
+            }
+            group = scaled_text(e, size, &inner);
+            free(inner.num);
         }
         if (begins && negative)
             append(&t->num, "-");
@@ -422,7 +433,7 @@ static void mark_named(struct emitter *e)
             bool twice = n->edge[k].power > 1 || n->kind >= NODE_PDIV;
             if (n->kind == NODE_SUM) {
                 const rational coef = schedule_coefficient(e->s, e->s->order[i], k);
-                twice = emit_doubles(e->s->model) && (coef == TWO || coef == MINUS_TWO);
+                twice = schedule_doublings(e->s, coef) > 0;
             }
             const bool divisor = n->kind == NODE_INVERSE && g->node[n->edge[k].node].kind != NODE_SUM;
             if (twice || divisor)

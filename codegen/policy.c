@@ -33,13 +33,13 @@ double policy_liking(const struct policy *p, uint64_t mark)
     return (double)(policy_mix(mark ^ policy_mix(p->seed)) >> 11) * 0x1p-53;
 }
 
-bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark)
+bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t kin)
 {
     const uint64_t key = policy_key(kind, mark);
     const struct choice *c = policy_find(p, key);
     record_decision(r, key);
     record_alternative(r, 1);
-    return c ? c->what : policy_liking(p, key) < (kind == CHOICE_DISSOLVE ? p->dissolve : p->combine);
+    return c ? c->what : policy_liking(p, kin) < (kind == CHOICE_DISSOLVE ? p->dissolve : p->combine);
 }
 
 void policy_choose(struct policy *p, struct choice c)

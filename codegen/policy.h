@@ -49,8 +49,9 @@ uint64_t policy_mix(uint64_t z);
 uint64_t policy_key(enum choice_kind kind, uint64_t mark);
 /** The choice of that key, or NULL. */
 const struct choice *policy_find(const struct policy *p, uint64_t key);
-/** A yes-no choice about the value of that mark; recorded. */
-bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark);
+/** A yes-no choice about the value of that mark; recorded.  Where no choice says otherwise, values of the same kin are
+ *  treated alike. */
+bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t kin);
 /** Random number in [0,1) that belongs to a mark. */
 double policy_liking(const struct policy *p, uint64_t mark);
 

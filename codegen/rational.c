@@ -53,8 +53,8 @@ void rational_start(void)
     memo = new_array(MEMO, sizeof *memo);
     for (size_t i = 0; i < MEMO; i++)
         memo[i].r = -1;
-    for (int i = 0; i < 5; i++) /* in the order of the enumeration */
-        rational_from_si((long[]){0, 1, -1, 2, -2}[i]);
+    for (int i = 0; i < 9; i++) /* in the order of the enumeration */
+        rational_from_si((long[]){0, 1, -1, 2, -2, 4, -4, 8, -8}[i]);
 }
 
 rational rational_intern(const fmpq *q)

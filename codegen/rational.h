@@ -8,7 +8,7 @@
 
 typedef int rational;
 
-enum { ZERO, ONE, MINUS_ONE, TWO, MINUS_TWO };
+enum { ZERO, ONE, MINUS_ONE, TWO, MINUS_TWO, FOUR, MINUS_FOUR, EIGHT, MINUS_EIGHT };
 
 /** Primes below 2^60, modulo which values are compared. */
 enum { PRIMES = 2 };

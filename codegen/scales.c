@@ -48,10 +48,11 @@ static rational derived_scale(const struct schedule *s, const struct node *node)
     return scale;
 }
 
-/* Cost of multiplying by a coefficient: nothing for +-1, an addition for +-2, else a multiplication. */
+/* Cost of multiplying by a coefficient: nothing for +-1, else doublings or a multiplication. */
 static double coefficient_cost(const struct schedule *s, rational c)
 {
-    return c == ONE || c == MINUS_ONE ? 0 : c == TWO || c == MINUS_TWO ? s->model->add : s->model->mul;
+    const int doublings = schedule_doublings(s, c);
+    return c == ONE || c == MINUS_ONE ? 0 : doublings > 0 ? doublings * s->model->add : s->model->mul;
 }
 
 /* A term that stands alone comes (+1) or goes (-1): only the first of its kind costs. */

@@ -83,6 +83,13 @@ bool schedule_shares_term(const struct schedule *s, rational size, int node)
     return schedule_term(s->term, s->terms, size, node)->times > 1;
 }
 
+int schedule_doublings(const struct schedule *s, rational c)
+{
+    const rational size = rational_abs(c);
+    const int n = size == TWO ? 1 : size == FOUR ? 2 : size == EIGHT ? 3 : 0;
+    return n * s->model->add < s->model->mul ? n : 0;
+}
+
 struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, bool search)
 {
     struct schedule *s = new_array(1, sizeof *s);

@@ -36,4 +36,8 @@ bool schedule_shares_term(const struct schedule *s, rational size, int node);
 /** Place of a term in such a table: its own, or the empty one where it belongs. */
 struct shared_term *schedule_term(struct shared_term *table, size_t room, rational size, int node);
 
+/** How many times a value is doubled, x + x, instead of multiplied by +-c: 0 if multiplied.  Where both cost the same,
+ *  a multiplication has the advantage that it can fuse with an addition. */
+int schedule_doublings(const struct schedule *s, rational c);
+
 #endif

@@ -99,6 +99,13 @@ static void sum_terms(struct walk *w, const struct node *n, const struct edges *
     collect_terms(w, terms);
 }
 
+/* Sums about the same variable are kin: 1 + x and 1 - x. */
+static mp_limb_t kin_of(const struct dag *g, const struct node *n)
+{
+    const int first = n->edge[n->edge[0].node == 0 && n->edges > 1 ? 1 : 0].node;
+    return g->node[first].mark[0];
+}
+
 struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, struct record *record)
 {
     struct walk w = walk_begin(g);
@@ -119,7 +126,7 @@ struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, str
             product_terms(&w, node, open, &terms);
         const bool plain = node->kind == NODE_PRODUCT && terms.n == 1 && !node->kept;
         const bool dissolves =
-            plain || (terms.n <= MOST_TERMS && policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0]));
+            plain || (terms.n <= MOST_TERMS && policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0], kin_of(g, node)));
         if (dissolves && terms.n > 0)
             add_scaled(&open[n], ONE, &terms);
         w.image[n] = dag_sum(w.to, &terms);
@@ -278,7 +285,7 @@ struct dag *shape_combine(const struct dag *g, const struct policy *policy, stru
         const struct node *node = &g->node[n];
         if (w.uses[n] == 0)
             continue;
-        if (node->kind == NODE_INVERSE && policy_flag(policy, record, CHOICE_COMBINE, node->mark[0]))
+        if (node->kind == NODE_INVERSE && policy_flag(policy, record, CHOICE_COMBINE, node->mark[0], node->mark[0]))
             f[n] = invert_fraction(&w, &f[node->edge[0].node]);
         else if (node->kind == NODE_SUM)
             f[n] = add_fractions(&w, node, f);
