@@ -56,11 +56,14 @@ include_dirs = $(filter -I%,$(1))
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
 CFLAGS_locate     := -fno-math-errno -fno-trapping-math
 CFLAGS_bench_main := -fno-math-errno -fno-trapping-math
+# Costs of operations are those of optimised code, in any configuration.
+CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 
-LIBS_codegen  = $(call pkg,--libs libmd) -lflint -lmpfr -lgmp -lm
+LIBS_codegen  = $(call pkg,--libs libmd) -lflint-arb -lflint -lmpfr -lgmp -lm
+LIBS_calibrate = $(call pkg,--libs libmd) -lm
 LIBS_evolve   = $(call pkg,--libs gsl libconfig libmd) -lm
 LIBS_mpi      = $(call pkg,--libs ompi-c)
-LIBS_test     = $(call pkg,--libs cmocka gsl libconfig libmd) -lflint -lmpfr -lgmp -lm
+LIBS_test     = $(call pkg,--libs cmocka gsl libconfig libmd) -lflint-arb -lflint -lmpfr -lgmp -lm
 CFLAGS_mpi    = $(call pkg,--cflags ompi-c)
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
@@ -82,15 +85,20 @@ FORCE:
 LIB := $(BIN)/libfootpoint
 GENERATED := $(sort $(wildcard generated/*.h))
 
-all: codegen runtime evolve bench-program ## build the tools and the runtime library
+all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
 evolve: $(BIN)/footpoint-evolve
 runtime: $(LIB).a $(LIB).so
+calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
 
 $(BIN)/footpoint-codegen: $(call object,codegen/codegen_main.c $(codegen_lib))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_codegen)
+
+$(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.c)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_calibrate)
 
 $(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evolve_lib) $(genome_lib))
 	@mkdir -p $(@D)
@@ -161,6 +169,9 @@ check-long: all $(TESTS) ## the tests and the long ones
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
 
+calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs
+	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && cat $(BIN)/machine.costs
+
 report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report.sh build/report
 
@@ -175,10 +186,13 @@ paper: codegen evolve $(BIN)/tests/test_calibration ## the paper's data set and 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
 PREFIX ?= /usr/local
-PACKAGES := gcc g++ clang make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev libmpfr-dev libgmp-dev \
+PACKAGES := gcc g++ clang make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev libflint-arb-dev libmpfr-dev libgmp-dev \
             libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
+# What `make check-long` compares with and fuzzes with; without them it skips those checks.
+PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev valgrind
 
-deps: ## install the packages that are missing (Debian); needs no privileges when all are there
+deps-long: PACKAGES += $(PACKAGES_LONG)
+deps deps-long: ## install the packages that are missing (Debian; deps-long: for check-long, too); needs no privileges when all are there
 	$(Q)missing=; for p in $(PACKAGES); do \
 	    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'install ok installed' || missing="$$missing $$p"; \
 	done; \
@@ -198,6 +212,7 @@ clean: ## remove everything that was built
 	rm -rf build
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
-.PHONY: all codegen evolve runtime bench-program regenerate check check-long bench report paper deps install clean help FORCE
+.PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
+        paper deps deps-long install clean help FORCE

@@ -4,7 +4,7 @@
 
 #include "base.h"
 
-/** Cost of one operation each.  `throughput`, in units of a vector addition: mul 1, add 1, div 8, sqrt 8, compare 1.
+/** Cost of one operation each.  `throughput`, in units of a vector addition: mul 1, add 1, div 8, sqrt 12, compare 1.
  *  `paper`: mul 1, div 1, the rest nearly nothing.  `latency`: the longest chain counts, not the sum. */
 struct cost_model {
     char name[32];

@@ -1,0 +1,261 @@
+/* footpoint-calibrate: what operations cost on this machine, as a cost file (cost.h).
+ *
+ * Each operation runs in two loops, in double and in float.  "throughput": STEPS times on each of LENGTH numbers, which
+ * stay in the first cache and are independent of each other, so that the compiler makes vectors of them.  "latency": a
+ * chain in which each step waits for the one before.  All loops take turns, ROUNDS times, and a cost is the median over
+ * the rounds of a loop's time over that of the additions in the same round: what else the machine does falls on both.
+ */
+#include "base.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { LENGTH = 480, CHAIN = LENGTH / 4, STEPS = 4, PASSES = 50, ROUNDS = 801, FEWEST_ROUNDS = 5 };
+#define MOST_SECONDS 1.5 /* no round begins after that */
+
+#ifdef __clang__
+#define COMPILER __VERSION__
+#else
+#define COMPILER "gcc " __VERSION__
+#endif
+#if defined __AVX512F__
+#define MACHINE " for AVX-512"
+#elif defined __AVX__
+#define MACHINE " for AVX"
+#elif defined __SSE2__
+#define MACHINE " for SSE2"
+#else
+#define MACHINE ""
+#endif
+
+enum precision { DOUBLE, FLOAT, PRECISIONS };
+enum mode { THROUGHPUT, LATENCY, MODES };
+enum operation { MUL, ADD, DIV, SQRT, COMPARE, OPERATIONS };
+static const char *const precision_name[PRECISIONS] = {"double", "float"};
+static const char *const mode_name[MODES] = {"throughput", "latency"};
+static const char *const operation_name[OPERATIONS] = {"mul", "add", "div", "sqrt", "compare"};
+
+/* Second operands: what one step does, the next one undoes, so that no value leaves the usual range.  Minima take
+ * theirs from arrays; of the minima of one value with two others, each time the same, compilers find a shorter form. */
+static const double operand[OPERATIONS][2] = {
+    [MUL] = {1.37, 1 / 1.37}, [ADD] = {1.37, -1.37}, [DIV] = {1.37, 1 / 1.37}, [SQRT] = {1.37, 1.37}};
+
+#define INLINE static inline __attribute__((always_inline))
+
+/* The loops of one precision.  Where they are called the operation is a constant, so that one expression is left.  A
+ * chain of roots adds before each: roots of roots end at 1, where some machines are quicker. */
+#define DEFINE_LOOPS(real, root)                                                                                       \
+    struct numbers_##real {                                                                                            \
+        real x[LENGTH], y[LENGTH], least[STEPS][LENGTH], operand[2];                                                   \
+    };                                                                                                                 \
+    INLINE real step_##real(enum operation o, real t, real b)                                                          \
+    {                                                                                                                  \
+        return o == MUL ? t * b : o == ADD ? t + b : o == DIV ? t / b : o == SQRT ? root(t) : t < b ? t : b;           \
+    }                                                                                                                  \
+    INLINE void throughput_##real(enum operation o, struct numbers_##real *n)                                          \
+    {                                                                                                                  \
+        const real b = n->operand[0], c = n->operand[1];                                                               \
+        _Pragma("omp simd") for (int i = 0; i < LENGTH; i++)                                                           \
+        {                                                                                                              \
+            real t = n->x[i];                                                                                          \
+            for (int k = 0; k < STEPS; k++)                                                                            \
+                t = step_##real(o, t, o == COMPARE ? n->least[k][i] : k % 2 ? c : b);                                  \
+            n->y[i] = t;                                                                                               \
+        }                                                                                                              \
+    }                                                                                                                  \
+    INLINE void latency_##real(enum operation o, struct numbers_##real *n)                                             \
+    {                                                                                                                  \
+        const real b = n->operand[0], c = n->operand[1];                                                               \
+        real t = n->x[0];                                                                                              \
+        for (int i = 0; i < CHAIN; i++)                                                                                \
+            for (int k = 0; k < STEPS; k++)                                                                            \
+                t = step_##real(o, o == SQRT ? t + b : t, o == COMPARE ? n->least[k][i] : k % 2 ? c : b);              \
+        n->y[0] = t;                                                                                                   \
+    }                                                                                                                  \
+    INLINE void loop_##real(enum operation o, enum mode mode, struct numbers_##real *n)                                \
+    {                                                                                                                  \
+        for (int pass = 0; pass < PASSES; pass++) {                                                                    \
+            mode == THROUGHPUT ? throughput_##real(o, n) : latency_##real(o, n);                                       \
+            __asm__ volatile("" : : "r"(n) : "memory"); /* as if all of *n were read and written here */               \
+        }                                                                                                              \
+    }                                                                                                                  \
+    static void run_##real(enum operation o, enum mode mode, struct numbers_##real *n)                                 \
+    {                                                                                                                  \
+        switch (o) {                                                                                                   \
+        case MUL:                                                                                                      \
+            loop_##real(MUL, mode, n);                                                                                 \
+            break;                                                                                                     \
+        case ADD:                                                                                                      \
+            loop_##real(ADD, mode, n);                                                                                 \
+            break;                                                                                                     \
+        case DIV:                                                                                                      \
+            loop_##real(DIV, mode, n);                                                                                 \
+            break;                                                                                                     \
+        case SQRT:                                                                                                     \
+            loop_##real(SQRT, mode, n);                                                                                \
+            break;                                                                                                     \
+        default:                                                                                                       \
+            loop_##real(COMPARE, mode, n);                                                                             \
+        }                                                                                                              \
+    }                                                                                                                  \
+    static double seconds_##real(enum operation o, enum mode mode)                                                     \
+    {                                                                                                                  \
+        static struct numbers_##real n;                                                                                \
+        n.operand[0] = (real)operand[o][0];                                                                            \
+        n.operand[1] = (real)operand[o][1];                                                                            \
+        for (int i = 0; i < LENGTH; i++) {                                                                             \
+            n.x[i] = (real)(1 + (i * 137 % LENGTH + 0.3) / LENGTH);                                                    \
+            for (int k = 0; k < STEPS; k++)                                                                            \
+                n.least[k][i] = (real)(1 + (i * (139 + 4 * k) % LENGTH + 0.3) / LENGTH);                               \
+        }                                                                                                              \
+        const double start = now();                                                                                    \
+        run_##real(o, mode, &n);                                                                                       \
+        return fmax(now() - start, 1e-9) / (mode == THROUGHPUT ? LENGTH : CHAIN);                                      \
+    }
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+DEFINE_LOOPS(double, sqrt)
+DEFINE_LOOPS(float, sqrtf)
+
+/* Costs in units of an addition of the same precision and mode. */
+struct costs {
+    double of[PRECISIONS][MODES][OPERATIONS];
+};
+
+static struct costs run_round(void)
+{
+    struct costs costs;
+    for (int p = 0; p < PRECISIONS; p++)
+        for (int m = 0; m < MODES; m++) {
+            double *c = costs.of[p][m];
+            for (int o = 0; o < OPERATIONS; o++)
+                c[o] = (p == DOUBLE ? seconds_double : seconds_float)((enum operation)o, (enum mode)m);
+            if (m == LATENCY)
+                c[SQRT] = fmax(c[SQRT] - c[ADD], 0);
+            const double unit = c[ADD];
+            for (int o = 0; o < OPERATIONS; o++)
+                c[o] /= unit;
+        }
+    return costs;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static struct costs measure(void)
+{
+    static struct costs round[ROUNDS];
+    static double sorted[ROUNDS];
+    struct costs median;
+    size_t rounds = 0;
+    for (const double start = now(); rounds < ROUNDS && (rounds < FEWEST_ROUNDS || now() - start < MOST_SECONDS);)
+        round[rounds++] = run_round();
+    for (int p = 0; p < PRECISIONS; p++)
+        for (int m = 0; m < MODES; m++)
+            for (int o = 0; o < OPERATIONS; o++) {
+                for (size_t i = 0; i < rounds; i++)
+                    sorted[i] = round[i].of[p][m][o];
+                qsort(sorted, rounds, sizeof *sorted, compare_doubles);
+                median.of[p][m][o] = sorted[rounds / 2];
+            }
+    return median;
+}
+
+static void print_costs(const struct costs *c, enum mode mode, FILE *stream)
+{
+    fputs("footpoint-costs 1\n"
+          "# Measured by footpoint-calibrate " FOOTPOINT_VERSION " as compiled by " COMPILER MACHINE ".\n"
+          "# Unit: an addition of the same row; medians of interleaved rounds.\n"
+          "# throughput: independent operations on arrays; latency: a chain, each waiting for the one before\n"
+          "#                  ",
+          stream);
+    for (int o = 0; o < OPERATIONS; o++)
+        fprintf(stream, " %7s", operation_name[o]);
+    for (int p = 0; p < PRECISIONS; p++)
+        for (int m = 0; m < MODES; m++) {
+            fprintf(stream, "\n# %-6s %-10s", precision_name[p], mode_name[m]);
+            for (int o = 0; o < OPERATIONS; o++)
+                fprintf(stream, " %7.2f", c->of[p][m][o]);
+        }
+    fputc('\n', stream);
+    for (int o = 0; o < OPERATIONS; o++)
+        fprintf(stream, "%s %.2f\n", operation_name[o], c->of[DOUBLE][mode][o]);
+    fprintf(stream, "chain %d\n", mode == LATENCY);
+}
+
+static bool write_costs(const struct costs *c, enum mode mode, const char *path, struct diag *d)
+{
+    struct outfile out;
+    if (!path) {
+        print_costs(c, mode, stdout);
+        return fflush(stdout) == 0 || diag_system(d, "standard output", "cannot write");
+    }
+    if (!outfile_open(&out, path, d))
+        return false;
+    print_costs(c, mode, out.stream);
+    return outfile_commit(&out, d);
+}
+
+static const char usage[] =
+    "usage: footpoint-calibrate [-o FILE] [--latency]\n"
+    "Measures what operations cost on this machine, in about a second; writes a cost file for footpoint-codegen.\n"
+    "\n"
+    "  -o, --output FILE   file to write; default: standard output\n"
+    "      --latency       costs are latencies, and the longest chain counts; default: throughput\n"
+    "  -h, --help          this text\n"
+    "      --version       version\n"
+    "\n"
+    "Exit status: 0 done, 2 usage, 3 I/O.\n";
+
+static int refuse(const char *what, const char *argument)
+{
+    fprintf(stderr, "footpoint-calibrate: %s%s (try --help)\n", what, argument);
+    return EXIT_USAGE;
+}
+
+int main(int argc, char **argv)
+{
+    enum { LATENCIES = 256, VERSION };
+    static const struct option options[] = {{"output", required_argument, NULL, 'o'},
+                                            {"latency", no_argument, NULL, LATENCIES},
+                                            {"help", no_argument, NULL, 'h'},
+                                            {"version", no_argument, NULL, VERSION},
+                                            {NULL, 0, NULL, 0}};
+    const char *output = NULL;
+    enum mode mode = THROUGHPUT;
+    struct diag d;
+    opterr = 0;
+    for (int c; (c = getopt_long(argc, argv, "o:h", options, NULL)) != -1;) {
+        if (c == 'o')
+            output = optarg;
+        else if (c == LATENCIES)
+            mode = LATENCY;
+        else if (c == VERSION) {
+            puts("footpoint-calibrate " FOOTPOINT_VERSION);
+            return EXIT_DONE;
+        } else if (c == 'h') {
+            fputs(usage, stdout);
+            return EXIT_DONE;
+        } else
+            return refuse("unknown option or missing value: ", argv[optind - 1]);
+    }
+    if (optind < argc)
+        return refuse("unexpected argument: ", argv[optind]);
+    const struct costs costs = measure();
+    if (write_costs(&costs, mode, output, &d))
+        return EXIT_DONE;
+    fprintf(stderr, "%s\n", d.text);
+    return (int)d.code;
+}

@@ -1,0 +1,51 @@
+# The emitted code of the shipped scenes is no slower than the same formulas written by hand and compiled alike, in one
+# run, by more than noise: 5 %.  A run that says otherwise is repeated, TRIES in all, and the best of each line counts.
+. tests/cli/expect.inc
+TRIES=4
+awk -f tests/as_written.awk evolve/genomes/*.gen > "$work/as_written.h"
+
+# best RUN...: the lines of all runs, each with its least times and largest ratios
+best() {
+    awk -F, -v OFS=, '
+        $1 == "method" { next }
+        { k = $1 FS $2; new = !(k in seen) }
+        new { seen[k]; order[++n] = k }
+        { for (i = 3; i <= 5; i++) if (new || $i < value[k, i]) value[k, i] = $i
+          for (i = 6; i <= 7; i++) if (new || $i > value[k, i]) value[k, i] = $i }
+        END {
+            for (j = 1; j <= n; j++) {
+                k = order[j]
+                print k, value[k, 3], value[k, 4], value[k, 5], value[k, 6], value[k, 7]
+            }
+        }
+    ' "$@"
+}
+
+for cc in gcc clang; do
+    command -v $cc > /dev/null || continue
+    for machine in '' ' -march=native'; do
+        name="$cc -O3$machine"
+        # shellcheck disable=SC2046,SC2086
+        $cc -std=gnu11 -O3 $machine -fno-math-errno -fno-trapping-math -I"$work" -o "$work/handwritten" \
+            tests/handwritten_main.c tests/ordinary_quad.c evolve/stream.c $(pkg-config --cflags --libs gsl) -lm \
+            > "$work/log" 2>&1
+        good=$?
+        [ $good = 0 ] || sed 's/^/# /' "$work/log"
+        report $((!good)) "$name builds"
+        [ $good = 0 ] || continue
+        rm -f "$work"/run.*
+        for try in $(seq $TRIES); do
+            "$work/handwritten" > "$work/run.$try" 2> "$work/log"
+            agree=$?
+            best "$work"/run.* > "$work/best"
+            awk -F, '$6 * 1.05 < 1 { slow = 1 } END { exit slow }' "$work/best" && break
+        done
+        [ $agree = 0 ] || sed 's/^/# /' "$work/log"
+        report $((!agree)) "$name: the formulas agree"
+        echo '# ns of ours, by hand, as written; and how many times ours the other two are'
+        awk -F, '{ printf "# %-24s %-6s %7.2f %7.2f %7.2f %7.3f %7.3f\n", $1, $2, $3, $4, $5, $6, $7 }' "$work/best"
+        while IFS=, read -r method mode _ _ _ ratio _; do
+            report "$(awk "BEGIN { print ($ratio * 1.05 >= 1) }")" "$name: $method $mode, by hand $ratio times ours"
+        done < "$work/best"
+    done
+done
