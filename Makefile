@@ -148,7 +148,7 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 	        $(if $(filter scratch,$(FROM)),--from-scratch) || exit $$?; \
 	    name=$$(basename $$scene .scene); \
 	    header=generated/footpoint_$$(echo $$name | tr - _).h; \
-	    $(BIN)/footpoint-codegen evolve/genomes/$$name.gen -o $$header || exit $$?; \
+	    $(BIN)/footpoint-codegen --allow-poles evolve/genomes/$$name.gen -o $$header || exit $$?; \
 	    echo "$$header"; \
 	done
 

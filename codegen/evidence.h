@@ -8,13 +8,13 @@ enum pole_verdict { POLE_FREE, POLE_EXISTS, POLE_UNDECIDED };
 
 /** One denominator of a program (OP_DIV's b; protected quotients have no poles). */
 struct denominator {
-    int op;                    /* its operation */
-    const char *name;          /* its name in the text ("t7", "in_x", "xA[0]"), not owned by the reader of this struct */
+    int op;     /* its operation */
+    char *name; /* owned: as in the text, "t7", "in_x", "xA[0]", or the expression if it is short */
     enum pole_verdict verdict;
-    double least;              /* POLE_FREE: |D| >= least > 0 over the region, proved; else 0 */
-    double *witness;           /* owned: POLE_EXISTS: inputs where |D| is 0 or on both sides of which D has opposite signs
-                                * (the enclosure of a zero, its centre); else NULL */
-    double threshold;          /* |D| <= threshold is indistinguishable from 0 in double; 0 if unknown */
+    double least;     /* POLE_FREE: |D| >= least > 0 over the region, proved; else 0 */
+    double *witness;  /* owned: POLE_EXISTS: inputs where |D| is 0 or on both sides of which D has opposite signs
+                       * (the enclosure of a zero, its centre); else NULL */
+    double threshold; /* |D| <= threshold is indistinguishable from 0 in double; 0 if unknown */
 };
 
 /** Rounding error of one output in double. */
@@ -24,7 +24,7 @@ struct output_error {
 };
 
 struct evidence {
-    bool region; /* the file gives the range of every input that the program reads */
+    bool region;                     /* the file gives the range of every input that the program reads */
     struct denominator *denominator; /* owned */
     size_t denominators;
     struct output_error *error; /* owned: by output */
@@ -33,8 +33,8 @@ struct evidence {
 };
 
 struct evidence_options {
-    long samples;     /* random points for `sampled` (default 10000) */
-    long boxes;       /* work limit of branch and bound, in boxes (same limit, same bytes) */
+    long samples; /* random points for `sampled` (default 10000) */
+    long boxes;   /* work limit of branch and bound, in boxes (same limit, same bytes) */
     unsigned long seed;
 };
 
@@ -50,8 +50,9 @@ bool evidence_pole_free(const struct evidence *e);
 void evidence_print(const struct evidence *e, const struct genome_file *f, const struct genome *genome,
                     const struct program *p, FILE *out);
 
-/** Eight test points of the region (of [-1,1] without ranges) with their exact results rounded to nearest, as rows of a C
- *  table "    {in..., out..., bound...},\n"; points at which a denominator is 0 are left out. Returns how many rows. */
+/** Eight test points of the region (of [-1,1] without ranges) with their exact results rounded to nearest, as rows of a
+ * C table "    {in..., out..., bound...},\n"; points at which a denominator is 0 are left out. Returns how many rows.
+ */
 int evidence_print_points(const struct genome_file *f, const struct genome *genome, const struct program *p,
                           const struct evidence *e, FILE *out);
 

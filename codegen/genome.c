@@ -99,6 +99,7 @@ void genome_file_free(struct genome_file *f)
     tdestroy(f->constant_tree, free);
     free_notes(f->note, f->notes);
     free_exprs(f->let, f->lets);
+    free_exprs(f->require, f->requires);
     for (size_t i = 0; i < f->inputs; i++)
         free(f->input[i]);
     for (size_t i = 0; i < f->constants; i++)
@@ -109,6 +110,7 @@ void genome_file_free(struct genome_file *f)
         free_exprs(f->genome[i].out, f->genome[i].outs);
     }
     free(f->input);
+    free(f->range);
     free(f->constant);
     free(f->genome);
     free(f->segment);
@@ -168,6 +170,7 @@ struct genome *genome_add(struct genome_file *f, const char *name)
 void genome_add_input(struct genome_file *f, const char *name)
 {
     grow_array(&f->input, f->inputs, &f->input_room, sizeof *f->input);
+    grow_array(&f->range, f->inputs, &f->range_room, sizeof *f->range);
     f->input[f->inputs] = new_text(name, strlen(name));
     add_entry(&f->symbol_tree, f->input[f->inputs], f->inputs);
     f->inputs++;
@@ -187,6 +190,17 @@ void genome_add_let(struct genome_file *f, const char *name, const int *gene, si
 {
     genome_add_expr(&f->let, &f->lets, &f->let_room, name, gene, length);
     add_entry(&f->symbol_tree, f->let[f->lets - 1].name, f->inputs + f->lets - 1);
+}
+
+void genome_add_range(struct genome_file *f, size_t input, const char *lo, const char *hi)
+{
+    const size_t first = genome_add_constant(f, lo);
+    f->range[input] = (struct genome_range){true, first, genome_add_constant(f, hi)};
+}
+
+void genome_add_require(struct genome_file *f, const int *gene, size_t length)
+{
+    genome_add_expr(&f->require, &f->requires, &f->require_room, "", gene, length);
 }
 
 static const char *gene_text(const struct genome_file *f, int gene)
@@ -238,9 +252,18 @@ void genome_print(const struct genome_file *f, FILE *stream)
     }
     if (f->segment)
         fprintf(stream, "segment %s %s\n", f->segment, corner_order_name(f->order));
+    for (size_t i = 0; i < f->inputs; i++)
+        if (f->range[i].given)
+            fprintf(stream, "range %s %s %s\n", f->input[i], f->constant[f->range[i].lo].text,
+                    f->constant[f->range[i].hi].text);
     for (size_t i = 0; i < f->lets; i++) {
         const int column = fprintf(stream, "let %s =", f->let[i].name);
         print_words(f, &f->let[i], (size_t)column, stream);
+        fputc('\n', stream);
+    }
+    for (size_t i = 0; i < f->requires; i++) {
+        const int column = fprintf(stream, "require");
+        print_words(f, &f->require[i], (size_t)column, stream);
         fputc('\n', stream);
     }
     for (size_t i = 0; i < f->genomes; i++) {

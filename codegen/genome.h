@@ -6,7 +6,9 @@
  *   input xA yA zA xB                     names of the inputs; may be repeated
  *   segment quad4 any                     optional: the inputs are the nodes of a segment and the slave node; then the
  *                                         assumed order of its corners (any | nearest | nearest-shorter)
+ *   range xC -0.5 2                       optional: the input's closed interval; at most one for each input
  *   let c1x = - xB xA                     one prefix expression, may use inputs and earlier lets
+ *   require - xC xD                       optional, any number: a prefix expression over inputs and lets that is > 0
  *   genome fast
  *   note error_xi 1.2e-3 ...
  *   xi = + * 0.05 c1x yA                  one output, prefix expression
@@ -15,7 +17,9 @@
  *
  * An expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
  * leaf +1); it may run over several lines.  Operators: + - * / (quotient) % (protected quotient: 1 where the divisor is
- * 0) min max, and neg sqrt abs with one operand.  Numbers are decimal and exact: 0.05 means 1/20. */
+ * 0) min max, and neg sqrt abs with one operand.  Numbers are decimal and exact: 0.05 means 1/20.
+ *
+ * The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are > 0. */
 #ifndef FOOTPOINT_GENOME_H
 #define FOOTPOINT_GENOME_H
 
@@ -86,6 +90,12 @@ struct genome_constant {
     double value;
 };
 
+/** Closed interval of an input: constants of the file's table. */
+struct genome_range {
+    bool given;
+    size_t lo, hi;
+};
+
 struct genome_file {
     char *path; /* owned */
     struct genome_note *note;
@@ -94,10 +104,14 @@ struct genome_file {
     enum corner_order order;
     char **input; /* owned */
     size_t inputs, input_room;
+    struct genome_range *range; /* owned: by input */
+    size_t range_room;
     struct genome_constant *constant;
     size_t constants, constant_room;
     struct genome_expr *let;
     size_t lets, let_room;
+    struct genome_expr *require; /* owned; without names */
+    size_t requires, require_room;
     struct genome *genome;
     size_t genomes, genome_room;
     void *symbol_tree, *constant_tree; /* owned; name -> index, see genome_find_symbol */
@@ -125,6 +139,10 @@ void genome_add_note(struct genome_note **note, size_t *n, size_t *room, const c
 const char *genome_find_note(const struct genome_note *note, size_t n, const char *key);
 struct genome *genome_add(struct genome_file *f, const char *name);
 void genome_add_input(struct genome_file *f, const char *name);
+/** Give an input's interval as decimal texts, lo <= hi. */
+void genome_add_range(struct genome_file *f, size_t input, const char *lo, const char *hi);
+/** Append an expression that is > 0 on the region. Copies `length` genes. */
+void genome_add_require(struct genome_file *f, const int *gene, size_t length);
 /** Append a named value; its name must be new. Copies `length` genes. */
 void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length);
 /** Append an output of a genome: genome_add_expr(&g->out, &g->outs, &g->out_room, ...). Copies `length` genes. */

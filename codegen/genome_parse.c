@@ -22,7 +22,7 @@ struct reader {
     size_t genes, gene_room;
 };
 
-static const char *const keywords[] = {"note", "input", "segment", "let", "genome", "end"};
+static const char *const keywords[] = {"note", "input", "segment", "range", "let", "require", "genome", "end"};
 
 static bool fail(struct reader *r, const char *format, const char *word, int length)
 {
@@ -157,12 +157,10 @@ static bool read_gene(struct reader *r, int *gene)
     return FAIL(r, "unknown gene '%s'");
 }
 
-/* "= genes" up to stack count 1. */
-static bool read_expression(struct reader *r, const char *name)
+/* Genes up to stack count 1. */
+static bool read_genes(struct reader *r, const char *name)
 {
     long missing = 1;
-    if (!next_word(r, true) || !word_is(r, "="))
-        return fail(r, "expected '=' after '%s'", name, (int)strlen(name));
     r->genes = 0;
     while (missing > 0) {
         if (!next_word(r, false) || word_is_keyword(r) || word_is(r, "="))
@@ -177,6 +175,13 @@ static bool read_expression(struct reader *r, const char *name)
     if (next_word(r, true))
         return FAIL(r, "gene '%s' follows a complete expression");
     return true;
+}
+
+static bool read_expression(struct reader *r, const char *name)
+{
+    if (!next_word(r, true) || !word_is(r, "="))
+        return fail(r, "expected '=' after '%s'", name, (int)strlen(name));
+    return read_genes(r, name);
 }
 
 static bool read_note(struct reader *r, struct genome_note **note, size_t *n, size_t *room)
@@ -296,6 +301,46 @@ static bool read_inputs(struct reader *r)
     return true;
 }
 
+static bool read_limit(struct reader *r, const char *input, int *gene)
+{
+    if (!next_word(r, true))
+        return fail(r, "the range of '%s' needs two numbers", input, (int)strlen(input));
+    if (!looks_like_number(r))
+        return FAIL(r, "'%s' is not a decimal number");
+    return read_number(r, gene);
+}
+
+static bool read_range(struct reader *r)
+{
+    struct genome_file *f = r->file;
+    int lo, hi;
+    if (!next_word(r, true))
+        return FAIL(r, "range without an input");
+    char *name = new_text(r->word, r->length);
+    const long input = strlen(name) == r->length ? genome_find_symbol(f, name) : -1;
+    free(name);
+    if (input < 0 || (size_t)input >= f->inputs)
+        return FAIL(r, "'%s' is not an input");
+    if (f->range[input].given)
+        return FAIL(r, "the range of '%s' is given already");
+    if (!read_limit(r, f->input[input], &lo) || !read_limit(r, f->input[input], &hi))
+        return false;
+    if (!(f->constant[-1 - lo].value <= f->constant[-1 - hi].value))
+        return FAIL(r, "the upper limit '%s' is below the lower one");
+    f->range[input] = (struct genome_range){true, (size_t)(-1 - lo), (size_t)(-1 - hi)};
+    return end_of_line(r);
+}
+
+static bool read_require(struct reader *r)
+{
+    const int line = r->word_line;
+    if (!read_genes(r, "require"))
+        return false;
+    genome_add_require(r->file, r->gene, r->genes);
+    r->file->require[r->file->requires - 1].line = line;
+    return true;
+}
+
 static bool read_version(struct reader *r)
 {
     if (!next_word(r, false) || !word_is(r, "footpoint-genome"))
@@ -314,7 +359,9 @@ static bool read_file(struct reader *r)
         const bool good = word_is(r, "note")      ? read_note(r, &f->note, &f->notes, &f->note_room)
                           : word_is(r, "input")   ? read_inputs(r)
                           : word_is(r, "segment") ? read_segment(r) && end_of_line(r)
+                          : word_is(r, "range")   ? read_range(r)
                           : word_is(r, "let")     ? read_let(r)
+                          : word_is(r, "require") ? read_require(r)
                           : word_is(r, "genome")  ? read_genome(r)
                                                   : FAIL(r, "unknown keyword '%s'");
         if (!good)

@@ -1,12 +1,9 @@
-/* The header file: banner, shared helpers and one function, or pair of functions, a genome. */
+/* The C header of a unit: banner, shared helpers and the functions of each genome, in double or float. */
 #ifndef FOOTPOINT_HEADER_H
 #define FOOTPOINT_HEADER_H
 
-#include "compile.h"
+#include "unit.h"
 
-/** Print the header of all genomes of a file.  `prefix` begins every name (a C identifier), `sha256` is that of the
- *  genome text.  compiled[f->genomes]. */
-void header_print(const struct genome_file *f, const struct compiled *compiled, const char *prefix, const char *sha256,
-                  FILE *out);
+void header_print(const struct unit *u, FILE *out);
 
 #endif

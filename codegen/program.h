@@ -57,4 +57,11 @@ struct program *program_read(const struct genome_file *f, const struct genome *g
                              struct diag *d);
 void program_free(struct program *p);
 
+/** Append an operation; its number. */
+int program_add(struct program *p, enum op_kind kind, int a, int b);
+int program_add_constant(struct program *p, const fmpq *q, bool quotient);
+
+/** Exact value of a decimal without sign, such as 0.05 or 1.25e-3; returns its end, or NULL if there is none. */
+const char *decimal_read(fmpq *q, const char *text);
+
 #endif

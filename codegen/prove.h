@@ -1,13 +1,25 @@
-/* Equality of the emitted text and its genome. */
+/* Equality of a genome and the code made for it. */
 #ifndef FOOTPOINT_PROVE_H
 #define FOOTPOINT_PROVE_H
 
-#include "genome.h"
+#include "program.h"
 
-/** Reads the emitted statements as C and compares them with the genome at random rational points: exactly over the
- *  rationals, and where numbers grow beyond 2^16 bits modulo a 60-bit prime.  sqrt stands for an arbitrary function,
- * the same on both sides.  False with *d filled if they differ (a fault of this program) or if the genome divides by 0
- *  wherever it was tried. */
-bool prove_equal(const struct genome_file *f, const struct genome *genome, const char *statements, struct diag *d);
+/** How equality is known. */
+struct proof {
+    bool exact; /* as rational functions over Q; else at random points only */
+    int points; /* random points, modulo a random prime of `bits` bits */
+    unsigned long bits;
+    double log2_failure; /* log2 of the chance that the points mislead */
+};
+
+/** Compares program and genome, both as operations one by one: first at random points, then, if their polynomials are
+ * not too large, as rational functions in which sqrt, abs, min, max and protected quotients stand for new variables.
+ * False with *d filled if they differ (a fault of this program), if the genome divides by a value that is always 0, or
+ * if its degree is beyond 2^800 or so. */
+bool prove_equal(const struct genome_file *f, const struct genome *genome, const struct program *p, struct proof *how,
+                 struct diag *d);
+
+/** One line without its end, for the header. */
+void proof_print(const struct proof *how, char text[120]);
 
 #endif

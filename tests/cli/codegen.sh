@@ -11,9 +11,27 @@ refused() { # refused NAME LINE:COLUMN MESSAGE  (the genome is in $g)
 expect 'help' 0 '*' '' "$codegen" --help
 expect 'version' 0 'footpoint-codegen 0.1.0' '' "$codegen" --version
 expect 'no file' 2 '' 'footpoint-codegen: one genome file, please (try --help)' "$codegen" --count
-expect 'neither output nor count' 2 '' 'footpoint-codegen: either -o HEADER or --count, please (try --help)' "$codegen" "$g"
+expect 'neither output nor count' 2 '' 'footpoint-codegen: either -o FILE or --count, please (try --help)' "$codegen" "$g"
 expect 'unknown option' 2 '' 'footpoint-codegen: unknown option or missing value: --fast (try --help)' "$codegen" --fast "$g"
 expect 'bad prefix' 2 '' 'footpoint-codegen: not a C identifier: 3x (try --help)' "$codegen" --prefix 3x "$g"
+misused() { # misused MESSAGE OPTIONS...
+    message=$1
+    shift
+    expect "usage: $*" 2 '' "footpoint-codegen: $message (try --help)" "$codegen" "$@" "$g"
+}
+misused 'unknown language: cobol' --language cobol --count
+misused 'unknown precision: half' --precision half --count
+misused 'effort is a number from 0 to 1000000000, not -1' --effort -1 --count
+misused 'effort is a number from 0 to 1000000000, not 1e3' --effort 1e3 --count
+misused 'effort is a number from 0 to 1000000000, not 1000000001' --effort 1000000001 --count
+misused 'the seed is a number from 0 to 18446744073709551615, not x' --seed x --count
+misused 'the seed is a number from 0 to 18446744073709551615, not 18446744073709551616' --seed 18446744073709551616 --count
+expect 'an option without its value' 2 '' 'footpoint-codegen: unknown option or missing value: --cost (try --help)' \
+    "$codegen" --count "$g" --cost
+for option in output prefix language precision allow-poles count cost effort seed explain help version; do
+    "$codegen" --help | grep -q -e "--$option"; report $((! $?)) "help tells of --$option"
+done
+
 expect 'missing file' 3 '' "$work/none.gen: error: cannot open: No such file or directory" "$codegen" --count "$work/none.gen"
 
 : > "$g";                                           refused 'empty file' 1:1 "not a genome file: the first word must be 'footpoint-genome'"
@@ -61,3 +79,55 @@ cmp -s "$work/h.h" "$work/before.h"; report $((! $?)) 'same input, same bytes'
 genome 'input x y' 'genome g' 'r = + * x y * x'
 "$codegen" "$g" -o "$work/h.h" 2> /dev/null
 cmp -s "$work/h.h" "$work/before.h" && [ "$(ls "$work" | grep -c 'h\.h')" = 1 ]; report $((! $?)) 'a refused genome leaves the old header alone'
+
+# ---- cost, seed, effort ----
+genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
+counted='genome,mul,div,add,sqrt,compare
+g,1,0,1,0,0'
+for model in throughput paper latency; do
+    expect "cost model $model" 0 "$counted" '' "$codegen" --cost $model --count "$g"
+    "$codegen" --cost $model --seed 7 --effort 10 "$g" -o "$work/h.h" && grep -q "^ \* cost model: $model (.*); seed 7, effort 10$" "$work/h.h"
+    report $((! $?)) "the banner names cost model $model, seed and effort"
+done
+"$codegen" --cost "$work/none" --count "$g" > "$work/stdout" 2> "$work/stderr"
+[ $? = 3 ] && [ ! -s "$work/stdout" ]; report $((! $?)) 'an unknown cost model'
+[ "$(wc -l < "$work/stderr")" = 1 ]; report $((! $?)) 'is refused in one line'
+expect 'explained' 0 "$counted" '*' "$codegen" --explain --count "$g"
+
+# ---- poles ----
+genome 'input x y' 'genome g' 'r = / x + y 3' 'end'
+rm -f "$work/h.h"
+expect 'a quotient without ranges' 1 '' \
+    "$g:3:1: error: genome 'g' may divide by 0 (in_y + 3: undecided); give the inputs' ranges, or --allow-poles" \
+    "$codegen" "$g" -o "$work/h.h"
+[ ! -e "$work/h.h" ]; report $((! $?)) 'nothing is written'
+expect 'is counted' 0 'genome,mul,div,add,sqrt,compare
+g,0,1,1,0,0' '' "$codegen" --count "$g"
+expect 'is allowed' 0 '' '' "$codegen" "$g" --allow-poles --prefix p -o "$work/h.h"
+grep -q '^FOOTPOINT_FN int p_g(double in_x, double in_y, double \*out_r)$' "$work/h.h"
+report $((! $?)) 'and its function returns a status'
+genome 'input x y' 'range y -1 1' 'genome g' 'r = / x + y 3' 'end'
+expect 'ranges show that there is no pole' 0 '' '' "$codegen" "$g" --prefix p -o "$work/h.h"
+grep -q '^FOOTPOINT_FN void p_g(double in_x, double in_y, double \*out_r)$' "$work/h.h"
+report $((! $?)) 'and no status is needed'
+genome 'input x y' 'range x 1 2' 'range y -4 1' 'genome g' 'r = / x + y 3' 'end'
+expect 'ranges show a pole' 1 '' \
+    "$g:5:1: error: genome 'g' may divide by 0 (in_y + 3: has a zero); give the inputs' ranges, or --allow-poles" \
+    "$codegen" "$g" -o "$work/none.h"
+genome 'input x y' 'genome g' 'r = % x y' 'end'
+expect 'a protected quotient has no pole' 0 '' '' "$codegen" "$g" -o "$work/h.h"
+
+# ---- names and hashes ----
+for tail in n points; do
+    genome 'input x' 'genome a' 'r = x' 'end' "genome a_$tail" 'r = x' 'end'
+    refused "a name that collides with a_$tail" 6:1 "genome 'a_$tail' takes the name of a function of 'a'"
+done
+genome 'input x' 'genome a' 'r = x' 'end' 'genome a_at' 'r = x' 'end'
+expect 'a_at is free without a segment' 0 '*' '' "$codegen" --count "$g"
+hash_of() { "$codegen" "$g" -o "$work/h.h" && sed -n "/^ \* footpoint_h_$1$/,/sha256/s/.*genome_sha256: //p" "$work/h.h"; }
+genome 'input x' 'genome a' 'r = x' 'end' 'genome b' 'r = * x x' 'end'
+first=$(hash_of a)
+genome 'input x' 'genome a' 'r = x' 'end' '# a comment' 'genome b' 'r = * x 2' 'end'
+[ -n "$first" ] && [ "$first" = "$(hash_of a)" ]; report $((! $?)) "a genome's hash is its own"
+[ "$first" = "$(printf '%s\n' 'footpoint-genome 1' 'input x' '' 'genome a' 'r = x' 'end' | sha256sum | cut -d ' ' -f 1)" ]
+report $((! $?)) 'and that of its printed text'

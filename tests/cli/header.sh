@@ -40,6 +40,168 @@ for header in generated/*.h; do
     rm -rf "$work/alone"
 done
 
+# Fresh headers: they compile everywhere, loops over arrays included, and hold their own test points, with and without
+# fused multiply-add.
+cat > "$work/scalars.gen" <<'END'
+footpoint-genome 1
+input x y z
+range x 0.5 2
+range y -1 1
+range z -0.25 3
+let s = + * x x * y y
+genome polynomial
+r = - + * x * y z * 0.3 * s z 0.7
+q = * - x y + * s s * 1.1 z
+end
+genome quotient
+r = / + y * 0.05 z + s 1
+q = / x + 4 y
+end
+genome mixed
+r = max min x y * 0.5 sqrt + s abs z
+q = % * x y + y 2
+end
+genome unused
+r = * x 2.5
+end
+END
+cat > "$work/poles.gen" <<'END'
+footpoint-genome 1
+input x y
+genome g
+r = / x - x y
+s = + / 1 + * x x y x
+end
+END
+# use HEADER TYPE: a program that calls every function and holds the test points
+use() {
+    echo '#define FOOTPOINT_TEST_POINTS'
+    echo '#include <stdio.h>'
+    echo "#include \"$(basename "$1")\""
+    echo "#include \"$(basename "$1")\""
+    echo 'int main(void)'
+    echo '{'
+    echo "    static $2 column[80][8];"
+    echo '    static int status[8];'
+    echo "    const $2 *x[15];"
+    echo '    int failed = 0, k;'
+    echo '    for (k = 0; k < 15; k++)'
+    echo '        x[k] = column[k];'
+    awk -v type="$2" '
+    function flush_function(   i, call) {
+        printf "    { %s out[%d]; size_t i; (void)i;\n", type, outs
+        call = name at "("
+        for (i = 0; i < ins; i++)
+            call = call (i ? ", " : "") (segment ? (i < 5 ? "p + " 3 * i : "") : "p[" i "]")
+        if (points[name]) {
+            printf "      for (i = 0; i < sizeof %s_points / sizeof *%s_points; i++) {\n", name, name
+            printf "          const double *p = %s_points[i];\n          %s", name, call
+            for (i = 0; i < outs; i++) printf ", out + %d", i
+            printf ");\n"
+            for (i = 0; i < outs; i++)
+                printf "          if (!(fabs(out[%d] - p[%d]) <= p[%d])) { failed = 1; printf(\"%s: point %%d, output %d: %%.17g\\n\", (int)i, out[%d]); }\n",
+                    i, (segment ? 15 : ins) + i, (segment ? 15 : ins) + outs + i, name, i, i
+            printf "      }\n"
+        }
+        printf "      (void)out;\n      %s_n(8", name
+        for (i = 0; i < ins && !segment; i++) printf ", column[%d]", i
+        if (segment) printf ", x"
+        for (i = 0; i < outs; i++) printf ", column[%d]", 70 + i
+        printf "%s); }\n", status ? ", status" : ""
+    }
+    NR == FNR { if (/_points\[\]/) { sub(/_points.*/, "", $4); points[$4] = 1 } next }
+    /^FOOTPOINT_LOOP/ { text = $0; while (text !~ /\)/) { getline; text = text " " $0 }
+        name = text; sub(/^FOOTPOINT_LOOP void /, "", name); sub(/_n\(.*/, "", name)
+        segment = text ~ /\*const x\[15\]/; at = segment ? "_at" : ""
+        ins = segment ? 5 : gsub(/\*in_/, "", text); status = text ~ /\*FOOTPOINT_RESTRICT status/
+        outs = gsub(/FOOTPOINT_RESTRICT (out_|xi|eta)/, "", text)
+        flush_function() }' "$1" "$1"
+    echo '    (void)x;'
+    echo '    (void)status;'
+    echo '    return failed;'
+    echo '}'
+}
+fused=
+! grep -q -w fma /proc/cpuinfo 2> /dev/null || fused='-mfma -ffp-contract=fast'
+mkdir "$work/fresh"
+for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
+    name=$(basename "$file" .gen)
+    poles=--allow-poles
+    [ "$name" != scalars ] || poles=
+    for type in double float; do
+        header=$work/fresh/$(echo "$name" | tr - _)_$type.h
+        "$BIN/footpoint-codegen" --effort 10 "$file" $poles --precision $type -o "$header"
+        use "$header" $type > "$work/fresh/use.c"
+        cp "$work/fresh/use.c" "$work/fresh/use.cpp"
+        for compiler in "$CC -std=c99" "clang -std=c11 -ffp-contract=off" "$CXX -std=c++11 -O3 $fused" "clang++ -std=c++17"; do
+            case $compiler in *++*) source=use.cpp ;; *) source=use.c ;; esac
+            (cd "$work/fresh" && $compiler $strict $source -o use -lm && ./use) > "$work/log" 2>&1
+            good=$?
+            [ $good -eq 0 ] || head -20 "$work/log" | sed 's/^/# /'
+            report $((!good)) "$name in $type, fresh, $compiler"
+        done
+        case $name in *-quad4) continue ;; esac
+        if command -v nvcc > /dev/null; then
+            (cd "$work/fresh" && cp use.c use.cu && nvcc -c use.cu -o use.o) > "$work/log" 2>&1
+            good=$?
+            [ $good -eq 0 ] || head -20 "$work/log" | sed 's/^/# /'
+            report $((!good)) "$name in $type, fresh, nvcc"
+        fi
+    done
+    grep -q '_points\[\]' "$work/fresh/$(echo "$name" | tr - _)_double.h"
+    report $((! $?)) "$name has test points"
+done
+
+# Denominators of 0: the status says so, for one point and for many.
+"$BIN/footpoint-codegen" --effort 10 "$work/poles.gen" --allow-poles --prefix p -o "$work/fresh/p.h"
+cat > "$work/fresh/poles.c" <<'END'
+#include "p.h"
+int main(void)
+{
+    const double x[] = {1, 1, 0, 3, HUGE_VAL, 2}, y[] = {2, 1, 0, -9, 1, 0 * HUGE_VAL};
+    const int expected[] = {0, 2, 2, 2, 2, 2};
+    double r[6], s[6];
+    int status[6], i;
+    p_g_n(6, x, y, r, s, status);
+    for (i = 0; i < 6; i++)
+        if (status[i] != expected[i] || p_g(x[i], y[i], r, s) != expected[i])
+            return i + 1;
+    return 0;
+}
+END
+for compiler in "$CC -std=c99 -O3" 'clang -std=c99 -O3' "$CC -std=c99 -O0"; do
+    $compiler "$work/fresh/poles.c" -o "$work/fresh/poles" -lm && "$work/fresh/poles"
+    report $((! $?)) "the status of a pole, $compiler"
+done
+
+# A segment's denominator whose zero a minimum hides: NAME notices all the same.
+cat > "$work/hidden.gen" <<'END'
+footpoint-genome 1
+input xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS
+segment quad4 any
+genome g
+xi = min 1 max -1 / 0.125 - xS 0.5
+eta = - yS 0.5
+end
+END
+for type in double float; do
+    "$BIN/footpoint-codegen" --effort 10 "$work/hidden.gen" --allow-poles --precision $type --prefix p -o "$work/fresh/p.h"
+    cat > "$work/fresh/hidden.c" <<END
+#include "p.h"
+int main(void)
+{
+    const $type a[3] = {0, 0, 0}, b[3] = {1, 0, 0}, c[3] = {1, 1, 0}, d[3] = {0, 1, 0};
+    const $type s[2][3] = {{0.75, 0.5, 1}, {0.5, 0.5, 1}};
+    $type loc[2], gap, xi, eta;
+    p_g_at(a, b, c, d, s[1], &xi, &eta);
+    return !(p_g(a, b, c, d, s[0], loc, &gap) == FOOTPOINT_OK && loc[0] == ($type)0.5 && xi == 1 &&
+             p_g(a, b, c, d, s[1], loc, &gap) == FOOTPOINT_ERR_DEGENERATE && loc[0] == ($type)0.5);
+}
+END
+    $CC -std=c99 $strict "$work/fresh/hidden.c" -o "$work/fresh/hidden" -lm && "$work/fresh/hidden"
+    report $((! $?)) "a pole behind a minimum in $type"
+done
+
 mkdir "$work/same"
 cp generated/footpoint_quad4.h runtime/footpoint.h "$work/same/"
 cat > "$work/same/same.c" <<'END'

@@ -1,0 +1,172 @@
+/* C text; see c_code.h.  In double the statements are the proved text itself; in float they are printed from the
+ * program that was read from it. */
+#include "c_code.h"
+
+#include "dialect.h"
+#include "text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 117 };
+
+void c_print(const char *text, enum precision precision, const char *name, FILE *out)
+{
+    const bool f = precision == PRECISION_FLOAT;
+    for (; *text; text++) {
+        if (*text != '@') {
+            fputc(*text, out);
+            continue;
+        }
+        text++;
+        fputs(*text == 'R'   ? (f ? "float" : "double")
+              : *text == 'F' ? (f ? "f" : "")
+              : *text == 'D' ? (f ? "footpoint_detail_f_" : "footpoint_detail_")
+              : *text == 'G' ? (f ? "_F" : "")
+                             : name,
+              out);
+    }
+}
+
+/* ---- statements ---- */
+
+static char *constant_text(const fmpq *value, enum level *level, bool single)
+{
+    bool negative;
+    char *num, *den, *text;
+    split_constant(value, &negative, &num, &den);
+    const char *sign = negative ? "-" : "";
+    if (den)
+        text = new_format(single ? "%s(float)(%s.0 / %s.0)" : "%s(%s.0 / %s.0)", sign, num, den);
+    else
+        text = new_format("%s%s%s", sign, num, single ? "f" : "");
+    *level = negative ? LEVEL_MINUS : LEVEL_NAME;
+    free(num);
+    free(den);
+    return text;
+}
+
+static char *double_constant(const fmpq *value, enum level *level)
+{
+    return constant_text(value, level, false);
+}
+
+static char *float_constant(const fmpq *value, enum level *level)
+{
+    return constant_text(value, level, true);
+}
+
+/* xA[2] is input zA. */
+static char *input_text(const struct genome_file *f, size_t k)
+{
+    const char *name = f->input[k];
+    return f->segment ? new_format("x%c[%d]", name[1], name[0] - 'x') : new_format("in_%s", name);
+}
+
+/* Both choices of a protected quotient are made before it divides: no branch is left. */
+#define DIALECT(suffix, constant_function)                                                                             \
+    {                                                                                                                  \
+        .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},                                                                       \
+               [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},                                                                    \
+               [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},                                                                    \
+               [OP_MUL] = {"$a1 * $b3", LEVEL_PRODUCT},                                                                \
+               [OP_DIV] = {"$a1 / $b3", LEVEL_PRODUCT},                                                                \
+               [OP_SQRT] = {"sqrt" suffix "($a0)", LEVEL_NAME},                                                        \
+               [OP_ABS] = {"fabs" suffix "($a0)", LEVEL_NAME},                                                         \
+               [OP_MIN] = {"($a1 < $b1 ? $a1 : $b1)", LEVEL_NAME},                                                     \
+               [OP_MAX] = {"($a1 > $b1 ? $a1 : $b1)", LEVEL_NAME},                                                     \
+               [OP_PDIV] = {"(($b3 == 0.0" suffix " ? 1.0" suffix " : $a3) / ($b3 == 0.0" suffix " ? 1.0" suffix       \
+                            " : $b3))",                                                                                \
+                            LEVEL_NAME}},                                                                              \
+        .open = "(", .close = ")", .constant = constant_function, .input = input_text                                  \
+    }
+
+static const struct dialect c_double = DIALECT("", double_constant), c_float = DIALECT("f", float_constant);
+
+struct target {
+    const struct genome_file *file;
+    FILE *out;
+};
+
+static void write_float(void *to, const char *name, long output, const char *text)
+{
+    const struct target *t = to;
+    char *head = output < 0         ? new_format("    const float %s = ", name)
+                 : t->file->segment ? new_format("    *%s = ", name)
+                                    : new_format("    *out_%s = ", name);
+    fputs(head, t->out);
+    print_broken(text, strlen(head), WIDTH, "\n        ", NULL, t->out);
+    fputs(";\n", t->out);
+    free(head);
+}
+
+static void write_nothing(void *to, const char *name, long output, const char *text)
+{
+    (void)to;
+    (void)name;
+    (void)output;
+    (void)text;
+}
+
+static struct printer *run_printer(const struct unit *u, const struct function *f, write_statement *write, FILE *out)
+{
+    const bool single = u->options.precision == PRECISION_FLOAT;
+    struct target t = {u->file, out};
+    struct printer *r = printer_new(u->file, f->genome, f->program, single ? &c_float : &c_double);
+    printer_run(r, write, &t);
+    return r;
+}
+
+void c_print_statements(const struct unit *u, const struct function *f, FILE *out)
+{
+    if (u->options.precision == PRECISION_FLOAT)
+        printer_free(run_printer(u, f, write_float, out));
+    else
+        fputs(f->code.emission.text, out);
+}
+
+void c_print_status(const struct unit *u, const struct function *f, FILE *out)
+{
+    const enum precision precision = u->options.precision;
+    struct printer *r = run_printer(u, f, write_nothing, out);
+    const char *joint = "    const @R flaw = @Dflaw(";
+    for (size_t i = 0; i < f->evidence->denominators; i++) {
+        const struct denominator *d = &f->evidence->denominator[i];
+        if (d->verdict == POLE_FREE)
+            continue;
+        char *text = printer_text(r, d->op, LEVEL_SUM);
+        const double threshold = unit_threshold(u, d);
+        c_print(joint, precision, "", out);
+        print_broken(text, 32, WIDTH - 20, "\n            ", NULL, out);
+        fprintf(out, threshold > 0.0 ? ", %.4e" : ", %.1f", threshold);
+        c_print("@F)", precision, "", out);
+        joint = " +\n        @Dflaw(";
+        free(text);
+    }
+    c_print(";\n    return (int)(flaw <= 0.0@F ? flaw : (@R)FOOTPOINT_ERR_DEGENERATE);\n", precision, "", out);
+    printer_free(r);
+}
+
+void c_print_loop_note(const struct function *f, FILE *out)
+{
+    bool roots = false, chooses = false;
+    for (size_t i = 0; i < f->program->ops; i++) {
+        const enum op_kind kind = f->program->op[i].kind;
+        roots = roots || kind == OP_SQRT;
+        chooses = chooses || kind == OP_MIN || kind == OP_MAX || kind == OP_PDIV;
+    }
+    fprintf(out, " Vectorises with -O3%s%s%s.", roots || chooses ? " and" : "", roots ? " -fno-math-errno" : "",
+            chooses ? " -fno-trapping-math" : "");
+}
+
+void c_print_unused(const struct unit *u, const struct function *f, FILE *out)
+{
+    bool *reads = function_reads(f);
+    for (size_t i = 0; i < u->file->inputs; i += u->file->segment ? 3 : 1) {
+        if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2]))
+            fprintf(out, "    (void)x%c;\n", u->file->input[i][1]);
+        else if (!u->file->segment && !reads[i])
+            fprintf(out, "    (void)in_%s;\n", u->file->input[i]);
+    }
+    free(reads);
+}

@@ -1,0 +1,23 @@
+/* C text in double or in float: statements, and fixed text that serves both. */
+#ifndef FOOTPOINT_C_CODE_H
+#define FOOTPOINT_C_CODE_H
+
+#include "unit.h"
+
+/** Prints `text` with @R for the real type, @F for the suffix of its constants, @D for what begins the names of the
+ *  helpers, @G for what ends the names of their guards, @N for `name`. */
+void c_print(const char *text, enum precision precision, const char *name, FILE *out);
+
+/** The statements of a function, indented. */
+void c_print_statements(const struct unit *u, const struct function *f, FILE *out);
+
+/** `return` of the status: whether each denominator that may be 0 is far enough from it. */
+void c_print_status(const struct unit *u, const struct function *f, FILE *out);
+
+/** Inside a comment: what a compiler needs to vectorise a loop over the function. */
+void c_print_loop_note(const struct function *f, FILE *out);
+
+/** "    (void)in_x;" for each parameter that the function does not read. */
+void c_print_unused(const struct unit *u, const struct function *f, FILE *out);
+
+#endif

@@ -1,0 +1,19 @@
+/* The command line of footpoint-codegen. */
+#ifndef FOOTPOINT_CODEGEN_OPTIONS_H
+#define FOOTPOINT_CODEGEN_OPTIONS_H
+
+#include "unit.h"
+
+enum language { LANGUAGE_C, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
+
+struct codegen_options {
+    const char *genomes, *output; /* files, not owned; output NULL: --count */
+    char prefix[160];
+    enum language language;
+    struct unit_options unit; /* its prefix is the one above */
+};
+
+/** Reads the command line.  True to go on; else *status is the exit code: help was printed, or what is wrong was. */
+bool codegen_options_read(int argc, char **argv, struct codegen_options *o, int *status);
+
+#endif

@@ -1,0 +1,18 @@
+/* Zeros of denominators: proved absent, proved present, or neither. */
+#ifndef FOOTPOINT_POLES_H
+#define FOOTPOINT_POLES_H
+
+#include "evidence.h"
+#include "region.h"
+
+struct pole {
+    enum pole_verdict verdict;
+    struct interval values; /* POLE_FREE: encloses the denominator on the region; without 0, unless it has both signs */
+    double least;           /* POLE_FREE: its absolute value is at least this; else 0 */
+    double *witness;        /* owned, by variable: POLE_EXISTS: a zero, or a point near one; else NULL */
+};
+
+/** Looks for zeros of operation `op` of the region's program, by branch and bound in at most `boxes` boxes. */
+struct pole pole_find(struct region *r, int op, long boxes);
+
+#endif

@@ -1,0 +1,449 @@
+/* Reader of the emitted statements; see program.h.  Operators wait on a stack (Dijkstra's shunting yard), not in the
+ * frames of a recursive descent, so that neither long chains nor deep parentheses have a limit. */
+#define _GNU_SOURCE /* tdestroy */
+#include "program.h"
+
+#include <ctype.h>
+#include <search.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_WORD = 79, MOST_EXPONENT = 1000 };
+
+struct named_op {
+    char *name; /* owned */
+    int op;
+};
+
+struct reader {
+    const struct genome_file *file;
+    const struct genome *genome;
+    struct program *program;
+    const char *at;
+    void *names;  /* tsearch tree of named_op, owned */
+    int *value;   /* owned: operations that wait for their operator */
+    int *waiting; /* owned: operators that wait for their operands: an op_kind, or OPEN */
+    size_t values, value_room, waits, wait_room;
+};
+
+enum { OPEN = -1 }; /* a parenthesis; "sqrt(" and "fabs(" wait as OP_SQRT and OP_ABS */
+
+int program_add(struct program *p, enum op_kind kind, int a, int b)
+{
+    grow_array(&p->op, p->ops, &p->op_room, sizeof *p->op);
+    p->op[p->ops] = (struct op){.kind = kind, .a = a, .b = b, .input = -1, .squared = kind == OP_MUL && a == b};
+    return (int)p->ops++;
+}
+
+int program_add_constant(struct program *p, const fmpq *q, bool quotient)
+{
+    grow_array(&p->constant, p->constants, &p->constant_room, sizeof *p->constant);
+    fmpq_init(&p->constant[p->constants]);
+    fmpq_set(&p->constant[p->constants], q);
+    const int op = program_add(p, OP_CONSTANT, -1, -1);
+    p->op[op].input = (int)p->constants++;
+    p->op[op].quotient = quotient;
+    return op;
+}
+
+/* Undoes what was added since there were `ops` operations. */
+static void forget_ops(struct program *p, size_t ops)
+{
+    while (p->ops > ops)
+        if (p->op[--p->ops].kind == OP_CONSTANT)
+            fmpq_clear(&p->constant[--p->constants]);
+}
+
+/* ---- words ---- */
+
+static void skip_blanks(struct reader *r)
+{
+    while (isspace((unsigned char)*r->at))
+        r->at++;
+}
+
+static bool accept(struct reader *r, const char *text)
+{
+    skip_blanks(r);
+    const size_t n = strlen(text);
+    if (strncmp(r->at, text, n) != 0)
+        return false;
+    r->at += n;
+    return true;
+}
+
+/* The text from..to once more, wherever its lines are broken. */
+static bool accept_again(struct reader *r, const char *from, const char *to)
+{
+    skip_blanks(r);
+    while (from < to) {
+        if (isspace((unsigned char)*from)) {
+            if (!isspace((unsigned char)*r->at))
+                return false;
+            skip_blanks(r);
+            while (from < to && isspace((unsigned char)*from))
+                from++;
+        } else if (*from++ != *r->at++)
+            return false;
+    }
+    return true;
+}
+
+static bool read_word(struct reader *r, char word[MOST_WORD + 1])
+{
+    size_t n = 0;
+    skip_blanks(r);
+    while (isalnum((unsigned char)r->at[n]) || (r->at[n] && strchr("_[]", r->at[n])))
+        n++;
+    if (n == 0 || n > MOST_WORD)
+        return false;
+    memcpy(word, r->at, n);
+    word[n] = '\0';
+    r->at += n;
+    return true;
+}
+
+const char *decimal_read(fmpq *q, const char *text)
+{
+    const size_t whole = strspn(text, "0123456789"), point = text[whole] == '.',
+                 after = point ? strspn(text + whole + 1, "0123456789") : 0;
+    const char *end = text + whole + point + after;
+    long exponent = 0;
+    if (whole + after == 0)
+        return NULL;
+    if (*end == 'e' || *end == 'E') {
+        char *rest;
+        exponent = strtol(end + 1, &rest, 10);
+        if (rest == end + 1 || labs(exponent) > MOST_EXPONENT)
+            return NULL;
+        end = rest;
+    }
+    exponent -= (long)after;
+    char *digits = new_text(text, whole + point + after);
+    memmove(digits + whole, digits + whole + point, after + 1);
+    fmpz_t ten;
+    fmpz_init_set_ui(ten, 10);
+    fmpz_pow_ui(ten, ten, (unsigned long)labs(exponent));
+    fmpz_set_str(fmpq_numref(q), digits, 10);
+    fmpz_one(fmpq_denref(q));
+    if (exponent < 0)
+        fmpq_div_fmpz(q, q, ten);
+    else
+        fmpq_mul_fmpz(q, q, ten);
+    fmpz_clear(ten);
+    free(digits);
+    return end;
+}
+
+/* A literal of type double: digits, point, digits. */
+static bool read_literal(struct reader *r, fmpq *q)
+{
+    skip_blanks(r);
+    const size_t whole = strspn(r->at, "0123456789");
+    if (whole == 0 || r->at[whole] != '.' || !isdigit((unsigned char)r->at[whole + 1]))
+        return false;
+    const char *end = decimal_read(q, r->at);
+    if (!end || isalnum((unsigned char)*end) || *end == '.' || *end == '_')
+        return false;
+    r->at = end;
+    return true;
+}
+
+/* ---- operands; each returns an operation, or -1 when the text is something else ---- */
+
+/* "n.0 / d.0)" after its parenthesis. */
+static int read_quotient(struct reader *r)
+{
+    const char *start = r->at;
+    fmpq_t n, d;
+    int op = -1;
+    fmpq_init(n);
+    fmpq_init(d);
+    const bool negative = accept(r, "-");
+    if (read_literal(r, n) && accept(r, "/") && read_literal(r, d) && accept(r, ")") && !fmpq_is_zero(d)) {
+        fmpq_div(n, n, d);
+        if (negative)
+            fmpq_neg(n, n);
+        op = program_add_constant(r->program, n, true);
+    } else
+        r->at = start;
+    fmpq_clear(n);
+    fmpq_clear(d);
+    return op;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(((const struct named_op *)a)->name, ((const struct named_op *)b)->name);
+}
+
+/* A named value or an input: in_NAME; of a segment xA[2], which is its input zA. */
+static int find_name(const struct reader *r, char *word)
+{
+    const struct named_op key = {word, -1}, *const *found = tfind(&key, &r->names, compare_names);
+    char coordinate[3] = "";
+    const char *input = coordinate;
+    if (found)
+        return (*found)->op;
+    if (!r->file->segment)
+        input = strncmp(word, "in_", 3) == 0 ? word + 3 : "";
+    else if (strlen(word) == 5 && word[0] == 'x' && word[2] == '[' && strchr("012", word[3]) && word[4] == ']') {
+        coordinate[0] = (char)('x' + word[3] - '0');
+        coordinate[1] = word[1];
+    }
+    const long k = genome_find_symbol(r->file, input);
+    return k >= 0 && (size_t)k < r->file->inputs ? (int)k : -1;
+}
+
+/* A name or a literal. */
+static int read_atom(struct reader *r)
+{
+    char word[MOST_WORD + 1];
+    fmpq_t q;
+    skip_blanks(r);
+    if (!isdigit((unsigned char)*r->at))
+        return read_word(r, word) ? find_name(r, word) : -1;
+    fmpq_init(q);
+    const int op = read_literal(r, q) ? program_add_constant(r->program, q, false) : -1;
+    fmpq_clear(q);
+    return op;
+}
+
+/* What is written twice in a choice: a name or a constant. */
+static int read_repeated(struct reader *r)
+{
+    if (accept(r, "("))
+        return read_quotient(r);
+    const bool negative = accept(r, "-");
+    const int op = read_atom(r);
+    return negative && op >= 0 ? program_add(r->program, OP_NEG, op, -1) : op;
+}
+
+/* "a < b ? a : b)", "a > b ? a : b)" or "d == 0.0 ? 1.0 : n / d)" after its parenthesis. */
+static int read_choice(struct reader *r)
+{
+    const char *a_text = r->at;
+    const size_t ops = r->program->ops;
+    const int a = read_repeated(r);
+    const char *a_end = r->at;
+    const enum op_kind kind = a < 0             ? OP_INPUT
+                              : accept(r, "==") ? OP_PDIV
+                              : accept(r, "<")  ? OP_MIN
+                              : accept(r, ">")  ? OP_MAX
+                                                : OP_INPUT;
+    int b = -1;
+    bool good = kind != OP_INPUT;
+    if (kind == OP_PDIV) {
+        good = accept(r, "0.0") && accept(r, "?") && accept(r, "1.0") && accept(r, ":");
+        b = good ? read_repeated(r) : -1;
+        good = b >= 0 && accept(r, "/") && accept_again(r, a_text, a_end) && accept(r, ")");
+    } else if (good) {
+        skip_blanks(r);
+        const char *b_text = r->at;
+        b = read_repeated(r);
+        const char *b_end = r->at;
+        good = b >= 0 && accept(r, "?") && accept_again(r, a_text, a_end) && accept(r, ":") &&
+               accept_again(r, b_text, b_end) && accept(r, ")");
+    }
+    if (good)
+        return kind == OP_PDIV ? program_add(r->program, kind, b, a) : program_add(r->program, kind, a, b);
+    forget_ops(r->program, ops);
+    r->at = a_text;
+    return -1;
+}
+
+/* ---- expressions ---- */
+
+static int precedence(int kind)
+{
+    return kind == OP_NEG ? 3 : kind == OP_MUL || kind == OP_DIV ? 2 : kind == OP_ADD || kind == OP_SUB ? 1 : 0;
+}
+
+static void push(int **stack, size_t *n, size_t *room, int what)
+{
+    grow_array(stack, *n, room, sizeof **stack);
+    (*stack)[(*n)++] = what;
+}
+
+static void defer(struct reader *r, int kind)
+{
+    push(&r->waiting, &r->waits, &r->wait_room, kind);
+}
+
+/* Applies the waiting operators of at least this precedence. */
+static void apply(struct reader *r, int least)
+{
+    while (r->waits && precedence(r->waiting[r->waits - 1]) >= least) {
+        const int kind = r->waiting[--r->waits];
+        const int b = kind == OP_NEG ? -1 : r->value[--r->values];
+        int *a = &r->value[r->values - 1];
+        *a = program_add(r->program, (enum op_kind)kind, *a, b);
+    }
+}
+
+/* A minus; two in a row are another operator of C. */
+static bool accept_minus(struct reader *r)
+{
+    skip_blanks(r);
+    return r->at[0] == '-' && r->at[1] != '-' && accept(r, "-");
+}
+
+/* Signs and opening parentheses, then an operand; -1 if there is none. */
+static int read_operand(struct reader *r)
+{
+    for (;;) {
+        if (accept_minus(r))
+            defer(r, OP_NEG);
+        else if (accept(r, "sqrt("))
+            defer(r, OP_SQRT);
+        else if (accept(r, "fabs("))
+            defer(r, OP_ABS);
+        else if (accept(r, "(")) {
+            int op = read_quotient(r);
+            if (op < 0)
+                op = read_choice(r);
+            if (op >= 0)
+                return op;
+            defer(r, OPEN);
+        } else
+            return read_atom(r);
+    }
+}
+
+/* Closes the innermost parenthesis; false if there is none. */
+static bool close_parenthesis(struct reader *r)
+{
+    apply(r, 1);
+    if (!r->waits)
+        return false;
+    const int kind = r->waiting[--r->waits];
+    if (kind != OPEN) {
+        int *a = &r->value[r->values - 1];
+        *a = program_add(r->program, (enum op_kind)kind, *a, -1);
+    }
+    return true;
+}
+
+/* An expression up to what cannot continue it; -1 if it is none. */
+static int read_expression(struct reader *r)
+{
+    r->values = r->waits = 0;
+    for (;;) {
+        const int operand = read_operand(r);
+        if (operand < 0)
+            return -1;
+        push(&r->value, &r->values, &r->value_room, operand);
+        while (accept(r, ")"))
+            if (!close_parenthesis(r))
+                return -1;
+        const int kind = accept(r, "+")    ? OP_ADD
+                         : accept_minus(r) ? OP_SUB
+                         : accept(r, "*")  ? OP_MUL
+                         : accept(r, "/")  ? OP_DIV
+                                           : OPEN;
+        apply(r, kind == OPEN ? 1 : precedence(kind));
+        if (kind == OPEN)
+            return r->waits ? -1 : r->value[0];
+        defer(r, kind);
+    }
+}
+
+/* ---- statements ---- */
+
+static void add_statement(struct program *p, const char *name, int op, size_t first, long output)
+{
+    grow_array(&p->statement, p->statements, &p->statement_room, sizeof *p->statement);
+    p->statement[p->statements++] = (struct statement){new_text(name, strlen(name)), op, (int)first, output};
+}
+
+/* False if the name is taken. */
+static bool add_name(struct reader *r, const char *name, int op)
+{
+    struct named_op *n = new_array(1, sizeof *n), *const * slot;
+    *n = (struct named_op){new_text(name, strlen(name)), op};
+    slot = tsearch(n, &r->names, compare_names);
+    if (slot && *slot == n)
+        return true;
+    free(n->name);
+    free(n);
+    return false;
+}
+
+/* "*out_NAME" (of a segment "*NAME"): the genome's outputs, in its order. */
+static bool is_next_output(const struct reader *r, const char *word)
+{
+    const size_t k = r->program->outputs;
+    const char *name = r->file->segment ? word : strncmp(word, "out_", 4) == 0 ? word + 4 : "";
+    return k < r->genome->outs && strcmp(name, r->genome->out[k].name) == 0;
+}
+
+static bool read_statement(struct reader *r)
+{
+    struct program *p = r->program;
+    char word[MOST_WORD + 1];
+    const size_t first = p->ops;
+    const bool output = accept(r, "*");
+    if (!output && (!accept(r, "const") || !accept(r, "double")))
+        return false;
+    if (!read_word(r, word) || (output && !is_next_output(r, word)) || !accept(r, "="))
+        return false;
+    const int op = read_expression(r);
+    if (op < 0 || !accept(r, ";"))
+        return false;
+    if (!output) {
+        add_statement(p, word, op, first, -1);
+        return find_name(r, word) < 0 && add_name(r, word, op);
+    }
+    add_statement(p, r->genome->out[p->outputs].name, op, first, (long)p->outputs);
+    p->output[p->outputs++] = op;
+    return true;
+}
+
+static void free_name(void *name)
+{
+    free(((struct named_op *)name)->name);
+    free(name);
+}
+
+struct program *program_read(const struct genome_file *f, const struct genome *genome, const char *statements,
+                             struct diag *d)
+{
+    struct program *p = new_array(1, sizeof *p);
+    struct reader r = {.file = f, .genome = genome, .program = p, .at = statements};
+    bool good = true;
+    p->inputs = f->inputs;
+    p->output = new_array(genome->outs, sizeof *p->output);
+    for (size_t i = 0; i < f->inputs; i++) {
+        const int op = program_add(p, OP_INPUT, -1, -1);
+        p->op[op].input = op;
+    }
+    const char *start = statements;
+    for (skip_blanks(&r); good && *r.at; skip_blanks(&r)) {
+        start = r.at;
+        good = read_statement(&r);
+    }
+    good = good && p->outputs == genome->outs;
+    tdestroy(r.names, free_name);
+    free(r.value);
+    free(r.waiting);
+    if (good)
+        return p;
+    diag_at(d, f->path, genome->line, 1, "internal error: the code made for genome '%s' cannot be read: '%.*s'",
+            genome->name, (int)strcspn(start, "\n;") > 60 ? 60 : (int)strcspn(start, "\n;"), start);
+    program_free(p);
+    return NULL;
+}
+
+void program_free(struct program *p)
+{
+    if (!p)
+        return;
+    forget_ops(p, 0);
+    for (size_t i = 0; i < p->statements; i++)
+        free(p->statement[i].name);
+    free(p->statement);
+    free(p->constant);
+    free(p->output);
+    free(p->op);
+    free(p);
+}

@@ -1,0 +1,25 @@
+/* Text under construction, for everything that prints code. */
+#ifndef FOOTPOINT_TEXT_H
+#define FOOTPOINT_TEXT_H
+
+#include "base.h"
+
+/** Formatted text. Caller frees. */
+char *new_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/** A stream into memory; exits like new_array. */
+struct memory {
+    FILE *stream;
+    char *text;
+    size_t size;
+};
+struct memory *memory_open(void);
+/** Closes the stream and returns its text. Caller frees. */
+char *memory_close(struct memory *m);
+
+/** Prints text that is to go on at column `column`, broken at blanks before column `width`: `broken` ends a line and
+ *  begins the next, a word too long for a line is broken by `inside` (NULL: left long).  Returns the number of breaks.
+ */
+size_t print_broken(const char *text, size_t column, size_t width, const char *broken, const char *inside, FILE *out);
+
+#endif

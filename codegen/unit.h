@@ -1,0 +1,50 @@
+/* A genome file compiled: what every printer (header, Fortran module, plain text) prints. */
+#ifndef FOOTPOINT_UNIT_H
+#define FOOTPOINT_UNIT_H
+
+#include "compile.h"
+#include "evidence.h"
+#include "prove.h"
+
+enum precision { PRECISION_DOUBLE, PRECISION_FLOAT };
+
+/** A genome as a function. */
+struct function {
+    const struct genome *genome; /* not owned */
+    char *name;                  /* owned: prefix and genome */
+    struct compiled code;        /* owned text */
+    struct program *program;     /* owned: the text read back */
+    struct proof proof;          /* that the program equals the genome */
+    struct evidence *evidence;   /* owned; NULL: not asked for */
+    char sha256[65];             /* of the genome alone, as genome_print would print it */
+};
+
+struct unit_options {
+    const char *prefix; /* not owned: begins every name */
+    enum precision precision;
+    bool allow_poles; /* functions may divide by 0, and have a status then */
+    bool evidence;    /* find poles and error bounds */
+    struct compile_options compile;
+};
+
+struct unit {
+    const struct genome_file *file; /* not owned */
+    struct unit_options options;
+    char sha256[65];           /* of the file's text */
+    struct function *function; /* owned: by genome of the file */
+};
+
+/** Compiles and proves each genome; warnings go to stderr.  NULL with *d filled when a genome is refused. */
+struct unit *unit_new(const struct genome_file *f, const char sha256[65], const struct unit_options *o, struct diag *d);
+void unit_free(struct unit *u);
+
+/** True if the function has a denominator that may be 0. */
+bool function_has_poles(const struct function *f);
+
+/** By input of the file: whether the function reads it.  Caller frees. */
+bool *function_reads(const struct function *f);
+
+/** |D| at or below which a denominator cannot be told from 0 in the unit's precision; 0 if unknown. */
+double unit_threshold(const struct unit *u, const struct denominator *d);
+
+#endif

@@ -1,0 +1,244 @@
+# What codegen writes beside C in double: float, Fortran, infix, LaTeX.  Fortran gives the bits of C, infix its values.
+. tests/cli/expect.inc
+CC=${CC:-gcc} CXX=${CXX:-g++}
+codegen() { "$BIN/footpoint-codegen" --effort 10 "$@"; } # how the search ends is no matter here
+g=$work/g.gen
+strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
+bits='-O2 -ffp-contract=off'
+genome() { printf '%s\n' "footpoint-genome 1" "$@" > "$g"; }
+written() { # written LANGUAGE NAME EXPECTED
+    codegen "$g" --allow-poles --prefix g --language "$1" -o "$work/text" && grep -v '^%' "$work/text" > "$work/formulas"
+    expect "$1: $2" 0 "$3" '' cat "$work/formulas"
+}
+
+# ---- formulas ----
+genome 'input x y' 'genome g' 'r = + / x y 0.05' 'end' 'genome h' 'r = min x max y -3' 's = sqrt abs x' 'end'
+written infix 'a line each, genomes apart' 'r = x/y + 1/20
+
+t1 = max(y, -3)
+t2 = abs(x)
+r = min(x, t1)
+s = sqrt(t2)'
+written latex 'an environment each' '\begin{align}
+r &= \frac{x}{y} + 0.05
+\end{align}
+\begin{align}
+t_{1} &= \max\left(y, -3\right) \\
+t_{2} &= \left|x\right| \\
+r &= \min\left(x, t_{1}\right) \\
+s &= \sqrt{t_{2}}
+\end{align}'
+genome 'input speed x1 c_d xi' 'genome g' 'r = / speed x1' 's = * / 7 3 c_d' 'q = * xi xi' 'p = % x1 xi' 'end'
+written latex 'names, fractions, cases' '\begin{align}
+r &= \frac{\mathrm{speed}}{x_{1}} \\
+s &= \frac{7}{3} \cdot \mathrm{c\_d} \\
+q &= \xi^{2} \\
+p &= \begin{cases} 1 & \xi = 0 \\ \frac{x_{1}}{\xi} & \text{otherwise} \end{cases}
+\end{align}'
+genome 'input t1 u2_' 'genome g' 'r = / sqrt + t1 u2_ sqrt + t1 * 2 u2_' 'end'
+codegen "$g" --allow-poles --language infix -o "$work/text" && ! grep -qE '^(t1|u2_) ' "$work/text"
+report $((! $?)) 'no temporary takes the name of an input'
+genome 'input x' 'genome g' 'x = * x x' 'end'
+expect 'an output named as an input' 1 '' "$g:4:1: error: output 'x' has the name of an input, which a formula cannot tell" \
+    codegen "$g" --language infix -o "$work/none"
+[ ! -e "$work/none" ]; report $((! $?)) 'and nothing is written'
+
+# ---- the same values everywhere ----
+genome 'input x y z' 'genome g' \
+    'r = + - * x y / 7 + 3 * z z % - x y - z 0.5' \
+    's = - min x max y -0.75 * * 0.35 sqrt + abs x 0.1 neg - x - y - z / 1 3' 'end'
+cat > "$work/points.c" <<'END'
+#include "c.h"
+#include <stdio.h>
+#include <string.h>
+#ifdef FORTRAN
+void FORTRAN(const real *x, const real *y, const real *z, real *r, real *s LAST(int *));
+#endif
+static real draw(unsigned long *seed)
+{
+    *seed = *seed * 6364136223846793005UL + 1442695040888963407UL;
+    const real x = (real)(long)((*seed >> 34) - (1UL << 29)) / (real)(1UL << 27);
+    return *seed % 8 ? x : (real)((int)(x * 2)) / 2; /* now and then a multiple of 1/2: protected quotients of 0 */
+}
+int main(void)
+{
+    unsigned long seed = 1;
+    for (int n = 0; n < 10000; n++) {
+        const real x = draw(&seed), y = draw(&seed), z = draw(&seed);
+        real c[2];
+        CALL(x, y, z, c, c + 1);
+#ifdef FORTRAN
+        real f[2];
+        int status;
+        FORTRAN(&x, &y, &z, f, f + 1 LAST(&status));
+        if (memcmp(c, f, sizeof c) != 0)
+            return printf("%.17g %.17g %.17g: %.17g %.17g, in Fortran %.17g %.17g\n", x, y, z, c[0], c[1], f[0], f[1]), 1;
+#else
+        if (n % 10 == 0)
+            printf("%.17g %.17g %.17g %.17g %.17g\n", x, y, z, c[0], c[1]);
+#endif
+    }
+    return 0;
+}
+END
+for type in double float; do
+    codegen "$g" --allow-poles --precision $type --prefix g -o "$work/c.h"
+    codegen "$g" --allow-poles --precision $type --prefix m --language fortran -o "$work/m.f90"
+    last='-DLAST(a)='
+    ! grep -q 'FOOTPOINT_FN int g_g' "$work/c.h" || last='-DLAST(a)=,a'
+    $CC -std=c99 $bits "-DCALL=(void)g_g" -Dreal=$type "$work/points.c" -o "$work/points" -lm && "$work/points" > "$work/$type"
+    report $((! $?)) "C in $type runs"
+    if ! command -v gfortran > /dev/null; then
+        report 1 "skipped: Fortran in $type (no gfortran)"
+        continue
+    fi
+    (cd "$work" && gfortran -std=f2008 -Wall -Werror $bits -c m.f90 -o m.o &&
+        $CC -std=c99 $bits "-DCALL=(void)g_g" -Dreal=$type -DFORTRAN=__m_MOD_m_g "$last" points.c m.o -o points -lm -lgfortran &&
+        ./points) > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log"
+    report $((!good)) "Fortran gives the bits of C in $type"
+done
+awk 'NR == FNR { r[FNR] = $4; s[FNR] = $5; next }
+     { d = r[FNR] - $4; e = s[FNR] - $5; if (d * d + e * e > 1e-6 * (1 + r[FNR]^2 + s[FNR]^2)) off++ }
+     END { exit off > 10 }' "$work/double" "$work/float" # a few lie near a pole or a jump
+report $((! $?)) 'float is double rounded'
+if command -v python3 > /dev/null; then
+    codegen "$g" --allow-poles --language infix -o "$work/g.txt"
+    cat > "$work/check.py" <<'END'
+import math, sys
+def pdiv(a, b):
+    return 1.0 if b == 0 else a / b
+code = compile(open(sys.argv[1]).read(), "formulas", "exec")
+for line in open(sys.argv[2]):
+    x, y, z, r, s = map(float, line.split())
+    v = {"x": x, "y": y, "z": z, "sqrt": math.sqrt, "abs": abs, "min": min, "max": max, "pdiv": pdiv}
+    exec(code, v)
+    assert (v["r"], v["s"]) == (r, s), (line, v["r"], v["s"])
+END
+    python3 "$work/check.py" "$work/g.txt" "$work/double" > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log"
+    report $((!good)) 'Python reads infix and gives the bits of C'
+else
+    report 1 'skipped: infix in Python'
+fi
+if command -v form > /dev/null; then
+    genome 'input x y' 'genome g' 'r = - * + x * 0.35 y - x / y 3 * 2 * x x' 'end'
+    codegen "$g" --language infix -o "$work/g.txt"
+    { echo 'Symbols x,y;'; sed 's/^/Local /; s/$/;/' "$work/g.txt"
+      echo 'Local rest = r - ((x + 35/100*y)*(x - y/3) - 2*x^2);'; echo 'Print rest;'; echo '.end'; } > "$work/g.frm"
+    form "$work/g.frm" > "$work/log"
+    grep -q 'rest = 0;' "$work/log" || grep -A1 'rest =' "$work/log" | tr -d '\n ' | grep -q 'rest=0;'
+    report $((! $?)) 'FORM reads infix'
+else
+    report 1 'skipped: infix in FORM'
+fi
+
+# ---- Fortran's limits ----
+genome 'input x X' 'genome g' 'r = + x X' 'end'
+expect 'names that differ in case' 1 '' "$g: error: Fortran takes 'in_x' and 'in_X' for one name" \
+    codegen "$g" --language fortran -o "$work/m.f90"
+long=a23456789012345678901234567890123456789012345678901234567890
+genome 'input x' "genome $long" 'r = x' 'end'
+expect 'a long name' 1 '' "$g: error: 'footpoint_m_$long' is longer than a name in Fortran" \
+    codegen "$g" --language fortran -o "$work/m.f90"
+{
+    echo 'footpoint-genome 1'
+    for i in $(seq 1500); do echo "input x$i"; done
+    echo 'genome g'
+    printf 'r = * 0.1234567890123456789012345678901234567890123456789012345678901'
+    for i in $(seq 1499); do printf ' + * 0.3%04d x%d' "$i" "$i"; done
+    printf ' x1500\nend\n'
+} > "$g"
+codegen "$g" --language fortran --prefix m -o "$work/m.f90"
+[ "$(awk 'length > n { n = length } END { print n }' "$work/m.f90")" -le 132 ]; report $((! $?)) 'no line is longer than 132'
+awk '/&$/ { if (++n > 255) exit 1; next } { n = 0 }' "$work/m.f90"; report $((! $?)) 'no statement has more than 255 continuation lines'
+if command -v gfortran > /dev/null; then
+    (cd "$work" && gfortran -std=f2008 -Wall -Werror -c m.f90 -o m.o) > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
+    report $((!good)) 'a sum of 1500 terms compiles'
+fi
+
+# ---- segments ----
+for scene in quad4 paper-quad4; do
+    file=evolve/genomes/$scene.gen
+    for type in double float; do
+        codegen "$file" --allow-poles --precision $type --prefix c -o "$work/c.h"
+        codegen "$file" --allow-poles --precision $type --prefix m --language fortran -o "$work/m.f90"
+        {
+            echo '#include "c.h"'
+            echo '#include <stdio.h>'
+            echo '#include <string.h>'
+            for f in $(sed -n 's/^genome //p' "$file"); do
+                echo "void __m_MOD_m_${f}_at(const $type *, const $type *, const $type *, const $type *, const $type *, $type *, $type *);"
+            done
+            cat <<END
+int main(void)
+{
+    const $type corner[15] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 0, 0};
+    unsigned long seed = 3;
+    for (int n = 0; n < 5000; n++) {
+        $type x[15], c[2], f[2];
+        for (int k = 0; k < 15; k++) {
+            seed = seed * 6364136223846793005UL + 1442695040888963407UL;
+            x[k] = corner[k] + ($type)(seed >> 40) / ($type)(1UL << 24) - ($type)0.5;
+        }
+END
+            for f in $(sed -n 's/^genome //p' "$file"); do
+                echo "        c_${f}_at(x, x + 3, x + 6, x + 9, x + 12, c, c + 1);"
+                echo "        __m_MOD_m_${f}_at(x, x + 3, x + 6, x + 9, x + 12, f, f + 1);"
+                echo '        if (memcmp(c, f, sizeof c) != 0)'
+                echo "            return printf(\"$f, point %d, \", n), 1;"
+            done
+            echo '    }'
+            echo '    return 0;'
+            echo '}'
+        } > "$work/both.c"
+        echo '#include "c.h"' > "$work/include.c"
+        for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++" "clang++ -std=c++17 -x c++"; do
+            $compiler $strict -fsyntax-only "$work/include.c" > "$work/log" 2>&1
+            good=$?
+            [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
+            report $((!good)) "$scene in $type, $compiler"
+        done
+        command -v gfortran > /dev/null || { report 1 "skipped: $scene in Fortran"; continue; }
+        (cd "$work" && gfortran -std=f2008 -Wall -Werror $bits -c m.f90 -o m.o &&
+            $CC -std=c99 $bits both.c m.o -o both -lm -lgfortran && ./both) > "$work/log" 2>&1
+        good=$?
+        [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
+        report $((!good)) "$scene in Fortran gives the bits of C in $type"
+    done
+done
+
+# ---- float beside double ----
+codegen evolve/genomes/quad4.gen --allow-poles --prefix d -o "$work/d.h"
+codegen evolve/genomes/quad4.gen --allow-poles --precision float --prefix f -o "$work/f.h"
+cat > "$work/beside.c" <<'END'
+#include "d.h"
+#include "f.h"
+int main(void)
+{
+    const double a[3] = {0, 0, 0}, b[3] = {2, 0, 0.125}, c[3] = {2.25, 1.5, 0}, d[3] = {0, 1.25, 0.125}, s[3] = {0.75, 1, 0.25};
+    const float fa[3] = {0, 0, 0}, fb[3] = {2, 0, 0.125F}, fc[3] = {2.25F, 1.5F, 0}, fd[3] = {0, 1.25F, 0.125F};
+    const float fs[3] = {0.75F, 1, 0.25F};
+    double loc[2], gap;
+    float floc[2], fgap;
+    if (d_accurate(a, b, c, d, s, loc, &gap) != FOOTPOINT_OK || f_accurate(fa, fb, fc, fd, fs, floc, &fgap) != FOOTPOINT_OK)
+        return 1;
+    if (f_accurate(fa, fa, fc, fd, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
+        return 2;
+    return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
+}
+END
+for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++"; do
+    $compiler $strict "$work/beside.c" -o "$work/beside" -lm > "$work/log" 2>&1 && "$work/beside"
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
+    report $((!good)) "double and float in one file, $compiler"
+done
+genome 'input x' 'genome g' 'r = * 1e60 x' 'end'
+expect 'a constant beyond float' 1 '' "$g:3:1: error: genome 'g' needs a constant out of the range of float" \
+    codegen "$g" --precision float -o "$work/none"
+expect 'which double has' 0 '' '' codegen "$g" -o "$work/c.h"
