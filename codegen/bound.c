@@ -12,7 +12,7 @@
 
 struct search {
     struct region *region;
-    struct errors *errors;
+    struct rounding *rounding;
     int op;
     double reached; /* the largest bound at a point of the region: none for all of it can be less */
     struct boxes boxes;
@@ -22,18 +22,16 @@ struct search {
 /* The bound over what of the box is in the region. */
 static double evaluate(struct search *s, const struct interval *box)
 {
-    if (!forms_evaluate(s->errors->forms, box))
+    if (!forms_evaluate(s->rounding->forms, box))
         return 0;
-    errors_evaluate(s->errors);
-    return s->errors->bound[s->op];
+    return rounding_error(s->rounding, s->op);
 }
 
 static void offer(struct search *s, struct interval *box)
 {
-    if (!forms_evaluate_narrowed(s->errors->forms, box))
+    if (!forms_evaluate_narrowed(s->rounding->forms, box))
         return;
-    errors_evaluate(s->errors);
-    boxes_push(&s->boxes, s->errors->bound[s->op], box);
+    boxes_push(&s->boxes, rounding_error(s->rounding, s->op), box);
 }
 
 static void visit_middle(struct search *s)
@@ -71,7 +69,7 @@ static size_t choose_variable(struct search *s)
 double bound_error(struct region *r, int op, long boxes)
 {
     struct forms *w = forms_new(r, op);
-    struct search s = {.region = r, .errors = errors_new(w), .op = op, .boxes.variables = r->variables};
+    struct search s = {.region = r, .rounding = rounding_new(w), .op = op, .boxes.variables = r->variables};
     double bound = 0;
     s.box = new_array(r->variables, sizeof *s.box);
     s.part = new_array(r->variables, sizeof *s.part);
@@ -89,7 +87,7 @@ double bound_error(struct region *r, int op, long boxes)
         }
     }
     boxes_free(&s.boxes);
-    errors_free(s.errors);
+    rounding_free(s.rounding);
     forms_free(w);
     free(s.box);
     free(s.part);
@@ -99,16 +97,12 @@ double bound_error(struct region *r, int op, long boxes)
 double bound_error_at(const struct region *r, int op, const double *input)
 {
     struct forms *w = forms_new(r, op);
-    struct errors *e = errors_new(w);
+    struct rounding *e = rounding_new(w);
     struct interval *box = new_array(r->variables, sizeof *box);
     for (size_t k = 0; k < r->variables; k++)
         box[k] = interval_point(input[r->input[k]]);
-    double bound = INFINITY;
-    if (forms_evaluate(w, box)) {
-        errors_evaluate(e);
-        bound = e->bound[op];
-    }
-    errors_free(e);
+    const double bound = forms_evaluate(w, box) ? rounding_error(e, op) : INFINITY;
+    rounding_free(e);
     forms_free(w);
     free(box);
     return bound;

@@ -188,17 +188,18 @@ static bool read_note(struct reader *r, struct genome_note **note, size_t *n, si
 {
     if (!next_word(r, true))
         return FAIL(r, "note without a key");
-    char *key = new_text(r->word, r->length);
     while (r->at < r->end && (*r->at == ' ' || *r->at == '\t'))
         r->at++;
     const char *text = r->at;
     while (r->at < r->end && *r->at != '\n')
         r->at++;
+    if (memchr(r->word, '\0', (size_t)(r->at - r->word)))
+        return FAIL(r, "note '%s' holds a NUL byte");
     size_t length = (size_t)(r->at - text);
     while (length > 0 && isspace((unsigned char)text[length - 1]))
         length--;
     grow_array(note, *n, room, sizeof **note);
-    (*note)[(*n)++] = (struct genome_note){key, new_text(text, length)};
+    (*note)[(*n)++] = (struct genome_note){new_text(r->word, r->length), new_text(text, length)};
     return true;
 }
 

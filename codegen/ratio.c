@@ -253,7 +253,7 @@ bool ratio_proportional(struct ring *g, const struct ratio *a, const struct rati
 {
     struct ratio common;
     fmpq_mpoly_t first, second;
-    if (a->n == b->n && memcmp(a->power, b->power, a->n * sizeof *a->power) == 0)
+    if (a->n == b->n && (a->n == 0 || memcmp(a->power, b->power, a->n * sizeof *a->power) == 0))
         return true;
     fmpq_mpoly_init(first, g->context);
     fmpq_mpoly_init(second, g->context);

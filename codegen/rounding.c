@@ -1,4 +1,4 @@
-/* Running error analysis over a box, and branch and bound over boxes; see bound.h.
+/* Running error analysis over a box; see rounding.h.
  *
  * With x the exact and x' the computed value of an operation, |x' - x| <= e and |x' - x| <= r |x|: what the operands'
  * errors make of the exact result, and one rounding, at most u |result| + h with u = 2^-53 and h the smallest number
@@ -16,13 +16,13 @@
 #define LEAST 0x1p-1074
 #define GROW (1 + 0x1p-45) /* above the roundings of the terms of a bound, all positive */
 
-struct errors *errors_new(struct forms *w)
+struct rounding *rounding_new(struct forms *w)
 {
-    struct errors *e = new_array(1, sizeof *e);
+    struct rounding *e = new_array(1, sizeof *e);
     const struct program *p = w->region->program;
-    *e = (struct errors){.forms = w};
+    *e = (struct rounding){.forms = w};
     e->constant = new_array(p->ops, sizeof *e->constant);
-    e->bound = new_array(p->ops, sizeof *e->bound);
+    e->error = new_array(p->ops, sizeof *e->error);
     e->relative = new_array(p->ops, sizeof *e->relative);
     e->nonnegative = new_array(p->ops, sizeof *e->nonnegative);
     for (size_t i = 0; i < p->ops; i++)
@@ -31,12 +31,12 @@ struct errors *errors_new(struct forms *w)
     return e;
 }
 
-void errors_free(struct errors *e)
+void rounding_free(struct rounding *e)
 {
     if (!e)
         return;
     free(e->constant);
-    free(e->bound);
+    free(e->error);
     free(e->relative);
     free(e->nonnegative);
     free(e);
@@ -44,57 +44,57 @@ void errors_free(struct errors *e)
 
 /* ---- one operation ---- */
 
-static bool is_exact_zero(const struct errors *e, int op)
+static bool is_exact_zero(const struct rounding *e, int op)
 {
     const struct interval x = e->forms->range[op];
-    return x.lo == 0 && x.hi == 0 && e->bound[op] == 0;
+    return x.lo == 0 && x.hi == 0 && e->error[op] == 0;
 }
 
 /* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
-static bool is_exact_sum(const struct errors *e, const struct op *op)
+static bool is_exact_sum(const struct rounding *e, const struct op *op)
 {
     const enum op_kind kind = e->forms->region->program->op[op->a].kind;
     return is_exact_zero(e, op->a) || is_exact_zero(e, op->b) ||
            (op->kind == OP_ADD && op->a == op->b && kind != OP_MUL && kind != OP_NEG);
 }
 
-static bool is_power_of_two(const struct errors *e, int op)
+static bool is_power_of_two(const struct rounding *e, int op)
 {
     const struct interval x = e->forms->range[op];
     int exponent;
-    return e->bound[op] == 0 && x.lo == x.hi && fabs(frexp(x.lo, &exponent)) == 0.5;
+    return e->error[op] == 0 && x.lo == x.hi && fabs(frexp(x.lo, &exponent)) == 0.5;
 }
 
-static double rounding(double most)
+static double last_rounding(double most)
 {
     return UNIT * most + LEAST;
 }
 
-static double product_error(const struct errors *e, const struct op *op, double most)
+static double product_error(const struct rounding *e, const struct op *op, double most)
 {
     const struct interval *x = e->forms->range;
-    const double ea = e->bound[op->a], eb = e->bound[op->b];
+    const double ea = e->error[op->a], eb = e->error[op->b];
     const double error =
         (ea > 0 ? ea * (interval_most(x[op->b]) + eb) : 0) + (eb > 0 ? eb * interval_most(x[op->a]) : 0);
     if (is_exact_zero(e, op->a) || is_exact_zero(e, op->b))
         return 0;
-    return error + (is_power_of_two(e, op->a) || is_power_of_two(e, op->b) ? LEAST : rounding(most + error));
+    return error + (is_power_of_two(e, op->a) || is_power_of_two(e, op->b) ? LEAST : last_rounding(most + error));
 }
 
 /* a'/b' - a/b = (da - (a/b) db) / b'. */
-static double quotient_error(const struct errors *e, const struct op *op, double most)
+static double quotient_error(const struct rounding *e, const struct op *op, double most)
 {
     const double divisor = interval_least(e->forms->range[op->b]) * (1 - lesser(e->relative[op->b], 1)) * (1 - 0x1p-50);
     if (!(divisor > 0))
         return INFINITY;
-    const double eb = e->bound[op->b], error = (e->bound[op->a] + (eb > 0 ? most * eb : 0)) / divisor;
-    return error + (is_power_of_two(e, op->b) ? LEAST : rounding(most + error));
+    const double eb = e->error[op->b], error = (e->error[op->a] + (eb > 0 ? most * eb : 0)) / divisor;
+    return error + (is_power_of_two(e, op->b) ? LEAST : last_rounding(most + error));
 }
 
 /* sqrt(a') - sqrt(a) = da / (sqrt(a') + sqrt(a)), and at most sqrt(|da|). */
-static double root_error(const struct errors *e, const struct op *op, double most)
+static double root_error(const struct rounding *e, const struct op *op, double most)
 {
-    const double ea = e->bound[op->a], lo = e->forms->range[op->a].lo, computed = lo - ea * (1 + 0x1p-50);
+    const double ea = e->error[op->a], lo = e->forms->range[op->a].lo, computed = lo - ea * (1 + 0x1p-50);
     if (!(lo >= 0 && ea <= DBL_MAX) || (computed < 0 && !e->nonnegative[op->a]))
         return INFINITY;
     const double divisor = sqrt(lo) + sqrt(greater(0, computed)), error = ea > 0 ? lesser(sqrt(ea), ea / divisor) : 0;
@@ -102,16 +102,16 @@ static double root_error(const struct errors *e, const struct op *op, double mos
 }
 
 /* The operand that is chosen, where the other one lies certainly beyond. */
-static double choice_error(const struct errors *e, const struct op *op, double sign)
+static double choice_error(const struct rounding *e, const struct op *op, double sign)
 {
     const struct interval *x = e->forms->range;
-    const double ea = e->bound[op->a], eb = e->bound[op->b], both = (ea + eb) * (1 + 0x1p-50);
+    const double ea = e->error[op->a], eb = e->error[op->b], both = (ea + eb) * (1 + 0x1p-50);
     const double a_over_b = sign > 0 ? x[op->a].lo - x[op->b].hi : x[op->b].lo - x[op->a].hi;
     const double b_over_a = sign > 0 ? x[op->b].lo - x[op->a].hi : x[op->a].lo - x[op->b].hi;
     return below(a_over_b) > both ? ea : below(b_over_a) > both ? eb : greater(ea, eb);
 }
 
-static double error_of(const struct errors *e, size_t i)
+static double error_of(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->region->program->op[i];
     const double most = interval_most(e->forms->range[i]);
@@ -122,10 +122,10 @@ static double error_of(const struct errors *e, size_t i)
         return 0;
     case OP_NEG:
     case OP_ABS:
-        return e->bound[op->a];
+        return e->error[op->a];
     case OP_ADD:
     case OP_SUB: {
-        const double error = e->bound[op->a] + e->bound[op->b];
+        const double error = e->error[op->a] + e->error[op->b];
         return is_exact_sum(e, op) ? error : error + UNIT * (most + error);
     }
     case OP_MUL:
@@ -144,7 +144,7 @@ static double error_of(const struct errors *e, size_t i)
 }
 
 /* Relative bound of a product, quotient or root, infinite for others. */
-static double relative_error_of(const struct errors *e, size_t i)
+static double relative_error_of(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->region->program->op[i];
     const double ra = op->a >= 0 ? e->relative[op->a] : 0, rb = op->b >= 0 ? e->relative[op->b] : 0;
@@ -164,7 +164,7 @@ static double relative_error_of(const struct errors *e, size_t i)
 }
 
 /* Rounding is monotonic: what is >= 0 exactly from operands >= 0 is computed so. */
-static bool is_nonnegative(const struct errors *e, size_t i)
+static bool is_nonnegative(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->region->program->op[i];
     const bool a = op->a >= 0 && e->nonnegative[op->a], b = op->b >= 0 && e->nonnegative[op->b];
@@ -198,15 +198,16 @@ static double checked(double error, double most)
     return padded + most <= DBL_MAX ? padded : INFINITY;
 }
 
-void errors_evaluate(struct errors *e)
+double rounding_error(struct rounding *e, int op)
 {
     const struct forms *w = e->forms;
     for (size_t n = 0; n < w->needs; n++) {
         const size_t i = (size_t)w->needed[n];
         const double most = interval_most(w->range[i]), least = interval_least(w->range[i]);
         const double error = checked(error_of(e, i), most), relative = checked(relative_error_of(e, i), most);
-        e->bound[i] = error > 0 ? lesser(error, checked(relative * most, most)) : error;
-        e->relative[i] = e->bound[i] > 0 ? lesser(relative, checked(e->bound[i] / least, 0)) : 0;
+        e->error[i] = error > 0 ? lesser(error, checked(relative * most, most)) : error;
+        e->relative[i] = e->error[i] > 0 ? lesser(relative, checked(e->error[i] / least, 0)) : 0;
         e->nonnegative[i] = is_nonnegative(e, i);
     }
+    return e->error[op];
 }

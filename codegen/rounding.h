@@ -10,8 +10,6 @@ struct rounding {
     double *error;       /* owned: by operation, above |computed - exact|; +infinity: no bound */
     double *relative;    /* owned: by operation, above |computed - exact| / |exact| */
     bool *nonnegative;   /* owned: by operation, the computed value is >= 0 for certain */
-    struct interval *adjoint; /* owned: by operation, derivative of the result by an error added to it */
-    double *spread;           /* owned: by operation, sum of the derivatives' sizes over its uses */
 };
 
 struct rounding *rounding_new(struct forms *w);
