@@ -13,7 +13,6 @@
 struct search {
     struct region *region;
     struct rounding *rounding;
-    int op;
     double reached; /* the largest bound at a point of the region: none for all of it can be less */
     struct boxes boxes;
     struct interval *box, *part; /* owned */
@@ -24,14 +23,14 @@ static double evaluate(struct search *s, const struct interval *box)
 {
     if (!forms_evaluate(s->rounding->forms, box))
         return 0;
-    return rounding_error(s->rounding, s->op);
+    return rounding_error(s->rounding);
 }
 
 static void offer(struct search *s, struct interval *box)
 {
     if (!forms_evaluate_narrowed(s->rounding->forms, box))
         return;
-    boxes_push(&s->boxes, rounding_error(s->rounding, s->op), box);
+    boxes_push(&s->boxes, rounding_error(s->rounding), box);
 }
 
 static void visit_middle(struct search *s)
@@ -69,7 +68,7 @@ static size_t choose_variable(struct search *s)
 double bound_error(struct region *r, int op, long boxes)
 {
     struct forms *w = forms_new(r, op);
-    struct search s = {.region = r, .rounding = rounding_new(w), .op = op, .boxes.variables = r->variables};
+    struct search s = {.region = r, .rounding = rounding_new(w, op), .boxes.variables = r->variables};
     double bound = 0;
     s.box = new_array(r->variables, sizeof *s.box);
     s.part = new_array(r->variables, sizeof *s.part);
@@ -97,11 +96,11 @@ double bound_error(struct region *r, int op, long boxes)
 double bound_error_at(const struct region *r, int op, const double *input)
 {
     struct forms *w = forms_new(r, op);
-    struct rounding *e = rounding_new(w);
+    struct rounding *e = rounding_new(w, op);
     struct interval *box = new_array(r->variables, sizeof *box);
     for (size_t k = 0; k < r->variables; k++)
         box[k] = interval_point(input[r->input[k]]);
-    const double bound = forms_evaluate(w, box) ? rounding_error(e, op) : INFINITY;
+    const double bound = forms_evaluate(w, box) ? rounding_error(e) : INFINITY;
     rounding_free(e);
     forms_free(w);
     free(box);

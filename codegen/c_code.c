@@ -81,7 +81,8 @@ static char *input_text(const struct genome_file *f, size_t k)
         .open = "(", .close = ")", .constant = constant_function, .input = input_text                                  \
     }
 
-static const struct dialect c_double = DIALECT("", double_constant), c_float = DIALECT("f", float_constant);
+const struct dialect c_double = DIALECT("", double_constant);
+static const struct dialect c_float = DIALECT("f", float_constant);
 
 struct target {
     const struct genome_file *file;

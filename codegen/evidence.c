@@ -3,8 +3,11 @@
 #include "evidence.h"
 
 #include "bound.h"
+#include "c_code.h"
+#include "dialect.h"
 #include "point.h"
 #include "poles.h"
+#include "text.h"
 
 #include <mpfr.h>
 #include <stdlib.h>
@@ -13,153 +16,8 @@
 enum { MOST_NAME = 60, MOST_LISTED = 12, POINTS = 8, POINT_BITS = 6, TRIES_A_SAMPLE = 20, LINE_WIDTH = 118 };
 
 /* Limits of work, in operations on coefficients (about a nanosecond) and in Arb's operations. */
-#define MOST_WORK 2e9
+#define MOST_WORK 1.5e9
 #define MOST_BALLS 4e6
-
-/* ---- names ---- */
-
-/* What an operation is called in the C text. */
-struct names {
-    const struct genome_file *file;
-    const struct program *program;
-    const struct statement **defined; /* owned: by operation, the statement that names it */
-    const struct statement **within;  /* owned: by operation, the statement that it stands in */
-};
-
-/* Text that grows up to its room. */
-struct text {
-    char *at;
-    size_t left;
-    bool full;
-};
-
-static void put(struct text *t, const char *what)
-{
-    const size_t n = strlen(what);
-    t->full = t->full || n >= t->left;
-    if (t->full)
-        return;
-    memcpy(t->at, what, n + 1);
-    t->at += n;
-    t->left -= n;
-}
-
-static struct names names_new(const struct genome_file *f, const struct program *p)
-{
-    struct names n = {.file = f, .program = p};
-    n.defined = new_array(p->ops, sizeof *n.defined);
-    n.within = new_array(p->ops, sizeof *n.within);
-    for (size_t i = 0; i < p->statements; i++) {
-        const struct statement *s = &p->statement[i];
-        if (s->output < 0)
-            n.defined[s->op] = s;
-        for (int op = s->first; op <= s->op; op++)
-            n.within[op] = s;
-    }
-    return n;
-}
-
-static void names_free(struct names *n)
-{
-    free(n->defined);
-    free(n->within);
-}
-
-static void put_expression(struct text *t, const struct names *n, int op, int outer);
-
-/* Binding of an operator: 1 for + and -, 2 for * and /. */
-static void put_infix(struct text *t, const struct names *n, const struct op *o, const char *sign, int own, int outer)
-{
-    put(t, own < outer ? "(" : "");
-    put_expression(t, n, o->a, own);
-    put(t, sign);
-    put_expression(t, n, o->b, own + 1);
-    put(t, own < outer ? ")" : "");
-}
-
-static void put_call(struct text *t, const struct names *n, const struct op *o, const char *name)
-{
-    put(t, name);
-    put_expression(t, n, o->a, 0);
-    if (o->b >= 0) {
-        put(t, ", ");
-        put_expression(t, n, o->b, 0);
-    }
-    put(t, ")");
-}
-
-static void put_input(struct text *t, const struct names *n, int input)
-{
-    const char *symbol = n->file->input[input];
-    char word[80];
-    if (n->file->segment)
-        snprintf(word, sizeof word, "x%c[%d]", symbol[1], symbol[0] - 'x');
-    else
-        snprintf(word, sizeof word, "in_%s", symbol);
-    put(t, word);
-}
-
-/* The expression as it stands in its statement, with the names of others. */
-static void put_expression(struct text *t, const struct names *n, int op, int outer)
-{
-    const struct op *o = &n->program->op[op];
-    char word[32];
-    if (t->full || n->defined[op]) {
-        put(t, n->defined[op] ? n->defined[op]->name : "");
-        return;
-    }
-    switch (o->kind) {
-    case OP_CONSTANT:
-        snprintf(word, sizeof word, "%.6g", fmpq_get_d(&n->program->constant[o->input]));
-        put(t, word);
-        break;
-    case OP_INPUT:
-        put_input(t, n, o->input);
-        break;
-    case OP_NEG:
-        put(t, "-");
-        put_expression(t, n, o->a, 3);
-        break;
-    case OP_ADD:
-        put_infix(t, n, o, " + ", 1, outer);
-        break;
-    case OP_SUB:
-        put_infix(t, n, o, " - ", 1, outer);
-        break;
-    case OP_MUL:
-        put_infix(t, n, o, " * ", 2, outer);
-        break;
-    case OP_DIV:
-        put_infix(t, n, o, " / ", 2, outer);
-        break;
-    case OP_SQRT:
-        put_call(t, n, o, "sqrt(");
-        break;
-    case OP_ABS:
-        put_call(t, n, o, "fabs(");
-        break;
-    case OP_MIN:
-        put_call(t, n, o, "min(");
-        break;
-    case OP_MAX:
-        put_call(t, n, o, "max(");
-        break;
-    case OP_PDIV:
-        put_call(t, n, o, "quotient(");
-        break;
-    }
-}
-
-/* Of the denominator `op` in the operation `division`. */
-static char *denominator_name(const struct names *n, int op, size_t division)
-{
-    char name[MOST_NAME + 1];
-    struct text t = {name, sizeof name, false};
-    put_expression(&t, n, op, 0);
-    if (t.full)
-        snprintf(name, sizeof name, "divisor of %.40s", n->within[division] ? n->within[division]->name : "");
-    return new_text(name, strlen(name));
-}
 
 /* ---- finding out ---- */
 
@@ -194,32 +52,53 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
         d->witness = new_array(r->inputs, sizeof *d->witness);
         region_inputs(r, pole.witness, d->witness);
     }
-    if (pole.verdict == POLE_FREE) {
+    if (pole.verdict == POLE_FREE)
         r->known[op] = interval_meet(r->known[op], pole.values);
-        const double bound = r->complete ? bound_error(r, op, boxes / 10) : INFINITY;
-        d->threshold = bound < INFINITY ? bound : 0;
-    }
+    const double bound = r->complete ? bound_error(r, op, boxes / 10) : INFINITY;
+    d->threshold = bound < INFINITY ? bound : 0;
     free(pole.witness);
 }
 
-static void find_denominators(struct evidence *e, const struct genome_file *f, const struct program *p)
+static void skip_statement(void *to, const char *name, long output, const char *text)
 {
-    struct names names = names_new(f, p);
+    (void)to;
+    (void)name;
+    (void)output;
+    (void)text;
+}
+
+/* As the text has it; of a long expression, the statement that divides by it. */
+static char *denominator_name(struct printer *r, int op, const struct statement *s)
+{
+    if (r->name[op] || r->width[op] <= MOST_NAME)
+        return printer_text(r, op, LEVEL_SUM);
+    return new_format("divisor of %s", s->name);
+}
+
+static void find_denominators(struct evidence *e, const struct genome_file *f, const struct genome *genome,
+                              const struct program *p)
+{
+    struct printer *r = printer_new(f, genome, p, &c_double);
+    const struct statement *s = p->statement;
     bool *seen = new_array(p->ops, sizeof *seen);
     size_t room = 0;
+    printer_run(r, skip_statement, NULL);
     for (size_t i = 0; i < p->ops; i++) {
         const int b = p->op[i].b;
         if (p->op[i].kind != OP_DIV || p->op[b].kind == OP_CONSTANT || seen[b])
             continue;
+        while (s->op < (int)i)
+            s++;
         seen[b] = true;
         grow_array(&e->denominator, e->denominators, &room, sizeof *e->denominator);
-        e->denominator[e->denominators++] = (struct denominator){.op = b, .name = denominator_name(&names, b, i)};
+        e->denominator[e->denominators++] = (struct denominator){.op = b, .name = denominator_name(r, b, s)};
     }
-    names_free(&names);
+    printer_free(r);
     free(seen);
 }
 
-/* Worst |computed - exact| of each output at random points, with and without contraction. */
+/* Worst |computed - exact| of each output at random points, with and without contraction.  A bound above the outputs
+ * themselves is none. */
 static void sample_errors(struct evidence *e, const struct program *p, struct region *r,
                           const struct evidence_options *o)
 {
@@ -228,6 +107,7 @@ static void sample_errors(struct evidence *e, const struct program *p, struct re
     long tries = most * TRIES_A_SAMPLE;
     uint64_t seed = o->seed;
     double *input = new_array(p->inputs, sizeof *input), *value = new_array(p->ops, sizeof *value);
+    double *largest = new_array(p->outputs, sizeof *largest);
     arb_ptr exact = _arb_vec_init((slong)p->outputs);
     arb_t error;
     arb_init(error);
@@ -244,13 +124,18 @@ static void sample_errors(struct evidence *e, const struct program *p, struct re
                 arb_sub(error, error, exact + i, 64);
                 const double far = isfinite(computed) ? fabs(arf_get_d(arb_midref(error), ARF_RND_NEAR)) : INFINITY;
                 e->error[i].sampled = fmax(e->error[i].sampled, far);
+                largest[i] = fmax(largest[i], fabs(computed));
             }
         }
     }
+    for (size_t i = 0; i < p->outputs; i++)
+        if (largest[i] > 0 && e->error[i].bound > largest[i])
+            e->error[i].bound = INFINITY;
     arb_clear(error);
     _arb_vec_clear(exact, (slong)p->outputs);
     free(input);
     free(value);
+    free(largest);
 }
 
 struct evidence *evidence_new(const struct genome_file *f, const struct genome *genome, const struct program *p,
@@ -259,8 +144,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     struct evidence *e = new_array(1, sizeof *e);
     struct region *r = region_new(f, p);
     struct search s = {.region = r, .boxes = options->boxes, .work = MOST_WORK};
-    (void)genome;
-    find_denominators(e, f, p);
+    find_denominators(e, f, genome, p);
     e->region = r->complete;
     e->outputs = p->outputs;
     e->error = new_array(p->outputs, sizeof *e->error);
@@ -356,13 +240,26 @@ static void print_region(const struct genome_file *f, FILE *out)
     fputc('\n', out);
 }
 
-static void print_witness(const struct genome_file *f, const struct denominator *d, struct line *l)
+/* The inputs that operation `op` depends on. */
+static bool *find_inputs(const struct program *p, int op)
+{
+    bool *needed = new_array(p->ops, sizeof *needed);
+    needed[op] = true;
+    for (int i = op; i >= (int)p->inputs; i--)
+        for (int k = 0; needed[i] && k < 2; k++)
+            if ((k ? p->op[i].b : p->op[i].a) >= 0)
+                needed[k ? p->op[i].b : p->op[i].a] = true;
+    return needed;
+}
+
+static void print_witness(const struct genome_file *f, const struct program *p, const struct denominator *d,
+                          struct line *l)
 {
     char word[120];
-    bool first = true;
+    bool first = true, *needed = find_inputs(p, d->op);
     add_word(l, "a zero exists near");
     for (size_t i = 0; i < f->inputs; i++) {
-        if (strcmp(f->constant[f->range[i].lo].text, f->constant[f->range[i].hi].text) == 0)
+        if (!needed[i] || strcmp(f->constant[f->range[i].lo].text, f->constant[f->range[i].hi].text) == 0)
             continue;
         snprintf(word, sizeof word, "%s = %.6g", f->input[i], d->witness[i]);
         if (!first)
@@ -370,20 +267,28 @@ static void print_witness(const struct genome_file *f, const struct denominator 
         first = false;
         add_word(l, word);
     }
+    free(needed);
 }
 
-static void print_denominator(const struct genome_file *f, const struct denominator *d, FILE *out)
+static bool is_word(const char *text)
+{
+    return text[strcspn(text, " (")] == '\0';
+}
+
+static void print_denominator(const struct genome_file *f, const struct program *p, const struct denominator *d,
+                              FILE *out)
 {
     char word[200], number[32];
     struct line l;
     snprintf(word, sizeof word, "poles: %s:", d->name);
     begin_line(&l, out, word);
     if (d->verdict == POLE_EXISTS)
-        print_witness(f, d, &l);
+        print_witness(f, p, d, &l);
     else if (d->verdict == POLE_UNDECIDED)
         add_word(&l, "undecided");
     else {
-        snprintf(word, sizeof word, "proved free of zeros, |%s| >= %s", d->name, rounded(d->least, -1, number));
+        snprintf(word, sizeof word, "proved free of zeros, |%s| >= %s", is_word(d->name) ? d->name : "...",
+                 rounded(d->least, -1, number));
         add_word(&l, word);
         if (d->threshold > 0) {
             snprintf(word, sizeof word, "(rounding error <= %s)", rounded(d->threshold, 1, number));
@@ -409,13 +314,12 @@ static void print_error(const struct evidence *e, size_t i, const char *name, FI
 void evidence_print(const struct evidence *e, const struct genome_file *f, const struct genome *genome,
                     const struct program *p, FILE *out)
 {
-    (void)p;
     size_t proved = 0;
     if (e->region)
         print_region(f, out);
     for (size_t i = 0; i < e->denominators; i++) {
         if (i < MOST_LISTED)
-            print_denominator(f, &e->denominator[i], out);
+            print_denominator(f, p, &e->denominator[i], out);
         else
             proved += e->denominator[i].verdict == POLE_FREE;
     }

@@ -1,16 +1,13 @@
-/* Affine arithmetic beside interval arithmetic; see form.h.  Coefficients are rounded to nearest, and what that loses
- * goes into the radius: `slack` of each operation is above the sum of its rounding errors. */
+/* Enclosures of a program's values; see form.h. */
 #include "form.h"
+
+#include "affine.h"
 
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SLOPES = 1 << 22, ROUNDS = 2, SHORT = 32 /* operations */ };
-
-#define GROW (1 + 0x1p-30) /* above all relative errors of a sum of positive numbers */
-#define ROUND 0x1p-50      /* above those of a coefficient: a few roundings */
-#define TINY 1e-300        /* above all that underflows */
+enum { MOST_SLOPES = 1 << 22, ROUNDS = 2, SHORT = 32 /* operations */, DEPTH = 3 };
 
 struct interval interval_around(const fmpq *q)
 {
@@ -62,27 +59,12 @@ static size_t need(struct choice *c, int op)
     return added;
 }
 
-/* The operations of which a require that is a - b, or a - |b|, tells something. */
-static void told_by(const struct program *p, int require, int told[4])
+/* A require, down to some depth, tells something of its operands; it serves if any of that is needed. */
+static bool tells(const struct choice *c, int op, int depth)
 {
-    const struct op *o = &p->op[require];
-    const bool difference = o->kind == OP_SUB;
-    told[0] = require;
-    told[1] = difference ? o->a : require;
-    told[2] = difference ? o->b : require;
-    told[3] = difference && p->op[o->b].kind == OP_ABS ? p->op[o->b].a : require;
-}
-
-/* A require serves if it tells something of what is needed, or if it is short. */
-static bool serves(const struct choice *c, int require)
-{
-    const struct program *p = c->region->program;
-    int told[4];
-    told_by(p, require, told);
-    for (int k = 0; k < 4; k++)
-        if (p->op[told[k]].kind != OP_CONSTANT && c->value[value_of(c->region, told[k])])
-            return true;
-    return c->region->length[require] <= SHORT;
+    const struct op *o = &c->region->program->op[op];
+    return (o->kind > OP_INPUT && c->value[value_of(c->region, op)]) ||
+           (depth > 0 && ((o->a >= 0 && tells(c, o->a, depth - 1)) || (o->b >= 0 && tells(c, o->b, depth - 1))));
 }
 
 /* Requires that build on others stand behind them. */
@@ -96,7 +78,7 @@ static void choose_operations(struct forms *w, int target)
     if (target >= 0)
         w->needs += need(&c, target);
     for (size_t i = p->outputs; i-- > 0;)
-        if (target < 0 || serves(&c, p->output[i])) {
+        if (target < 0 || r->length[p->output[i]] <= SHORT || tells(&c, p->output[i], DEPTH)) {
             w->required[p->output[i]] = true;
             w->needs += need(&c, p->output[i]);
         }
@@ -139,183 +121,7 @@ void forms_free(struct forms *w)
     free(w);
 }
 
-/* ---- forms ---- */
-
-static double *slopes(const struct forms *w, size_t i)
-{
-    return w->slope + i * w->region->variables;
-}
-
-/* No form, until the range makes one. */
-static void forget(struct forms *w, size_t i)
-{
-    w->radius[i] = INFINITY;
-}
-
-static void set_radius(struct forms *w, size_t i, double radius, double size)
-{
-    double mass = 0;
-    const double *s = slopes(w, i);
-    for (size_t k = 0; k < w->region->variables; k++)
-        mass += fabs(s[k]);
-    w->mass[i] = mass * GROW;
-    w->radius[i] = (radius + size * ROUND) * GROW + TINY;
-    if (!(w->radius[i] + w->mass[i] <= DBL_MAX))
-        forget(w, i);
-}
-
-/* out = p a + q b + shift, up to radius. */
-static void combine(struct forms *w, size_t out, double p, size_t a, double q, size_t b, double shift, double radius)
-{
-    if (!(w->radius[a] + w->radius[b] + radius + fabs(p) + fabs(q) < INFINITY)) {
-        forget(w, out);
-        return;
-    }
-    double *s = slopes(w, out);
-    const double *sa = slopes(w, a), *sb = slopes(w, b);
-    for (size_t k = 0; k < w->region->variables; k++)
-        s[k] = p * sa[k] + q * sb[k];
-    w->centre[out] = p * w->centre[a] + q * w->centre[b] + shift;
-    set_radius(w, out, fabs(p) * w->radius[a] + fabs(q) * w->radius[b] + radius,
-               fabs(p) * (fabs(w->centre[a]) + w->mass[a]) + fabs(q) * (fabs(w->centre[b]) + w->mass[b]) + fabs(shift));
-}
-
-/* The product of the linear parts is sum_k s_k t_k e_k^2, half of which goes to the centre as e_k^2 is in [0,1], and
- * the mixed terms. */
-static void multiply(struct forms *w, size_t out, size_t a, size_t b)
-{
-    if (!(w->radius[a] + w->radius[b] < INFINITY)) {
-        forget(w, out);
-        return;
-    }
-    double *s = slopes(w, out), sum = 0, absolute = 0;
-    const double *sa = slopes(w, a), *sb = slopes(w, b), ca = w->centre[a], cb = w->centre[b];
-    for (size_t k = 0; k < w->region->variables; k++) {
-        const double square = sa[k] * sb[k];
-        sum += square;
-        absolute += fabs(square);
-        s[k] = ca * sb[k] + cb * sa[k];
-    }
-    w->centre[out] = ca * cb + 0.5 * sum;
-    const double ma = w->mass[a], mb = w->mass[b], ra = w->radius[a], rb = w->radius[b];
-    set_radius(w, out,
-               fabs(ca) * rb + fabs(cb) * ra + greater(0, ma * mb - 0.5 * absolute / GROW) + ma * rb + ra * mb +
-                   ra * rb,
-               (fabs(ca) + ma) * (fabs(cb) + mb));
-}
-
-/* A function of x known to be in slope x + [lo,hi]. */
-static void linearise(struct forms *w, size_t out, size_t x, double slope, double lo, double hi)
-{
-    const double middle = 0.5 * (lo + hi);
-    combine(w, out, slope, x, 0, x, middle, above(greater(hi - middle, middle - lo)));
-}
-
-/* 1/x - slope x with slope = -1/(lo hi), over positive x: equal at both ends, least at the mean proportional. */
-static void reciprocal(struct forms *w, size_t out, size_t x)
-{
-    const struct interval r = interval_absolute(w->range[x]);
-    const double slope = -1 / (r.lo * r.hi), least = below(2 * sqrt(-slope));
-    const double most =
-        greater(above(above(1 / r.lo) + above(-slope * r.lo)), above(above(1 / r.hi) + above(-slope * r.hi)));
-    if (!(slope < 0 && most <= DBL_MAX))
-        forget(w, out);
-    else if (w->range[x].lo > 0)
-        linearise(w, out, x, slope, least, most);
-    else
-        linearise(w, out, x, slope, -most, -least);
-}
-
-/* a/b = q + (a - q b) / b with q = centre / centre: what a and b have in common cancels in the bracket. */
-static void divide(struct forms *w, size_t out, size_t a, size_t b)
-{
-    const size_t inverse = w->region->program->ops, rest = inverse + 1;
-    if (interval_has(w->range[b], 0) || !(w->radius[a] + w->radius[b] < INFINITY)) {
-        forget(w, out);
-        return;
-    }
-    const double ratio = w->centre[a] / w->centre[b], q = fabs(ratio) <= DBL_MAX ? ratio : 0;
-    reciprocal(w, inverse, b);
-    combine(w, rest, 1, a, -q, b, 0, 0);
-    multiply(w, out, rest, inverse);
-    w->centre[out] += q;
-    w->radius[out] += fabs(w->centre[out]) * ROUND;
-}
-
-static void root(struct forms *w, size_t out, size_t x)
-{
-    const struct interval r = w->range[x];
-    const double slope = 1 / (sqrt(r.lo) + sqrt(r.hi));
-    if (!(r.lo >= 0 && slope > 0 && slope <= DBL_MAX)) {
-        forget(w, out);
-        return;
-    }
-    const double least =
-        lesser(below(below(sqrt(r.lo)) - above(slope * r.lo)), below(below(sqrt(r.hi)) - above(slope * r.hi)));
-    linearise(w, out, x, slope, least, above(1 / (4 * slope)));
-}
-
-/* The slope of |x| from end to end, and how far |x| lies above that at most: |x| is in slope x + [0,most]. */
-static double chord(struct interval r, double *most)
-{
-    const double slope = greater(-1, lesser(1, (r.hi + r.lo) / (r.hi - r.lo)));
-    *most = greater(above(r.hi * above(1 - slope)), above(-r.lo * above(1 + slope)));
-    return slope;
-}
-
-static void absolute(struct forms *w, size_t out, size_t x)
-{
-    const struct interval r = w->range[x];
-    double most;
-    if (r.lo >= 0 || r.hi <= 0)
-        combine(w, out, r.lo >= 0 ? 1 : -1, x, 0, x, 0, 0);
-    else if (!interval_finite(r))
-        forget(w, out);
-    else {
-        const double slope = chord(r, &most);
-        linearise(w, out, x, slope, 0, most);
-    }
-}
-
-static struct interval form_range(const struct forms *w, size_t i)
-{
-    const double reach = above(w->mass[i] + w->radius[i]);
-    return (struct interval){below(w->centre[i] - reach), above(w->centre[i] + reach)};
-}
-
-/* min(a,b) = (a + b - |a - b|) / 2, max with +. */
-static void choose(struct forms *w, size_t out, size_t a, size_t b, int sign)
-{
-    const size_t t = w->region->program->ops;
-    double most;
-    combine(w, t, 1, a, -1, b, 0, 0);
-    if (w->radius[t] == INFINITY) {
-        forget(w, out);
-        return;
-    }
-    const struct interval r = interval_meet(interval_subtract(w->range[a], w->range[b]), form_range(w, t));
-    if (r.lo >= 0 || r.hi <= 0) {
-        combine(w, out, 1, (r.lo >= 0) == (sign > 0) ? a : b, 0, a, 0, 0);
-        return;
-    }
-    const double slope = chord(r, &most);
-    combine(w, out, 0.5 * (1 + sign * slope), a, 0.5 * (1 - sign * slope), b, sign * 0.25 * most, above(0.25 * most));
-}
-
-static void set_form(struct forms *w, size_t i, double centre, double radius)
-{
-    w->centre[i] = centre;
-    memset(slopes(w, i), 0, w->region->variables * sizeof *w->slope);
-    w->mass[i] = 0;
-    w->radius[i] = radius;
-}
-
-/* ---- a program ---- */
-
-static double half_width(struct interval r, double middle)
-{
-    return r.lo == r.hi ? 0 : above(greater(r.hi - middle, middle - r.lo));
-}
+/* ---- evaluation ---- */
 
 static struct interval range_of(const struct forms *w, const struct op *op, const struct interval *box)
 {
@@ -351,66 +157,6 @@ static struct interval range_of(const struct forms *w, const struct op *op, cons
     return interval_whole();
 }
 
-static void set_input(struct forms *w, size_t i, size_t variable)
-{
-    forget(w, i);
-    if (variable == w->region->variables || !interval_finite(w->range[i]))
-        return;
-    const double middle = interval_middle(w->range[i]);
-    set_form(w, i, middle, 0);
-    slopes(w, i)[variable] = w->mass[i] = half_width(w->range[i], middle);
-}
-
-static void set_operation(struct forms *w, size_t i)
-{
-    const struct op *op = &w->region->program->op[i];
-    const size_t a = (size_t)op->a, b = (size_t)op->b;
-    switch (op->kind) {
-    case OP_CONSTANT:
-        forget(w, i);
-        break;
-    case OP_INPUT:
-        set_input(w, i, w->region->variable[op->input]);
-        break;
-    case OP_NEG:
-        combine(w, i, -1, a, 0, a, 0, 0);
-        break;
-    case OP_ADD:
-        combine(w, i, 1, a, 1, b, 0, 0);
-        break;
-    case OP_SUB:
-        combine(w, i, 1, a, -1, b, 0, 0);
-        break;
-    case OP_MUL:
-        multiply(w, i, a, b);
-        break;
-    case OP_DIV:
-    case OP_PDIV:
-        divide(w, i, a, b);
-        break;
-    case OP_SQRT:
-        root(w, i, a);
-        break;
-    case OP_ABS:
-        absolute(w, i, a);
-        break;
-    case OP_MIN:
-    case OP_MAX:
-        choose(w, i, a, b, op->kind == OP_MAX ? 1 : -1);
-        break;
-    }
-}
-
-/* A form whose radius alone is as wide as the range says no more than the range. */
-static void settle(struct forms *w, size_t i)
-{
-    if (w->radius[i] < INFINITY)
-        w->range[i] = interval_meet(w->range[i], form_range(w, i));
-    const double middle = interval_middle(w->range[i]), half = half_width(w->range[i], middle);
-    if (half <= w->radius[i])
-        set_form(w, i, middle, half);
-}
-
 /* It is known that operation i lies in x: so does, scaled, its twin. */
 static void tighten(struct forms *w, int i, struct interval x)
 {
@@ -420,21 +166,39 @@ static void tighten(struct forms *w, int i, struct interval x)
         w->range[twin] = interval_meet(w->range[twin], interval_divide(w->range[i], w->region->ratio[i]));
 }
 
-/* Operation i is > 0. */
-static void use_require(struct forms *w, int i)
+/* What is known of operation i, down to some depth, tells of its operands. */
+static void tell(struct forms *w, int i, struct interval x, int depth)
 {
     const struct op *op = &w->region->program->op[i];
-    int told[4];
-    w->inside = w->inside && w->range[i].lo > 0;
-    tighten(w, i, (struct interval){0, INFINITY});
-    if (op->kind != OP_SUB)
+    tighten(w, i, x);
+    if (depth == 0 || op->a < 0)
         return;
-    const double most = w->range[op->a].hi, least = w->range[op->b].lo;
-    told_by(w->region->program, i, told);
-    tighten(w, told[1], (struct interval){least, INFINITY});
-    tighten(w, told[2], (struct interval){-INFINITY, most});
-    if (told[3] != i)
-        tighten(w, told[3], (struct interval){-most, most});
+    const struct interval y = w->range[i], a = w->range[op->a], b = op->b >= 0 ? w->range[op->b] : a;
+    switch (op->kind) {
+    case OP_NEG:
+        tell(w, op->a, interval_negative(y), depth - 1);
+        break;
+    case OP_ADD:
+        tell(w, op->a, interval_subtract(y, b), depth - 1);
+        tell(w, op->b, interval_subtract(y, a), depth - 1);
+        break;
+    case OP_SUB:
+        tell(w, op->a, interval_add(y, b), depth - 1);
+        tell(w, op->b, interval_subtract(a, y), depth - 1);
+        break;
+    case OP_MUL:
+        tell(w, op->a, interval_divide(y, b), depth - 1);
+        tell(w, op->b, interval_divide(y, a), depth - 1);
+        break;
+    case OP_DIV:
+        tell(w, op->a, interval_multiply(y, b), depth - 1);
+        break;
+    case OP_ABS:
+        tell(w, op->a, (struct interval){-y.hi, y.hi}, depth - 1);
+        break;
+    default:
+        break;
+    }
 }
 
 static bool is_empty(struct interval x)
@@ -451,14 +215,14 @@ bool forms_evaluate(struct forms *w, const struct interval *box)
         w->range[i] = interval_meet(range_of(w, &r->program->op[i], box), r->known[i]);
         if (is_empty(w->range[i]))
             return false;
-        if (w->affine) {
-            set_operation(w, i);
-            settle(w, i);
-        }
+        if (w->affine)
+            affine_set(w, i);
         if (r->twin[i] >= 0)
             w->range[i] = interval_meet(w->range[i], interval_multiply(w->range[r->twin[i]], r->ratio[i]));
-        if (w->required[i])
-            use_require(w, (int)i);
+        if (w->required[i]) {
+            w->inside = w->inside && w->range[i].lo > 0;
+            tell(w, (int)i, (struct interval){0, INFINITY}, DEPTH);
+        }
         if (is_empty(w->range[i]))
             return false;
     }
@@ -482,7 +246,7 @@ bool forms_evaluate_narrowed(struct forms *w, struct interval *box)
         if (!forms_evaluate(w, box))
             return false;
         for (size_t i = 0; i < p->outputs && !w->inside; i++)
-            cut = forms_narrow(w, p->output[i], 1, 0, box) || cut;
+            cut = affine_narrow(w, p->output[i], 1, 0, box) || cut;
         if (box_is_empty(box, w->region->variables))
             return false;
         if (!cut)
@@ -497,28 +261,4 @@ bool forms_finite(const struct forms *w)
         if (!interval_finite(w->range[w->needed[n]]))
             return false;
     return true;
-}
-
-bool forms_narrow(const struct forms *w, int op, int sign, double bound, struct interval *box)
-{
-    const size_t i = (size_t)op;
-    bool cut = false;
-    if (!w->affine || !(w->radius[i] < INFINITY))
-        return false;
-    /* |slope[k]| (1 + sign sign(slope[k]) e_k) >= need, whatever the other e are */
-    const double *s = slopes(w, i), size = fabs(bound) + fabs(w->centre[i]) + w->mass[i] + w->radius[i];
-    const double need = sign * (bound - w->centre[i]) - w->mass[i] - w->radius[i] - size * ROUND - TINY;
-    for (size_t k = 0; k < w->region->variables; k++) {
-        const double steep = fabs(s[k]), least = (need + steep) / steep - 1e-9;
-        if (!(steep > 1e-200 && least > -1))
-            continue;
-        const double middle = interval_middle(box[k]), half = half_width(box[k], middle);
-        const double reduced = below(half * (least - 1e-9));
-        if (sign * s[k] > 0)
-            box[k].lo = greater(box[k].lo, below(middle + reduced));
-        else
-            box[k].hi = lesser(box[k].hi, above(middle - reduced));
-        cut = true;
-    }
-    return cut;
 }

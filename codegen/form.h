@@ -34,10 +34,6 @@ bool forms_evaluate_narrowed(struct forms *w, struct interval *box);
 /** True if all values are finite over the box, hence continuous there. */
 bool forms_finite(const struct forms *w);
 
-/** After an evaluation over `box`: shrink the box to where operation `op` may be >= bound (sign 1) or <= bound (-1).
- *  True if that cut something off. */
-bool forms_narrow(const struct forms *w, int op, int sign, double bound, struct interval *box);
-
 bool box_is_empty(const struct interval *box, size_t variables);
 
 /** The interval around a rational. */

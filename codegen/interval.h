@@ -78,6 +78,12 @@ static inline double interval_middle(struct interval x)
     return x.lo >= 0 ? lesser(2 * x.lo + 1, DBL_MAX) : greater(2 * x.hi - 1, -DBL_MAX);
 }
 
+/** Its farthest end from a number inside. */
+static inline double interval_half(struct interval x, double middle)
+{
+    return x.lo == x.hi ? 0 : above(greater(x.hi - middle, middle - x.lo));
+}
+
 /** May be empty: lo > hi. */
 static inline struct interval interval_meet(struct interval x, struct interval y)
 {
@@ -101,20 +107,28 @@ static inline struct interval interval_subtract(struct interval x, struct interv
     return interval_add(x, interval_negative(y));
 }
 
-/* One end of a product: a factor of 0 makes it 0, even where the other one is an end at infinity. */
-static inline struct interval interval_product_of_ends(double a, double b)
+/* A product of ends: 0 times an end at infinity is 0, as the end does not belong to the interval. */
+static inline double interval_product_of_ends(double a, double b)
 {
-    if (a == 0 || b == 0)
-        return interval_point(0);
-    return (struct interval){below(a * b), above(a * b)};
+    return a == 0 || b == 0 ? 0 : a * b;
+}
+
+static inline bool interval_is_zero(struct interval x)
+{
+    return x.lo == 0 && x.hi == 0;
 }
 
 static inline struct interval interval_multiply(struct interval x, struct interval y)
 {
-    const struct interval a = interval_product_of_ends(x.lo, y.lo), b = interval_product_of_ends(x.lo, y.hi);
-    const struct interval c = interval_product_of_ends(x.hi, y.lo), d = interval_product_of_ends(x.hi, y.hi);
-    return (struct interval){lesser(lesser(a.lo, b.lo), lesser(c.lo, d.lo)),
-                             greater(greater(a.hi, b.hi), greater(c.hi, d.hi))};
+    const double a = interval_product_of_ends(x.lo, y.lo), b = interval_product_of_ends(x.lo, y.hi);
+    const double c = interval_product_of_ends(x.hi, y.lo), d = interval_product_of_ends(x.hi, y.hi);
+    const double lo = lesser(lesser(a, b), lesser(c, d)), hi = greater(greater(a, b), greater(c, d));
+    /* a 0 is one, or too small a number of a sign that the factors tell */
+    const bool same = (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
+    const bool opposite = (x.lo >= 0 && y.hi <= 0) || (x.hi <= 0 && y.lo >= 0);
+    if (interval_is_zero(x) || interval_is_zero(y))
+        return interval_point(0);
+    return (struct interval){lo == 0 && same ? 0 : below(lo), hi == 0 && opposite ? 0 : above(hi)};
 }
 
 static inline struct interval interval_absolute(struct interval x)
@@ -125,8 +139,7 @@ static inline struct interval interval_absolute(struct interval x)
 static inline struct interval interval_square(struct interval x)
 {
     const struct interval a = interval_absolute(x);
-    return (struct interval){greater(0, interval_product_of_ends(a.lo, a.lo).lo),
-                             interval_product_of_ends(a.hi, a.hi).hi};
+    return (struct interval){greater(0, below(a.lo * a.lo)), a.hi == 0 ? 0 : above(a.hi * a.hi)};
 }
 
 /** The whole line where y has 0. */

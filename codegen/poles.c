@@ -8,8 +8,8 @@
  *     D has opposite signs, certain in interval arithmetic, at two of its points. */
 #include "poles.h"
 
+#include "affine.h"
 #include "boxes.h"
-#include "form.h"
 #include "point.h"
 
 #include <stdlib.h>
@@ -22,6 +22,7 @@ struct search {
     struct forms *forms;
     int op;
     double nearest, share; /* least |D| seen; the target's share of it */
+    double least;          /* |D| is at least this in boxes that are done with, and in what was cut off */
     bool below, above;     /* D < 0, D > 0 somewhere in a box that is done with */
     struct pole pole;
     struct boxes boxes;
@@ -224,14 +225,18 @@ static bool is_done(struct search *s, struct interval *box)
         const struct interval d = value(s);
         s->above = s->above || d.lo > target(s);
         s->below = s->below || d.hi < -target(s);
-        if (d.lo > target(s) || d.hi < -target(s))
+        if (d.lo > target(s) || d.hi < -target(s)) {
+            s->least = fmin(s->least, interval_least(d));
             return true;
+        }
         if (i == NARROWINGS)
             return false;
-        const bool above = forms_narrow(s->forms, s->op, -1, target(s), box);
-        const bool below = forms_narrow(s->forms, s->op, 1, -target(s), box);
+        const bool above = affine_narrow(s->forms, s->op, -1, target(s), box);
+        const bool below = affine_narrow(s->forms, s->op, 1, -target(s), box);
         s->above = s->above || above;
         s->below = s->below || below;
+        if (above || below)
+            s->least = fmin(s->least, target(s));
         if (box_is_empty(box, sides(s)))
             return true;
         if (!above && !below)
@@ -281,6 +286,7 @@ static size_t choose_variable(struct search *s)
 static enum pole_verdict explore(struct search *s, long boxes)
 {
     s->below = s->above = false;
+    s->least = DBL_MAX;
     region_box(s->region, s->part);
     if (offer(s, s->part))
         return POLE_EXISTS;
@@ -302,6 +308,7 @@ static enum pole_verdict explore(struct search *s, long boxes)
     return s->boxes.n > 0 ? POLE_UNDECIDED : POLE_FREE;
 }
 
+/* First the verdict, then better bounds, for which less work is done. */
 static void find(struct search *s, long boxes)
 {
     static const double share[] = {0x1p-20, 0.5, 0.95};
@@ -309,12 +316,12 @@ static void find(struct search *s, long boxes)
         return;
     for (size_t i = 0; i < sizeof share / sizeof *share; i++) {
         s->share = share[i];
-        const enum pole_verdict verdict = explore(s, boxes);
+        const enum pole_verdict verdict = explore(s, i == 0 ? boxes : boxes / 10);
         boxes_free(&s->boxes);
         if (verdict != POLE_FREE)
             break;
-        s->pole = (struct pole){.verdict = POLE_FREE, .least = target(s)};
-        s->pole.values = (struct interval){s->below ? -INFINITY : target(s), s->above ? INFINITY : -target(s)};
+        s->pole = (struct pole){.verdict = POLE_FREE, .least = fmax(s->least, s->pole.least)};
+        s->pole.values = (struct interval){s->below ? -INFINITY : s->pole.least, s->above ? INFINITY : -s->pole.least};
     }
 }
 

@@ -113,11 +113,11 @@ static bool prove(const struct genome_file *f, const struct genome *genome, cons
         return differ(f, genome, d);
     if (!x && divisor >= 0)
         return diag_at(d, f->path, genome->line, 1, "genome '%s' divides by a value that is always 0", genome->name);
-    bool equal = true;
-    for (size_t i = 0; x && i < outs; i++)
-        equal = equal && points_equal(x, both->output[i], both->output[outs + i]);
     *how = (struct proof){.points = x ? 2 : 0, .bits = x ? x->bits : 0, .log2_failure = x ? x->log2_failure : 0};
-    const enum verdict verdict = equal ? exact_compare(both, (size_t)s->border, x) : DIFFERENT;
+    enum verdict verdict = exact_compare(both, (size_t)s->border, x);
+    for (size_t i = 0; x && verdict == UNDECIDED && i < outs; i++)
+        if (!points_equal(x, both->output[i], both->output[outs + i]))
+            verdict = DIFFERENT;
     points_free(x);
     if (verdict == DIFFERENT)
         return differ(f, genome, d);

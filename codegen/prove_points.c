@@ -7,25 +7,30 @@
  * by Schwartz and Zippel's lemma, with a chance below (4 D + 8 H + 4) / 2^(b-1) together; b is chosen so that all pairs
  * of operations that are ever compared add up to less than 2^-100.
  *
- * Prime, points and values of functions come from SHA-256 over the program itself: the same input gives the same
- * output, and the chance is that of a hash that answers like a random oracle.  (Primes are probable ones, by FLINT's
- * BPSW test, to which no counterexample is known.) */
+ * Prime, points and values of functions are answers of a hash to the program itself, so the chance is that of a hash
+ * that answers like a random oracle: it speaks of programs that were not made with this hash in view. */
 #define _GNU_SOURCE /* tdestroy */
 #include "prove_points.h"
 
+#include "oracle.h"
+
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <search.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIES = 4, CERTAIN = 100, SMALL = 160 /* bits of a rational that its residue tells */, MOST_BITS = 1024 };
+enum { TRIES = 4, CERTAIN = 100, MOST_BITS = 1024, MOST_EXACT = 8192 };
+enum { SMALL = 160 }; /* bits of a rational that its residue tells */
 
 /* One evaluation. */
 struct field {
     const struct program *program;
     struct points *points;
-    char seed[65];
+    struct oracle oracle;
+    fmpq *exact;   /* owned: by operation, where known; of any size up to MOST_EXACT bits */
+    bool *known;   /* owned: by operation: it is a constant by its form */
     void *sizes;   /* owned: tree of rays, the results of abs by their arguments */
     bool accident; /* a divisor is 0 */
 };
@@ -55,6 +60,16 @@ static struct bound sum_bound(const struct bound *a, const struct bound *b)
     return c;
 }
 
+static struct bound larger_bound(const struct bound *a, const struct bound *b)
+{
+    struct bound c;
+    for (int k = 0; k < 2; k++) {
+        c.degree[k] = fmax(a->degree[k], b->degree[k]);
+        c.norm[k] = fmax(a->norm[k], b->norm[k]);
+    }
+    return c;
+}
+
 static bool is_function(enum op_kind kind)
 {
     return kind >= OP_SQRT;
@@ -76,92 +91,18 @@ static double log2_weight(const struct program *p)
         else if (o->kind == OP_MUL || o->kind == OP_DIV || o->kind == OP_PDIV)
             bound[i] = product_bound(a, b, o->kind != OP_MUL);
         else if (a)
-            bound[i] = *a;
-        if (is_function(o->kind)) /* an argument, a small multiple of a variable, or a small constant */
-            bound[i].norm[0] += SMALL, bound[i].norm[1] += SMALL;
-        if (is_function(o->kind) || o->kind == OP_INPUT)
-            bound[i].degree[0] += 1;
-        for (int k = 0; k < 2; k++)
+            bound[i] = b ? larger_bound(a, b) : *a;
+        bound[i].degree[0] += is_function(o->kind) || o->kind == OP_INPUT;
+        for (int k = 0; k < 2; k++) {
+            if (is_function(o->kind)) /* an argument, a small multiple of a variable, or a constant */
+                bound[i].norm[k] += SMALL;
             most = fmax(most, 4 * bound[i].degree[k] + 8 * bound[i].norm[k] + 4);
+        }
         functions += is_function(o->kind);
     }
     free(bound);
     const double pairs = (double)p->outputs + (functions + 2) * (functions + 2);
     return log2(most) + log2(pairs) + (functions > 0 ? 2 * SMALL + 1 : 0);
-}
-
-/* ---- the oracle ---- */
-
-/* A number of at least 256 bits more than the prime, by SHA-256 of the question. */
-static void draw(fmpz_t x, unsigned long bits, const void *question, size_t size)
-{
-    const size_t blocks = bits / 256 + 2;
-    char key[100], *all = new_array(64 * blocks + 1, 1);
-    sha256_hex(question, size, key);
-    for (size_t k = 0; k < blocks; k++) {
-        snprintf(key + 64, sizeof key - 64, " %zu", k);
-        sha256_hex(key, strlen(key), all + 64 * k);
-    }
-    fmpz_set_str(x, all, 16);
-    free(all);
-}
-
-/* What a number means is told apart by its letter: prime p, coordinate x, function f. */
-static void draw_numbered(const struct field *e, fmpz_t x, char letter, size_t number, size_t point)
-{
-    char question[140];
-    snprintf(question, sizeof question, "%s %c %zu %zu", e->seed, letter, number, point);
-    draw(x, e->points->bits, question, strlen(question));
-}
-
-/* The new variable that stands for a function of what key[0..3] hold, at either point. */
-static void draw_function(const struct field *e, enum op_kind kind, const fmpz *key, int op)
-{
-    const size_t limbs = (e->points->bits + FLINT_BITS - 1) / FLINT_BITS;
-    mp_limb_t *question = new_array(10 + 4 * limbs, sizeof *question);
-    memcpy(question, e->seed, 64);
-    question[8] = (mp_limb_t)kind;
-    for (size_t k = 0; k < 4; k++)
-        fmpz_get_ui_array(question + 10 + k * limbs, (slong)limbs, &key[k]);
-    for (size_t point = 0; point < 2; point++) {
-        question[9] = point;
-        fmpz *x = &e->points->value[point][op];
-        draw(x, e->points->bits, question, (10 + 4 * limbs) * sizeof *question);
-        fmpz_mod(x, x, e->points->prime);
-    }
-    free(question);
-}
-
-/* Everything that is drawn depends on every gene and every letter of the code. */
-static void make_seed(const struct program *p, int attempt, char seed[65])
-{
-    int *words = new_array(4 * p->ops + 1, sizeof *words);
-    for (size_t i = 0; i < p->ops; i++)
-        memcpy(words + 4 * i, (const int[4]){(int)p->op[i].kind, p->op[i].a, p->op[i].b, p->op[i].input},
-               4 * sizeof *words);
-    words[4 * p->ops] = attempt;
-    sha256_hex(words, (4 * p->ops + 1) * sizeof *words, seed);
-    free(words);
-    for (size_t i = 0; i < p->constants; i++) {
-        char *value = fmpq_get_str(NULL, 16, &p->constant[i]), *chain = new_array(strlen(value) + 65, 1);
-        memcpy(chain, seed, 64);
-        memcpy(chain + 64, value, strlen(value));
-        sha256_hex(chain, strlen(chain), seed);
-        flint_free(value);
-        free(chain);
-    }
-}
-
-static void draw_prime(struct field *e)
-{
-    fmpz *p = e->points->prime;
-    fmpz_zero(p);
-    for (size_t number = 0; !fmpz_is_probabprime(p); number++) {
-        draw_numbered(e, p, 'p', number, 0);
-        fmpz_fdiv_r_2exp(p, p, e->points->bits - 1);
-        fmpz_setbit(p, e->points->bits - 1);
-        fmpz_setbit(p, 0);
-    }
 }
 
 /* ---- residues ---- */
@@ -200,11 +141,6 @@ static bool is_zero(const struct points *x, int op)
 static bool is_constant(const struct points *x, int op)
 {
     return fmpz_equal(&x->value[0][op], &x->value[1][op]);
-}
-
-static bool get_constant(const struct points *x, fmpq *q, int op)
-{
-    return is_constant(x, op) && get_rational(x, q, &x->value[0][op]);
 }
 
 bool points_equal(const struct points *x, int a, int b)
@@ -266,11 +202,64 @@ int *points_classes(const struct points *x)
 
 /* ---- evaluation ---- */
 
-static void set_rational(struct field *e, int op, const fmpq *q)
+static void set_constant(struct field *e, int op, const fmpq *q)
 {
     struct points *x = e->points;
     e->accident |= !fmpq_mod_fmpz(&x->value[0][op], q, x->prime);
     fmpz_set(&x->value[1][op], &x->value[0][op]);
+    e->known[op] = fmpq_height_bits(q) <= MOST_EXACT;
+    if (e->known[op])
+        fmpq_set(&e->exact[op], q);
+}
+
+/* The value of a constant; one that its form hides is told by its residue. */
+static bool get_constant(const struct field *e, fmpq *q, int op)
+{
+    if (e->known[op])
+        fmpq_set(q, &e->exact[op]);
+    return e->known[op] || (is_constant(e->points, op) && get_rational(e->points, q, &e->points->value[0][op]));
+}
+
+/* False if the operands are not known constants. */
+static bool evaluate_constant(struct field *e, const struct op *o, int op)
+{
+    const fmpq *a = o->a >= 0 ? &e->exact[o->a] : NULL, *b = o->b >= 0 ? &e->exact[o->b] : NULL;
+    fmpq_t q;
+    if (o->kind == OP_INPUT || is_function(o->kind) || (a && !e->known[o->a]) || (b && !e->known[o->b]) ||
+        (o->kind == OP_DIV && fmpq_is_zero(b)))
+        return false;
+    fmpq_init(q);
+    if (o->kind == OP_CONSTANT)
+        fmpq_set(q, &e->program->constant[o->input]);
+    else if (o->kind == OP_NEG)
+        fmpq_neg(q, a);
+    else if (o->kind == OP_ADD)
+        fmpq_add(q, a, b);
+    else if (o->kind == OP_SUB)
+        fmpq_sub(q, a, b);
+    else if (o->kind == OP_MUL)
+        fmpq_mul(q, a, b);
+    else
+        fmpq_div(q, a, b);
+    set_constant(e, op, q);
+    fmpq_clear(q);
+    return true;
+}
+
+/* The new variable that stands for a function of what key[0..3] hold, at either point. */
+static void draw_function(const struct field *e, enum op_kind kind, const fmpz *key, int op)
+{
+    const size_t limbs = (e->points->bits + FLINT_BITS - 1) / FLINT_BITS, n = 3 + 4 * limbs;
+    mp_limb_t *question = new_array(n, sizeof *question);
+    question[0] = 'f';
+    question[1] = (mp_limb_t)kind;
+    for (size_t k = 0; k < 4; k++)
+        fmpz_get_ui_array(question + 3 + k * limbs, (slong)limbs, &key[k]);
+    for (size_t point = 0; point < 2; point++) {
+        question[2] = point;
+        oracle_draw(&e->oracle, &e->points->value[point][op], e->points->prime, question, n);
+    }
+    free(question);
 }
 
 /* The variable for kind and key = the values of a and of b, if there is one. */
@@ -304,7 +293,8 @@ static void apply_abs(struct field *e, int a, int op)
     const int first = find_ray(&e->sizes, x, a, op);
     if (first != op && get_factor(x, a, e->program->op[first].a, factor)) {
         fmpq_abs(factor, factor);
-        set_rational(e, op, factor);
+        set_constant(e, op, factor);
+        e->known[op] = false;
         for (int point = 0; point < 2; point++) {
             fmpz_mul(&x->value[point][op], &x->value[point][op], &x->value[point][first]);
             fmpz_mod(&x->value[point][op], &x->value[point][op], x->prime);
@@ -330,6 +320,15 @@ static void apply_protected(struct field *e, int a, int b, int op)
     _fmpz_vec_clear(key, 4);
 }
 
+static void copy(struct field *e, int to, int from)
+{
+    for (int point = 0; point < 2; point++)
+        fmpz_set(&e->points->value[point][to], &e->points->value[point][from]);
+    e->known[to] = e->known[from];
+    if (e->known[to])
+        fmpq_set(&e->exact[to], &e->exact[from]);
+}
+
 /* Functions of constants, and those that their arguments decide; false if it is none. */
 static bool fold(struct field *e, enum op_kind kind, int a, int b, int op)
 {
@@ -339,28 +338,26 @@ static bool fold(struct field *e, enum op_kind kind, int a, int b, int op)
     fmpq_t p, q;
     fmpq_init(p);
     fmpq_init(q);
-    if (kind == OP_PDIV) {
-        folds = same || is_zero(x, b);
-        fmpq_one(p);
-    } else if (kind == OP_SQRT) {
-        folds = get_constant(x, p, a) && fmpz_is_square(fmpq_numref(p)) && fmpz_is_square(fmpq_denref(p));
-        if (folds) {
-            fmpz_sqrt(fmpq_numref(p), fmpq_numref(p));
-            fmpz_sqrt(fmpq_denref(p), fmpq_denref(p));
+    if (kind == OP_MIN || kind == OP_MAX) {
+        folds = same || (get_constant(e, p, a) && get_constant(e, q, b));
+        if (folds)
+            copy(e, op, same || (fmpq_cmp(p, q) < 0) == (kind == OP_MIN) ? a : b);
+    } else {
+        if (kind == OP_PDIV) {
+            folds = same || is_zero(x, b);
+            fmpq_one(p);
+        } else if (get_constant(e, p, a)) {
+            folds = kind == OP_ABS || (fmpz_is_square(fmpq_numref(p)) && fmpz_is_square(fmpq_denref(p)));
+            if (kind == OP_ABS)
+                fmpq_abs(p, p);
+            else if (folds) {
+                fmpz_sqrt(fmpq_numref(p), fmpq_numref(p));
+                fmpz_sqrt(fmpq_denref(p), fmpq_denref(p));
+            }
         }
-    } else if (kind == OP_ABS) {
-        folds = get_constant(x, p, a);
-        fmpq_abs(p, p);
-    } else if (same || (get_constant(x, p, a) && get_constant(x, q, b))) {
-        const int from = same || (fmpq_cmp(p, q) < 0) == (kind == OP_MIN) ? a : b;
-        for (int point = 0; point < 2; point++)
-            fmpz_set(&x->value[point][op], &x->value[point][from]);
-        fmpq_clear(p);
-        fmpq_clear(q);
-        return true;
+        if (folds)
+            set_constant(e, op, p);
     }
-    if (folds)
-        set_rational(e, op, p);
     fmpq_clear(p);
     fmpq_clear(q);
     return folds;
@@ -383,7 +380,7 @@ static void evaluate_arithmetic(struct field *e, const struct op *o, int op, siz
     const struct points *p = e->points;
     fmpz *v = p->value[point], *x = &v[op];
     if (o->kind == OP_INPUT)
-        draw_numbered(e, x, 'x', (size_t)o->input, point);
+        oracle_draw(&e->oracle, x, p->prime, (const mp_limb_t[3]){'x', (mp_limb_t)o->input, point}, 3);
     else if (o->kind == OP_NEG)
         fmpz_neg(x, &v[o->a]);
     else if (o->kind == OP_ADD)
@@ -400,21 +397,24 @@ static void evaluate_arithmetic(struct field *e, const struct op *o, int op, siz
 /* False if a divisor is 0, the value of operation *divisor. */
 static bool evaluate(const struct program *p, struct points *x, int attempt, int *divisor)
 {
-    struct field e = {.program = p, .points = x};
-    make_seed(p, attempt, e.seed);
-    draw_prime(&e);
+    struct field e = {.program = p,
+                      .points = x,
+                      .oracle = oracle_new(p, attempt, x->bits),
+                      .exact = _fmpq_vec_init((slong)p->ops),
+                      .known = new_array(p->ops, sizeof *e.known)};
+    oracle_prime(&e.oracle, x->prime);
     for (size_t i = 0; i < p->ops && !e.accident; i++) {
         const struct op *o = &p->op[i];
-        if (o->kind == OP_CONSTANT)
-            set_rational(&e, (int)i, &p->constant[o->input]);
-        else if (is_function(o->kind))
+        if (is_function(o->kind))
             evaluate_function(&e, o->kind, o->a, o->b, (int)i);
-        else
+        else if (!evaluate_constant(&e, o, (int)i))
             for (size_t point = 0; point < 2; point++)
                 evaluate_arithmetic(&e, o, (int)i, point);
         *divisor = o->b;
     }
     tdestroy(e.sizes, free_ray);
+    _fmpq_vec_clear(e.exact, (slong)p->ops);
+    free(e.known);
     return !e.accident;
 }
 

@@ -4,6 +4,7 @@
 #include "archive.h"
 
 #include "frame.h"
+#include "scene_region.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -274,6 +275,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     for (size_t i = 0; i < a->scene->tiers; i++)
         add_tier(a, kernel, i, run, heldout);
     kernel_free(kernel);
+    scene_region_add(a->program, heldout, 2);
     genome_print(a->program, f.stream);
     return outfile_commit(&f, d);
 }

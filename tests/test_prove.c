@@ -92,6 +92,8 @@ static void test_equal(void **state)
         {"abs * -3 x", "*out_r = 3.0 * fabs(in_x);"},
         {"* abs - x y abs - * 2 y * 2 x", "const double t = fabs(in_y - in_x);\n*out_r = 2.0 * t * t;"},
         {"abs -2.5", "*out_r = 2.5;"},
+        {"min 0e300 1e300", "*out_r = 0.0;"},
+        {"sqrt * 1e150 1e150", "*out_r = 1.0e150;"},
         {"min x - y z", "const double t = in_y - in_z;\n*out_r = (t < in_x ? t : in_x);"},
         {"max * 2 x + x y", "const double u = in_x + in_x;\nconst double v = in_y + in_x;\n*out_r = (u > v ? u : v);"},
         {"min x x", "*out_r = in_x;"},
@@ -243,7 +245,7 @@ static void test_changes(void **state)
     };
     size_t tried = 0;
     for (size_t i = 0; i < sizeof expression / sizeof *expression; i++)
-        for (int wide = 0; wide < 2; wide++) {
+        for (int wide = 0; wide < (i % 2 ? 1 : 2); wide++) {
             char genome[ROOM], no_code[ROOM] = "";
             struct diag d = {0};
             struct compiled c;

@@ -1,26 +1,119 @@
-# Enormous genomes end in a header or one line, in bounded time.
+# Enormous, deep and broken genomes end in code or in one line, within time and memory.
 . tests/cli/expect.inc
-n=100000
-make_genome() { # NAME PREFIX-REPEATED LEAVES
-    { echo 'footpoint-genome 1'; echo 'input x y z'; echo 'genome g'; printf 'r ='
-      awk -v n=$n -v p="$2" -v l="$3" 'BEGIN { for (i = 0; i < n / 2; i++) printf " %s", p; printf " %s\n", l; }'; echo end; } > "$work/$1.gen"
-}
-make_genome sum '+ x' y
-make_genome difference '- y' x
-make_genome product '* 1.5' x
-make_genome power '* x' y
-make_genome quotient '/ x' y
-make_genome protected '% x' y
-make_genome alternate '+ 1 * x' y
-make_genome minimum 'min x + 1' y
-make_genome root 'sqrt + 0.1' y
-{ echo 'footpoint-genome 1'
-  awk 'BEGIN { printf "input a b"; for (i = 0; i < 40000; i++) printf " x%d", i; print ""; print "genome g"; printf "r = +"
-       for (k = 0; k < 2; k++) { printf " * %s", k ? "b" : "a"; for (i = 0; i < 39999; i++) printf " * x%d", i; printf " x39999" }
-       print ""; print "end" }'; } > "$work/degree.gen"
-for name in degree sum difference product power quotient protected alternate minimum root; do
-    timeout 60 "$BIN/footpoint-codegen" --allow-poles "$work/$name.gen" -o "$work/$name.h" > "$work/log" 2>&1
+codegen=$BIN/footpoint-codegen
+seconds=60 kilobytes=4000000
+grep -q __asan_init "$codegen" && seconds=600 kilobytes=unlimited # the sanitizer reserves all addresses that there are
+
+ends() { # ends NAME STATUSES [ARGUMENTS...]   the genome is $work/NAME.gen
+    name=$1 statuses=$2
+    shift 2
+    (ulimit -v $kilobytes; timeout $seconds "$codegen" --allow-poles "$@" "$work/$name.gen" -o "$work/$name.h" > "$work/log" 2>&1)
     status=$?
-    [ $status -eq 0 ] || { [ $status -eq 1 ] && [ "$(wc -l < "$work/log")" = 1 ]; }
-    report $((! $?)) "$name of $n genes"
+    case " $statuses " in
+    *" $status "*) [ $status -eq 0 ] || [ "$(wc -l < "$work/log")" = 1 ] ;;
+    *) false ;;
+    esac
+    good=$((! $?))
+    [ $good = 1 ] || { echo "# exit status $status, $(wc -l < "$work/log") lines"; head -3 "$work/log" | cut -c1-200 | sed 's/^/#   /'; }
+    report $good "$name"
+    rm -f "$work/$name.gen" "$work/$name.h"
+}
+
+genome() { # genome NAME: the lines of standard input between the inputs x y z and the end
+    { printf 'footpoint-genome 1\ninput x y z\n'; cat; echo end; } > "$work/$1.gen"
+}
+
+# One expression of 100000 genes: a prefix again and again, then a leaf.
+repeated() { # repeated NAME PREFIX LEAF
+    awk -v p="$2" -v l="$3" 'BEGIN { n = 100000 / split(p, words, " "); printf "genome g\nr ="
+        for (i = 0; i < n; i++) printf " %s", p; print " " l }' | genome "$1"
+    ends "$1" '0 1'
+}
+repeated sum '+ x' y
+repeated difference '- y' x
+repeated product '* 1.5' x
+repeated power '* x' y
+repeated quotient '/ x' y
+repeated protected '% x' y
+repeated alternate '+ 1 * x' y
+repeated minimum 'min x + 1' y
+repeated root 'sqrt + 0.1' y
+repeated continued-fraction '/ 1 + x' y
+repeated negatives 'neg' x
+repeated sizes 'abs' x
+repeated roots 'sqrt' x
+repeated functions 'min sqrt abs max x' y
+
+# Lets in terms of the one or two before them: degrees and constants that double, or grow as Fibonacci's numbers.
+lets() { # lets NAME STATUSES COUNT FIRST SECOND EXPRESSION: "a" is the last value, "b" the one before
+    awk -v n="$3" -v first="$4" -v second="$5" -v e="$6" 'BEGIN { print "let v0 = " first; print "let v1 = " second
+        for (i = 2; i < n; i++) { t = " " e " "; gsub(/ a /, " v" i - 1 " ", t); gsub(/ a /, " v" i - 1 " ", t)
+            gsub(/ b /, " v" i - 2 " ", t); gsub(/ b /, " v" i - 2 " ", t); print "let v" i " =" t }
+        print "genome g\nr = * x v" n - 1 }' | genome "$1"
+    ends "$1" "$2"
+}
+lets square '0' 50 x y '* a a'
+lets square-of-sum '0 1' 50 x '+ y 1' '* a a'
+lets square-of-constant '1' 50 1.5 1.5 '* a a'
+lets square-of-large '1' 50 1e300 1e300 '* a a'
+lets cancelled-constant '0 1' 50 1e300 1e300 '/ * a a * b b'
+lets logistic '0 1' 50 x y '+ z * a a'
+lets logistic-long '0 1' 2000 x y '+ z * a a'
+lets newton '0 1' 50 x y '- a / - * a a z * 2 a'
+lets fibonacci-sum '0 1' 2000 x y '+ a b'
+lets fibonacci-product '0 1' 2000 x y '* a b'
+lets fibonacci-quotient '0 1' 2000 x y '/ 1 + a b'
+lets fibonacci-minimum '0 1' 2000 x y 'min a + 1 b'
+lets chain '0 1' 100000 x y '+ y * a z'
+
+# Many inputs, outputs and names.
+numbered() { awk -v from="$1" -v to="$2" -v f="$3" 'BEGIN { for (i = from; i < to; i++) printf f, i, i, i }'; }
+{ echo 'footpoint-genome 1'; echo "input$(numbered 0 10000 ' x%d')"; echo 'genome g'
+  echo "r =$(numbered 0 9999 ' + x%d') x9999"; echo end; } > "$work/inputs.gen"
+ends inputs '0'
+{ echo 'footpoint-genome 1'; echo "input a b$(numbered 0 10000 ' x%d')"; echo 'genome g'
+  echo "r =$(numbered 0 9999 ' + / x%d - a x%d') x9999"; echo end; } > "$work/quotients.gen"
+ends quotients '0 1'
+{ echo 'footpoint-genome 1'; echo "input a b$(numbered 0 40000 ' x%d')"; echo 'genome g'
+  echo "r = + * a$(numbered 0 39999 ' * x%d') x39999 * b$(numbered 0 39999 ' * x%d') x39999"; echo end; } > "$work/factors.gen"
+ends factors '0 1'
+{ echo 'genome g'; numbered 0 1000 'o%d = + * x %d * y z\n'; } | genome outputs
+ends outputs '0'
+{ numbered 0 1000 'let q%d = / 1 + y * x %d\n'; echo 'genome g'
+  echo "r = +$(numbered 0 999 ' * q%d') q999$(numbered 0 999 ' + * x q%d') q999"; } | genome shared-quotients
+ends shared-quotients '0 1'
+{ numbered 0 1000 'genome g%d\nr = + x %d\nend\n'; echo 'genome g'; echo 'r = x'; } | genome genomes
+ends genomes '0' --effort 0
+
+# Broken and odd bytes.
+long=$(awk 'BEGIN { for (i = 0; i < 20000; i++) printf "abcdefghij" }')
+{ echo "genome $long"; echo 'r = x'; } | genome long-name
+ends long-name '1'
+{ echo 'genome g'; echo "r = + x $long"; } | genome long-gene
+ends long-gene '1'
+{ echo 'genome g'; echo "r = 0.${long}1"; } | genome long-number
+ends long-number '1'
+{ echo "note who $long"; echo "# $long"; echo 'genome g'; echo 'r = x'; } | genome long-note
+ends long-note '0'
+printf 'genome g\r\nr = + x\r\n y\r\n' | genome carriage-returns
+ends carriage-returns '0'
+printf 'genome g\nr = + x\0 y\n' | genome nul
+ends nul '1'
+head -c 100000 /dev/zero > "$work/zeros.gen"
+ends zeros '1'
+awk 'BEGIN { for (i = 0; i < 50000; i++) printf "%c", (i * 7919 + int(i * i / 7)) % 255 + 1 }' > "$work/noise.gen"
+ends noise '1'
+
+# A small genome cut after each byte.
+printf 'footpoint-genome 1\nnote a b\ninput x y # two\nrange x -1 1.5\nrequire y\nlet a = * x -0.25\ngenome g\nnote c d\nr = + a sqrt y\nend' \
+    > "$work/whole"
+size=$(wc -c < "$work/whole") bad=
+for n in $(seq 0 "$size"); do
+    head -c "$n" "$work/whole" > "$work/cut.gen"
+    timeout 10 "$codegen" --count --effort 0 "$work/cut.gen" > "$work/stdout" 2> "$work/stderr"
+    status=$?
+    [ $status -eq $((n < size)) ] && [ "$(wc -l < "$work/stderr")" = $((n < size)) ] || bad="$bad $n"
 done
+[ -z "$bad" ] || echo "# cut after$bad"
+[ -z "$bad" ]
+report $((! $?)) "cut after each of $size bytes"

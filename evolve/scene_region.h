@@ -1,0 +1,13 @@
+/* The region that a genome file's ranges speak of: where the inputs of the scene lie, in the frame of section 3.1. */
+#ifndef FOOTPOINT_SCENE_REGION_H
+#define FOOTPOINT_SCENE_REGION_H
+
+#include "../codegen/genome.h"
+#include "sample.h"
+
+/** Adds ranges of all inputs, and the least area, from samples: A at the origin, B = (1,0,0), D in the x-y plane, y > 0.
+ *  The genome's expressions do not change under translation, rotation and scaling, so this covers every segment that is
+ *  similar to one in the box. */
+void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets);
+
+#endif

@@ -1,0 +1,58 @@
+# Operation counts against the best that FORM, Maxima and SymPy reached (tests/expressions/rivals.csv, which
+# tests/expressions/compare.py --record writes; none of them is needed here) and against known bounds.  Short
+# expressions and those with a bound; all of them when FOOTPOINT_LONG is set.
+. tests/cli/expect.inc
+codegen=$BIN/footpoint-codegen
+
+# expression,model,bound: the paper's pair, dense cubics, a Newton step
+cat > "$work/bounds.csv" << 'END'
+paper-pair,paper,24
+cubic-full-generic,paper,164
+cubic-full-grid,paper,143
+newton-quad,paper,28
+END
+
+for file in tests/expressions/*.gen; do
+    if [ -n "$FOOTPOINT_LONG" ] || [ "$(wc -c < "$file")" -lt 300 ] ||
+        grep -q "^$(basename "$file" .gen)," "$work/bounds.csv"; then echo "$file"; fi
+done > "$work/files"
+
+# cost models that this program knows
+models=$("$codegen" --help | grep -q -e '--cost' && echo 'throughput paper' || echo throughput)
+
+for model in $models; do
+    option=$([ "$models" = throughput ] || echo "--cost $model")
+    while read -r file; do
+        "$codegen" --count $option "$file" 2> /dev/null |
+            awk -F, -v name="$(basename "$file" .gen)" -v model="$model" 'NR > 1 {
+                label = $1 == "g" ? name : name "/" $1
+                print label "," model "," $2 "," $4 "," $3 "," (model == "paper" ? $2 + $3 : $2 + $4 + 8 * $3) }'
+    done < "$work/files"
+done > "$work/ours.csv"
+
+grep -v -e '^#' -e '^expression' tests/expressions/rivals.csv | cut -d, -f1,2,6 | cat - "$work/bounds.csv" |
+    awk -F, 'NR == FNR { ours[$1 "," $2] = $3 "/" $4 "/" $5 " = " $6; cost[$1 "," $2] = $6; next }
+             { key = $1 "," $2; if (key in cost) print cost[key] <= $3, $1, $2 ":", ours[key], "against", $3 }' \
+        "$work/ours.csv" - > "$work/judged"
+while read -r good text; do
+    report "$good" "$text"
+done < "$work/judged"
+
+# missing CSV FILE...: the files of which the table has no line
+missing() {
+    table=$1; shift
+    for file; do grep -q "^$(basename "$file" .gen)[,/]" "$table" || echo "# $file"; done
+}
+missing tests/expressions/rivals.csv tests/expressions/*.gen > "$work/missing"
+cat "$work/missing"; report $((! $(wc -l < "$work/missing"))) 'every expression is recorded'
+missing "$work/ours.csv" $(cat "$work/files") > "$work/missing"
+cat "$work/missing"; report $((! $(wc -l < "$work/missing"))) 'every expression compiles'
+
+if python3 -c '' 2> /dev/null; then
+    python3 -B -m doctest tests/expressions/count.py; report $((! $?)) 'the counter of the rivals counts as it says'
+    mkdir "$work/made" && python3 tests/expressions/make.py "$work/made" && good=1 || good=0
+    for file in "$work"/made/*.gen; do
+        cmp -s "$file" "tests/expressions/$(basename "$file")" || { good=0; echo "# $(basename "$file") differs"; }
+    done
+    report $good 'the expressions are those that make.py writes'
+fi
