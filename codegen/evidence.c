@@ -117,7 +117,7 @@ static void sample_errors(struct evidence *e, const struct program *p, struct re
             continue;
         e->samples++;
         for (int contract = 0; contract < 2; contract++) {
-            point_double(p, input, contract, value);
+            point_double(p, input, contract ? &seed : NULL, value);
             for (size_t i = 0; i < p->outputs; i++) {
                 const double computed = value[p->output[i]];
                 arb_set_d(error, computed);
@@ -342,8 +342,11 @@ static bool print_point(const struct program *p, struct region *r, const double 
     double *row = new_array(2 * p->outputs, sizeof *row);
     bool good = point_exact(p, input, exact);
     for (size_t i = 0; good && i < p->outputs; i++) {
-        row[p->outputs + i] = bound_error_at(r, region_op(r, p->output[i]), input);
-        good = ball_nearest(exact + i, &row[i]) && row[p->outputs + i] < INFINITY;
+        good = ball_nearest(exact + i, &row[i]);
+        /* with the rounding of the exact result */
+        row[p->outputs + i] =
+            above(bound_error_at(r, region_op(r, p->output[i]), input) + above(fabs(row[i]) * 0x1p-53));
+        good = good && row[p->outputs + i] < INFINITY;
     }
     if (good) {
         fputs("    {", out);

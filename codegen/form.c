@@ -37,6 +37,11 @@ static int value_of(const struct region *r, int op)
     return r->twin[op] >= 0 ? r->twin[op] : op;
 }
 
+static struct interval ratio_of(const struct region *r, int op)
+{
+    return r->twin[op] >= 0 ? r->ratio[op] : interval_point(1);
+}
+
 static void push(struct choice *c, int op)
 {
     if (op < 0 || c->needed[op])
@@ -91,13 +96,32 @@ static void choose_operations(struct forms *w, int target)
     free(c.stack);
 }
 
+/* Twins of the region, as far as they are needed. */
+static void choose_twins(struct forms *w)
+{
+    const struct region *r = w->region;
+    int *first = new_array(r->program->ops, sizeof *first);
+    for (size_t n = 0; n < w->needs; n++) {
+        const int i = w->needed[n], value = value_of(r, i);
+        w->twin[i] = first[value] - 1;
+        if (w->twin[i] < 0)
+            first[value] = i + 1;
+        else
+            w->ratio[i] = interval_divide(ratio_of(r, i), ratio_of(r, w->twin[i]));
+    }
+    free(first);
+}
+
 struct forms *forms_new(const struct region *r, int target)
 {
     struct forms *w = new_array(1, sizeof *w);
     const size_t rows = r->program->ops + 2; /* and two at hand */
     *w = (struct forms){.region = r};
     w->required = new_array(rows, sizeof *w->required);
+    w->twin = new_array(rows, sizeof *w->twin);
+    w->ratio = new_array(rows, sizeof *w->ratio);
     choose_operations(w, target);
+    choose_twins(w);
     w->affine = r->variables > 0 && rows <= MOST_SLOPES / r->variables;
     w->range = new_array(rows, sizeof *w->range);
     w->centre = new_array(rows, sizeof *w->centre);
@@ -112,6 +136,8 @@ void forms_free(struct forms *w)
     if (!w)
         return;
     free(w->needed);
+    free(w->twin);
+    free(w->ratio);
     free(w->required);
     free(w->range);
     free(w->centre);
@@ -160,10 +186,10 @@ static struct interval range_of(const struct forms *w, const struct op *op, cons
 /* It is known that operation i lies in x: so does, scaled, its twin. */
 static void tighten(struct forms *w, int i, struct interval x)
 {
-    const int twin = w->region->twin[i];
+    const int twin = w->twin[i];
     w->range[i] = interval_meet(w->range[i], x);
     if (twin >= 0)
-        w->range[twin] = interval_meet(w->range[twin], interval_divide(w->range[i], w->region->ratio[i]));
+        w->range[twin] = interval_meet(w->range[twin], interval_divide(w->range[i], w->ratio[i]));
 }
 
 /* What is known of operation i, down to some depth, tells of its operands. */
@@ -217,8 +243,8 @@ bool forms_evaluate(struct forms *w, const struct interval *box)
             return false;
         if (w->affine)
             affine_set(w, i);
-        if (r->twin[i] >= 0)
-            w->range[i] = interval_meet(w->range[i], interval_multiply(w->range[r->twin[i]], r->ratio[i]));
+        if (w->twin[i] >= 0)
+            w->range[i] = interval_meet(w->range[i], interval_multiply(w->range[w->twin[i]], w->ratio[i]));
         if (w->required[i]) {
             w->inside = w->inside && w->range[i].lo > 0;
             tell(w, (int)i, (struct interval){0, INFINITY}, DEPTH);

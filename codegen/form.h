@@ -12,6 +12,8 @@ struct forms {
     const struct region *region; /* not owned */
     int *needed;                 /* owned: operations that the target and requires of use to it depend on, ascending */
     size_t needs;
+    int *twin;               /* owned: by operation, an earlier one of these that it is a multiple of, or -1 */
+    struct interval *ratio;  /* owned: by operation, to its twin */
     bool *required;          /* owned: by operation, it is > 0 on the region */
     struct interval *range;  /* owned: by operation, its values on the box's part of the region */
     double *centre, *radius; /* owned: by operation; the radius is infinite where there is no form */

@@ -9,7 +9,15 @@ enum { FIRST_BITS = 128, MOST_BITS = 2048, GOOD_BITS = 64, MOST_RATIONAL_BITS = 
 
 /* ---- double ---- */
 
-static double nearest_double(const fmpq *q)
+uint64_t random_next(uint64_t *seed)
+{
+    uint64_t z = *seed += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+double double_nearest(const fmpq *q)
 {
     mpfr_t x;
     mpfr_init2(x, 53);
@@ -24,7 +32,7 @@ static double nearest_integer(const fmpz *z)
     fmpq_t q;
     fmpq_init(q);
     fmpz_set(fmpq_numref(q), z);
-    const double d = nearest_double(q);
+    const double d = double_nearest(q);
     fmpq_clear(q);
     return d;
 }
@@ -42,7 +50,7 @@ double point_constant(const struct program *p, const struct op *op, double *erro
 {
     const fmpq *q = &p->constant[op->input];
     const double d =
-        op->quotient ? nearest_integer(fmpq_numref(q)) / nearest_integer(fmpq_denref(q)) : nearest_double(q);
+        op->quotient ? nearest_integer(fmpq_numref(q)) / nearest_integer(fmpq_denref(q)) : double_nearest(q);
     fmpq_t rest;
     mpfr_t x;
     fmpq_init(rest);
@@ -58,12 +66,13 @@ double point_constant(const struct program *p, const struct op *op, double *erro
 }
 
 /* a + sign b, where a product may be part of the same instruction. */
-static double sum(const struct program *p, const double *v, const struct op *op, double sign, bool contract)
+static double sum(const struct program *p, const double *v, const struct op *op, double sign, uint64_t *contract)
 {
     const struct op *a = &p->op[op->a], *b = &p->op[op->b];
-    if (contract && a->kind == OP_MUL)
+    const uint64_t choice = contract ? random_next(contract) % 3 : 0;
+    if (choice == 1 && a->kind == OP_MUL)
         return fma(v[a->a], v[a->b], sign * v[op->b]);
-    if (contract && b->kind == OP_MUL)
+    if (choice == 2 && b->kind == OP_MUL)
         return fma(sign * v[b->a], v[b->b], v[op->a]);
     return v[op->a] + sign * v[op->b];
 }
@@ -76,7 +85,7 @@ void point_constants(const struct program *p, double *value)
             value[i] = point_constant(p, &p->op[i], &error);
 }
 
-void point_double(const struct program *p, const double *input, bool contract, double *value)
+void point_double(const struct program *p, const double *input, uint64_t *contract, double *value)
 {
     double *v = value;
     for (size_t i = 0; i < p->ops; i++) {

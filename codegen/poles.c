@@ -23,6 +23,7 @@ struct search {
     int op;
     double nearest, share; /* least |D| seen; the target's share of it */
     double least;          /* |D| is at least this in boxes that are done with, and in what was cut off */
+    long halved;           /* boxes that were */
     bool below, above;     /* D < 0, D > 0 somewhere in a box that is done with */
     struct pole pole;
     struct boxes boxes;
@@ -290,7 +291,7 @@ static enum pole_verdict explore(struct search *s, long boxes)
     region_box(s->region, s->part);
     if (offer(s, s->part))
         return POLE_EXISTS;
-    for (long i = 0; i < boxes && s->boxes.n > 0; i++) {
+    for (s->halved = 0; s->halved < boxes && s->boxes.n > 0; s->halved++) {
         boxes_pop(&s->boxes, s->box);
         const size_t k = choose_variable(s);
         if (k == sides(s))
@@ -308,7 +309,7 @@ static enum pole_verdict explore(struct search *s, long boxes)
     return s->boxes.n > 0 ? POLE_UNDECIDED : POLE_FREE;
 }
 
-/* First the verdict, then better bounds, for which less work is done. */
+/* First the verdict, then better bounds, as far as they do not take much more work. */
 static void find(struct search *s, long boxes)
 {
     static const double share[] = {0x1p-20, 0.5, 0.95};
@@ -316,7 +317,7 @@ static void find(struct search *s, long boxes)
         return;
     for (size_t i = 0; i < sizeof share / sizeof *share; i++) {
         s->share = share[i];
-        const enum pole_verdict verdict = explore(s, i == 0 ? boxes : boxes / 10);
+        const enum pole_verdict verdict = explore(s, i == 0 ? boxes : 4 * s->halved + boxes / 10);
         boxes_free(&s->boxes);
         if (verdict != POLE_FREE)
             break;

@@ -5,7 +5,6 @@
 #include "point.h"
 #include "prove_points.h"
 
-#include <mpfr.h>
 #include <stdlib.h>
 
 /* ---- requires as a program ---- */
@@ -142,12 +141,13 @@ static void read_range(struct region *r, const struct genome_file *f, size_t i)
     const struct genome_range *range = &f->range[i];
     fmpq_init(&r->lo[i]);
     fmpq_init(&r->hi[i]);
-    r->range[i] = interval_whole();
+    r->range[i] = r->doubles[i] = interval_whole();
     if (!range->given)
         return;
     decimal_value(&r->lo[i], f->constant[range->lo].text);
     decimal_value(&r->hi[i], f->constant[range->hi].text);
     r->range[i] = (struct interval){interval_around(&r->lo[i]).lo, interval_around(&r->hi[i]).hi};
+    r->doubles[i] = (struct interval){double_nearest(&r->lo[i]), double_nearest(&r->hi[i])};
 }
 
 static void read_ranges(struct region *r, const struct genome_file *f, const bool *matters)
@@ -155,6 +155,7 @@ static void read_ranges(struct region *r, const struct genome_file *f, const boo
     r->lo = new_array(f->inputs, sizeof *r->lo);
     r->hi = new_array(f->inputs, sizeof *r->hi);
     r->range = new_array(f->inputs, sizeof *r->range);
+    r->doubles = new_array(f->inputs, sizeof *r->doubles);
     r->input = new_array(f->inputs, sizeof *r->input);
     r->variable = new_array(f->inputs, sizeof *r->variable);
     r->complete = true;
@@ -264,6 +265,7 @@ void region_free(struct region *r)
     free(r->lo);
     free(r->hi);
     free(r->range);
+    free(r->doubles);
     free(r->input);
     free(r->variable);
     free(r->known);
@@ -298,33 +300,29 @@ double region_width(const struct region *r, size_t variable, struct interval sid
 
 void region_inputs(const struct region *r, const double *at, double *input)
 {
-    mpfr_t x;
-    mpfr_init2(x, 53);
     for (size_t i = 0; i < r->inputs; i++) {
-        fmpq_get_mpfr(x, &r->lo[i], MPFR_RNDN);
-        input[i] = mpfr_get_d(x, MPFR_RNDN);
+        const struct interval range = r->doubles[i];
+        const double fixed = interval_finite(range) ? range.lo : 0;
+        input[i] = r->variable[i] < r->variables ? fmin(fmax(at[r->variable[i]], range.lo), range.hi) : fixed;
     }
-    for (size_t k = 0; k < r->variables; k++)
-        input[r->input[k]] = at[k];
-    mpfr_clear(x);
 }
 
-uint64_t random_next(uint64_t *seed)
+/* Uniform in 0..1. */
+static double draw_fraction(uint64_t *seed)
 {
-    uint64_t z = *seed += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
+    return (double)(random_next(seed) >> 11) * 0x1p-53;
 }
 
+/* Uniform in the range, and random to the last bit also where that is near 0. */
 static double draw_coordinate(struct interval range, uint64_t *seed, int bits)
 {
-    const double fraction = (double)(random_next(seed) >> 11) * 0x1p-53;
     if (!interval_finite(range))
         range = (struct interval){-1, 1};
-    double x = range.lo + (0.5 * range.hi - 0.5 * range.lo) * (2 * fraction);
-    if (bits > 0 && range.hi > range.lo) {
-        const double step = ldexp(1, ilogb(0.5 * range.hi - 0.5 * range.lo) - bits);
+    const double half = 0.5 * range.hi - 0.5 * range.lo;
+    double x = range.lo + half * (2 * draw_fraction(seed));
+    x += half * (draw_fraction(seed) * 0x1p-51);
+    if (bits > 0 && half > 0) {
+        const double step = ldexp(1, ilogb(half) - bits);
         x = step > 0 ? nearbyint(x / step) * step : x;
     }
     return fmin(fmax(x, range.lo), range.hi);
@@ -337,7 +335,7 @@ bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double
     bool found = false;
     while (!found && (*tries)-- > 0) {
         for (size_t k = 0; k < r->variables; k++) {
-            at[k] = draw_coordinate(r->range[r->input[k]], seed, bits);
+            at[k] = draw_coordinate(r->doubles[r->input[k]], seed, bits);
             box[k] = interval_point(at[k]);
         }
         found = region_holds(r, box);

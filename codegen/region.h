@@ -9,20 +9,21 @@
 #include <stdint.h>
 
 struct region {
-    size_t inputs;           /* of the file */
-    fmpq *lo, *hi;           /* owned: by input, exact; 0 where no range is given */
-    struct interval *range;  /* owned: by input, around [lo,hi]; the whole line where none is given */
-    bool complete;           /* every input that the program or a require reads has a range */
-    size_t variables;        /* those inputs, as far as they vary; a box has a side for each */
-    size_t *input;           /* owned: by variable */
-    size_t *variable;        /* owned: by input, or `variables` where it is fixed or does not matter */
-    struct program *program; /* owned: inputs, requires, then the program's operations; outputs: the requires */
-    size_t shift;            /* operations of the requires */
-    struct interval *known;  /* owned: by operation, what is proved of it on the region */
-    int *twin;               /* owned: by operation, an earlier one that it is a multiple of, or -1 */
-    struct interval *ratio;  /* owned: by operation, to its twin */
-    size_t *length;          /* owned: by operation, how many it is made of (at most; of requires alone) */
-    struct forms *required;  /* owned: enclosures of the requires */
+    size_t inputs;            /* of the file */
+    fmpq *lo, *hi;            /* owned: by input, exact; 0 where no range is given */
+    struct interval *range;   /* owned: by input, around [lo,hi]; the whole line where none is given */
+    struct interval *doubles; /* owned: by input, from the double nearest to lo to that nearest to hi */
+    bool complete;            /* every input that the program or a require reads has a range */
+    size_t variables;         /* those inputs, as far as they vary; a box has a side for each */
+    size_t *input;            /* owned: by variable */
+    size_t *variable;         /* owned: by input, or `variables` where it is fixed or does not matter */
+    struct program *program;  /* owned: inputs, requires, then the program's operations; outputs: the requires */
+    size_t shift;             /* operations of the requires */
+    struct interval *known;   /* owned: by operation, what is proved of it on the region */
+    int *twin;                /* owned: by operation, an earlier one that it is a multiple of, or -1 */
+    struct interval *ratio;   /* owned: by operation, to its twin */
+    size_t *length;           /* owned: by operation, how many it is made of (at most; of requires alone) */
+    struct forms *required;   /* owned: enclosures of the requires */
 };
 
 /** The region of the inputs of program p, made from a genome of file f. */
@@ -42,15 +43,13 @@ double region_width(const struct region *r, size_t variable, struct interval sid
 /** True if all of the box belongs to the region. */
 bool region_holds(struct region *r, const struct interval *box);
 
-/** Values of all inputs at a point given by variable; fixed inputs are rounded to nearest. */
+/** Values of all inputs at a point given by variable, which is moved into the ranges where it is outside by rounding.
+ */
 void region_inputs(const struct region *r, const double *at, double *input);
 
 /** A random point of the region: all inputs; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
  *  short, whole multiples of a power of 2, so many bits below that of their range.  False when *tries, which are
  * counted down, are used up: the region is hard to hit. */
 bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *input);
-
-/** The next of a stream of random numbers. */
-uint64_t random_next(uint64_t *seed);
 
 #endif

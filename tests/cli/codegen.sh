@@ -98,7 +98,7 @@ expect 'explained' 0 "$counted" '*' "$codegen" --explain --count "$g"
 genome 'input x y' 'genome g' 'r = / x + y 3' 'end'
 rm -f "$work/h.h"
 expect 'a quotient without ranges' 1 '' \
-    "$g:3:1: error: genome 'g' may divide by 0 (in_y + 3: undecided); give the inputs' ranges, or --allow-poles" \
+    "$g:3:1: error: genome 'g' may divide by 0 (in_y + 3.0: undecided); give the inputs' ranges, or --allow-poles" \
     "$codegen" "$g" -o "$work/h.h"
 [ ! -e "$work/h.h" ]; report $((! $?)) 'nothing is written'
 expect 'is counted' 0 'genome,mul,div,add,sqrt,compare
@@ -112,7 +112,7 @@ grep -q '^FOOTPOINT_FN void p_g(double in_x, double in_y, double \*out_r)$' "$wo
 report $((! $?)) 'and no status is needed'
 genome 'input x y' 'range x 1 2' 'range y -4 1' 'genome g' 'r = / x + y 3' 'end'
 expect 'ranges show a pole' 1 '' \
-    "$g:5:1: error: genome 'g' may divide by 0 (in_y + 3: has a zero); give the inputs' ranges, or --allow-poles" \
+    "$g:5:1: error: genome 'g' may divide by 0 (in_y + 3.0: has a zero); give the inputs' ranges, or --allow-poles" \
     "$codegen" "$g" -o "$work/none.h"
 genome 'input x y' 'genome g' 'r = % x y' 'end'
 expect 'a protected quotient has no pole' 0 '' '' "$codegen" "$g" -o "$work/h.h"
