@@ -476,7 +476,7 @@ static void test_genomes(void **state)
     static const char folder[] = "evolve/genomes";
     struct dirent **entry;
     if (!getenv("FOOTPOINT_LONG"))
-        skip();
+        return; /* a matter of check-long */
     const int n = scandir(folder, &entry, NULL, alphasort);
     assert_true(n > 0);
     for (int i = 0; i < n; i++) {

@@ -145,7 +145,7 @@ def main():
                 number += 1
                 lost += print_row(label, model, ours[model][label], found, options, number)
                 best = found[model]
-                rows.append([label, model, *best[2], best[0], best[3], best[4]])
+                rows.append([label, model, *best[2], best[0], best[3], best[4].replace(',', ';')])
                 if options.texts:
                     write_text(options.texts, label, model, best)
             if rejected:
