@@ -12,10 +12,10 @@ struct proof {
     double log2_failure; /* log2 of the chance that the points mislead */
 };
 
-/** Compares program and genome, both as operations one by one: first at random points, then, if their polynomials are
- * not too large, as rational functions in which sqrt, abs, min, max and protected quotients stand for new variables.
- * False with *d filled if they differ (a fault of this program), if the genome divides by a value that is always 0, or
- * if its degree is beyond 2^800 or so. */
+/** Compares program and genome, both as operations one by one: as rational functions in which sqrt, abs, min, max and
+ * protected quotients stand for new variables; where polynomials grow too large for that, at random points.  False with
+ * *d filled if they differ (a fault of this program), if the genome divides by a value that is always 0, or if
+ * polynomials are too large and degrees too high for a prime of 1024 bits (from 2^500 on). */
 bool prove_equal(const struct genome_file *f, const struct genome *genome, const struct program *p, struct proof *how,
                  struct diag *d);
 

@@ -42,7 +42,7 @@ repeated continued-fraction '/ 1 + x' y
 repeated negatives 'neg' x
 repeated sizes 'abs' x
 repeated roots 'sqrt' x
-repeated functions 'min sqrt abs max x' y
+repeated functions 'min x sqrt abs max y' z
 
 # Lets in terms of the one or two before them: degrees and constants that double, or grow as Fibonacci's numbers.
 lets() { # lets NAME STATUSES COUNT FIRST SECOND EXPRESSION: "a" is the last value, "b" the one before
