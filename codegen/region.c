@@ -68,17 +68,45 @@ static int add_expression(struct builder *b, const struct genome_expr *e)
     return b->stack[0];
 }
 
-/* The lets that the requires need. */
-static bool *find_lets(const struct genome_file *f)
+/* first[i]: the first require that needs let i, or f->requires. */
+static size_t *first_needs(const struct genome_file *f)
 {
-    bool *needed = new_array(f->inputs + f->lets, sizeof *needed);
+    size_t *first = new_array(f->lets, sizeof *first);
+    for (size_t i = 0; i < f->lets; i++)
+    first[i] = f->requires;
     for (size_t k = f->lets + f->requires; k-- > 0;) {
         const struct genome_expr *e = k < f->lets ? &f->let[k] : &f->require[k - f->lets];
-        for (size_t i = 0; (k >= f->lets || needed[f->inputs + k]) && i < e->length; i++)
-            if (e->gene[i] >= GENE_SYMBOL)
-                needed[e->gene[i] - GENE_SYMBOL] = true;
+        const size_t need = k < f->lets ? first[k] : k - f->lets;
+        for (size_t i = 0; i < e->length; i++) {
+            const int let = e->gene[i] - GENE_SYMBOL - (int)f->inputs;
+            if (let >= 0 && need < first[let])
+                first[let] = need;
+        }
     }
-    return needed;
+    return first;
+}
+
+/* The lets that each require is the first to need stand in front of it, so that what earlier requires tell of the
+ * values that these are made of comes first. */
+static void add_requires(struct builder *b)
+{
+    const struct genome_file *f = b->file;
+    struct program *p = b->program;
+    size_t *first = first_needs(f);
+    int *head = new_array(f->requires, sizeof *head), *next = new_array(f->lets, sizeof *next); /* lists, 1 + let */
+    for (size_t i = f->lets; i-- > 0;)
+        if (first[i] < f->requires) {
+            next[i] = head[first[i]];
+            head[first[i]] = 1 + (int)i;
+        }
+    for (size_t k = 0; k < f->requires; k++) {
+        for (int i = head[k]; i > 0; i = next[i - 1])
+            b->symbol[f->inputs + (size_t)i - 1] = add_expression(b, &f->let[i - 1]);
+        p->output[p->outputs++] = add_expression(b, &f->require[k]);
+    }
+    free(first);
+    free(head);
+    free(next);
 }
 
 /* Inputs and requires, which are the outputs. */
@@ -86,18 +114,12 @@ static struct program *read_requires(const struct genome_file *f)
 {
     struct builder b = {.file = f, .program = new_array(1, sizeof *b.program)};
     struct program *p = b.program;
-    bool *needed = find_lets(f);
     b.symbol = new_array(f->inputs + f->lets, sizeof *b.symbol);
     p->inputs = f->inputs;
     p->output = new_array(f->requires, sizeof *p->output);
     for (size_t i = 0; i < f->inputs; i++)
         b.symbol[i] = add_op(p, (struct op){.kind = OP_INPUT, .a = -1, .b = -1, .input = (int)i});
-    for (size_t i = 0; i < f->lets; i++)
-        if (needed[f->inputs + i])
-            b.symbol[f->inputs + i] = add_expression(&b, &f->let[i]);
-    for (size_t i = 0; i < f->requires; i++)
-        p->output[p->outputs++] = add_expression(&b, &f->require[i]);
-    free(needed);
+    add_requires(&b);
     free(b.symbol);
     free(b.stack);
     return p;

@@ -1,13 +1,16 @@
-/* Extremes of the samples' coordinates, widened to two decimals; see scene_region.h. */
+/* Extremes of the samples' coordinates, widened to two decimals, and of what frames measure; see scene_region.h. */
 #include "scene_region.h"
+
+#include "frame.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum { NODES = 5 };
+enum { NODES = 5, INPUTS = 3 * NODES, PIECE = 4096 };
 
 /* The five nodes in the frame of A, B and D. */
-static void similar(const struct sample *s, double x[NODES][3])
+static void similar(const struct sample *s, struct sample *to)
 {
     double e[3][3], length = 0, along = 0, height = 0;
     for (int i = 0; i < 3; i++) {
@@ -26,19 +29,54 @@ static void similar(const struct sample *s, double x[NODES][3])
         e[1][i] /= sqrt(height);
     for (int i = 0; i < 3; i++)
         e[2][i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
+    *to = (struct sample){.xi = s->xi, .eta = s->eta};
     for (int n = 0; n < NODES; n++)
-        for (int k = 0; k < 3; k++) {
-            x[n][k] = 0;
+        for (int k = 0; k < 3; k++)
             for (int i = 0; i < 3; i++)
-                x[n][k] += ((n < 4 ? s->x[n][i] : s->xs[i]) - s->x[0][i]) * e[k][i] / length;
+                *(n < 4 ? &to->x[n][k] : &to->xs[k]) +=
+                    ((n < 4 ? s->x[n][i] : s->xs[i]) - s->x[0][i]) * e[k][i] / length;
+}
+
+/* ---- extremes ---- */
+
+/* Of the columns of a table: inputs and lets. */
+struct extremes {
+    double *lo, *hi; /* owned */
+};
+
+static void take_in(struct extremes *e, const struct columns *table)
+{
+    for (size_t j = 0; j < table->count; j++)
+        for (size_t i = 0; i < table->n; i++) {
+            const double x = columns_at(table, j)[i];
+            e->lo[j] = x < e->lo[j] ? x : e->lo[j];
+            e->hi[j] = x > e->hi[j] ? x : e->hi[j];
         }
 }
 
-/* The input of node n (A, B, C, D, S), direction k (x, y, z). */
-static size_t input_of(int n, int k)
+static struct extremes measure(const struct genome_file *f, const struct sample_set *set, size_t sets)
 {
-    return (size_t)(3 * n + k);
+    const size_t count = f->inputs + f->lets + 2;
+    struct extremes e = {new_array(count, sizeof *e.lo), new_array(count, sizeof *e.hi)};
+    struct sample *moved = new_array(PIECE, sizeof *moved);
+    struct kernel *kernel = kernel_new_widest();
+    for (size_t j = 0; j < count; j++)
+        e.hi[j] = -(e.lo[j] = INFINITY);
+    for (size_t k = 0; k < sets; k++)
+        for (size_t first = 0; first < set[k].n; first += PIECE) {
+            const size_t left = set[k].n - first, n = left < PIECE ? left : PIECE;
+            for (size_t i = 0; i < n; i++)
+                similar(&set[k].s[first + i], &moved[i]);
+            struct columns table = frame_columns(kernel, f, moved, n);
+            take_in(&e, &table);
+            columns_free(&table);
+        }
+    kernel_free(kernel);
+    free(moved);
+    return e;
 }
+
+/* ---- what is written ---- */
 
 static void add_range(struct genome_file *f, size_t input, double lo, double hi)
 {
@@ -48,39 +86,60 @@ static void add_range(struct genome_file *f, size_t input, double lo, double hi)
     genome_add_range(f, input, text[0], text[1]);
 }
 
-/* AC x BD > least: twice the area that the segment's projection has. */
-static void require_area(struct genome_file *f, double least)
+/* let > half of the least it is on the samples, in two digits */
+static void require_above(struct genome_file *f, size_t let, double least)
 {
     char text[32];
-    snprintf(text, sizeof text, "%.4f", floor(least * 5000) / 10000);
-    const int xc = GENE_SYMBOL + (int)input_of(2, 0), yc = GENE_SYMBOL + (int)input_of(2, 1);
-    const int xd = GENE_SYMBOL + (int)input_of(3, 0), yd = GENE_SYMBOL + (int)input_of(3, 1);
-    const int xb = GENE_SYMBOL + (int)input_of(1, 0);
-    const int gene[] = {
-        GENE_SUB, GENE_SUB, GENE_MUL, xc, yd, GENE_MUL, yc, GENE_SUB, xd, xb, -1 - (int)genome_add_constant(f, text)};
+    snprintf(text, sizeof text, "%.2g", 0.5 * least);
+    const int gene[] = {GENE_SUB, GENE_SYMBOL + (int)(f->inputs + let), -1 - (int)genome_add_constant(f, text)};
     genome_add_require(f, gene, sizeof gene / sizeof *gene);
+}
+
+static void use_symbols(const struct genome_file *f, const struct genome_expr *e, bool *used)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] >= GENE_SYMBOL + (int)f->inputs)
+            used[e->gene[i] - GENE_SYMBOL - (int)f->inputs] = true;
+}
+
+/* By let: the genomes depend on it. */
+static bool *used_lets(const struct genome_file *f)
+{
+    bool *used = new_array(f->lets, sizeof *used);
+    for (size_t i = 0; i < f->genomes; i++)
+        for (size_t k = 0; k < f->genome[i].outs; k++)
+            use_symbols(f, &f->genome[i].out[k], used);
+    for (size_t i = f->lets; i-- > 0;)
+        if (used[i])
+            use_symbols(f, &f->let[i], used);
+    return used;
+}
+
+/* A let that frames measure, of lets that the genomes depend on. */
+static bool is_measured(const struct genome_file *f, size_t let, const bool *used)
+{
+    const struct genome_expr *e = &f->let[let];
+    bool measured = strncmp(e->name, "least_", 6) == 0;
+    for (size_t i = 0; i < e->length && measured; i++)
+        measured = e->gene[i] < GENE_SYMBOL + (int)f->inputs || used[e->gene[i] - GENE_SYMBOL - (int)f->inputs];
+    return measured;
 }
 
 void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
 {
-    double lo[NODES][3], hi[NODES][3], x[NODES][3], area = HUGE_VAL;
-    size_t n = 0;
-    for (size_t k = 0; k < sets; k++)
-        for (size_t i = 0; i < set[k].n; i++, n++) {
-            similar(&set[k].s[i], x);
-            area = fmin(area, x[2][0] * x[3][1] - x[2][1] * (x[3][0] - 1));
-            for (int j = 0; j < 3 * NODES; j++) {
-                lo[j / 3][j % 3] = n ? fmin(lo[j / 3][j % 3], x[j / 3][j % 3]) : x[j / 3][j % 3];
-                hi[j / 3][j % 3] = n ? fmax(hi[j / 3][j % 3], x[j / 3][j % 3]) : x[j / 3][j % 3];
-            }
-        }
-    if (n == 0 || f->inputs != 3 * NODES)
+    if (f->inputs != INPUTS)
         return;
-    for (int j = 0; j < 3 * NODES; j++) {
+    struct extremes e = measure(f, set, sets);
+    bool *used = used_lets(f);
+    for (size_t j = 0; j < INPUTS && e.lo[j] <= e.hi[j]; j++) {
         const bool fixed = j < 6 || j == 11; /* A, B, and z of D, but for rounding */
         const double at = j == 3 ? 1 : 0;
-        add_range(f, input_of(j / 3, j % 3), fixed ? at : lo[j / 3][j % 3], fixed ? at : hi[j / 3][j % 3]);
+        add_range(f, j, fixed ? at : e.lo[j], fixed ? at : e.hi[j]);
     }
-    if (area > 0)
-        require_area(f, area);
+    for (size_t i = 0; i < f->lets; i++)
+        if (e.lo[INPUTS + i] > 0 && isfinite(e.lo[INPUTS + i]) && is_measured(f, i, used))
+            require_above(f, i, e.lo[INPUTS + i]);
+    free(used);
+    free(e.lo);
+    free(e.hi);
 }
