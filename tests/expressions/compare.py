@@ -3,8 +3,8 @@
 
 Every rival gets each expression in several forms (forms.py) and with many settings (rivals.py).  What it prints is
 checked against the genome and counted by one lenient counter (count.py), as is the genome as written, so that nobody is
-judged by its defaults.  Raw output is cached.  Exit status: 0 no rival is better anywhere, 1 some are, 2 a tool is
-missing.
+judged by its defaults.  Raw output is cached.  Exit status: 0 no rival is better anywhere (with --tap: but for the
+known misses of misses.csv), 1 some are, 2 a tool is missing.
 """
 import argparse
 import csv
@@ -94,13 +94,22 @@ def our_counts(codegen, path, model):
             for r in rows}
 
 
+def known_misses():
+    """{(label, model): our cost}, which must not grow"""
+    with open(os.path.join(HERE, 'misses.csv'), encoding='ascii') as lines:
+        rows = csv.DictReader(line for line in lines if not line.startswith('#'))
+        return {(row['expression'], row['model']): int(row['ours']) for row in rows}
+
+
 def print_row(label, model, mine, found, options, number):
     best, each = found[model], ' '.join(f'{key[1]} {result[0]}' for key, result in found.items() if key[0] == model)
     lost = cost(mine, model) > best[0]
     slashes = ['/'.join(map(str, counts)) for counts in (mine, best[2])]
     if options.tap:
+        known = lost and cost(mine, model) <= known_misses().get((label, model), 0)
+        lost = lost and not known
         print(f'{"not " * lost}ok {number} - {label}, {model}: {slashes[0]} = {cost(mine, model)}; '
-              f'{best[3]} {slashes[1]} = {best[0]}', flush=True)
+              f'{best[3]} {slashes[1]} = {best[0]}{" (a known miss)" * known}', flush=True)
     else:
         verdict = 'LOST' if lost else 'equal' if cost(mine, model) == best[0] else 'won'
         print(f'{label:24s} {model:10s} {slashes[0]:>10s} {cost(mine, model):4d} {slashes[1]:>10s} {best[0]:4d} '
