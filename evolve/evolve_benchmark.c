@@ -1,5 +1,5 @@
 /* The evaluator against a plain interpreter, which copies every leaf to its stack and computes gene by gene, block by
- * block. */
+ * block.  Both are built for every width of registers. */
 #include "evolve_benchmark.h"
 
 #include "kernel.h"
@@ -11,75 +11,79 @@
 #include <string.h>
 #include <time.h>
 
-enum { SAMPLES = 28672, VARIABLES = 8, GENOMES = 64, SHORTEST = 50, LONGEST = 250, ROUNDS = 5 };
+enum { SAMPLES = 28672, VARIABLES = 8, GENOMES = 64, LONGEST = 250, ROUNDS = 7, BLOCK = 256 };
+
+static const struct kind {
+    const char *name;
+    size_t operations, shortest, longest;
+} kinds[] = {
+    {"", 3, 50, LONGEST},
+    {"-rational", 4, 50, LONGEST},
+    {"-short", 3, 15, 15},
+};
 
 struct workload {
     struct columns table; /* VARIABLES columns and the target */
+    struct columns_float single;
     struct genome_file *program;
     struct tree tree[GENOMES];
     int gene[GENOMES][LONGEST];
     size_t genes;
 };
 
-#define EACH(expression)                                                                                               \
-    for (size_t i = 0; i < KERNEL_BLOCK; i++)                                                                          \
-    y[i] = (expression)
+#define REAL double
+#define INTERPRETER interpret_double
+#include "evolve_benchmark_interpreter.h"
+#define REAL float
+#define INTERPRETER interpret_float
+#include "evolve_benchmark_interpreter.h"
 
-static double plain_error_sum(const struct workload *w, const struct tree *t, double (*stack)[KERNEL_BLOCK])
-{
-    double sum = 0;
-    for (size_t row = 0; row < SAMPLES; row += KERNEL_BLOCK) {
-        double(*top)[KERNEL_BLOCK] = stack; /* one past the top */
-        for (size_t g = t->length; g-- > 0;) {
-            const int gene = t->gene[g];
-            if (gene_arity(gene) == 2)
-                top--;
-            else
-                top++;
-            double *y = top[-1];
-            const double *x = top[0]; /* popped: the operand read last is the first one */
-            switch (gene) {
-            case GENE_ADD:
-                EACH(x[i] + y[i]);
-                break;
-            case GENE_SUB:
-                EACH(x[i] - y[i]);
-                break;
-            case GENE_MUL:
-                EACH(x[i] * y[i]);
-                break;
-            case GENE_PDIV:
-                EACH(y[i] == 0 ? 1 : x[i] / y[i]);
-                break;
-            default:
-                if (gene >= GENE_SYMBOL)
-                    memcpy(y, columns_at(&w->table, (size_t)(gene - GENE_SYMBOL)) + row, sizeof *stack);
-                else
-                    EACH(w->program->constant[-1 - gene].value);
-            }
-        }
-        for (size_t i = 0; i < KERNEL_BLOCK; i++)
-            sum += fabs(stack[0][i] - columns_at(&w->table, VARIABLES)[row + i]);
+#define INTERPRET(name, target)                                                                                        \
+    target static double name(const struct workload *w, const struct tree *t, bool single)                             \
+    {                                                                                                                  \
+        return single ? interpret_float(t, w->single.data, w->single.room, w->program->constant)                       \
+                      : interpret_double(t, w->table.data, w->table.room, w->program->constant);                       \
     }
-    return sum;
+INTERPRET(interpret_plain, )
+#if defined __x86_64__
+INTERPRET(interpret_256, __attribute__((target("avx2,fma,bmi2"))))
+#if defined __clang__
+INTERPRET(interpret_512, __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))))
+#else
+INTERPRET(interpret_512, __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512"))))
+#endif
+#endif
+
+static double interpreter_sum(const struct workload *w, const struct tree *t, enum kernel_width width, bool single)
+{
+    switch (width) {
+#if defined __x86_64__
+    case KERNEL_512:
+        return interpret_512(w, t, single);
+    case KERNEL_256:
+        return interpret_256(w, t, single);
+#endif
+    default:
+        return interpret_plain(w, t, single);
+    }
 }
 
-static double error_sum(const struct workload *w, const struct tree *t, struct kernel *k)
+static double kernel_sum(const struct workload *w, const struct tree *t, struct kernel *k, bool single)
 {
     const struct kernel_task task = {t->gene, t->length, w->program->constant, &w->table};
-    return kernel_error_sum(k, &task, VARIABLES, INFINITY);
+    return single ? kernel_error_sum_float(k, &task, &w->single, VARIABLES, INFINITY)
+                  : kernel_error_sum(k, &task, VARIABLES, INFINITY);
 }
 
 /* Random genomes whose values are finite, so that every engine evaluates them to the end. */
-static void fill(struct workload *w, struct kernel *k, size_t operations)
+static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
 {
     static int symbol[VARIABLES], constant[4], operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
     static const char *const text[] = {"-0.35", "0.5", "1.25", "2"};
-    const struct gene_set genes = {symbol, VARIABLES, constant, 4, operation, operations};
+    const struct gene_set genes = {symbol, VARIABLES, constant, 4, operation, kind->operations};
     gsl_rng *rng = stream_new();
     stream_key(rng, 0, 0, 0, 0);
-    w->table = columns_new(SAMPLES, VARIABLES + 1);
-    w->program = genome_file_new("benchmark");
+    *w = (struct workload){.table = columns_new(SAMPLES, VARIABLES + 1), .program = genome_file_new("benchmark")};
     for (int i = 0; i < VARIABLES; i++)
         symbol[i] = GENE_SYMBOL + i;
     for (int i = 0; i < 4; i++)
@@ -87,48 +91,59 @@ static void fill(struct workload *w, struct kernel *k, size_t operations)
     for (size_t j = 0; j <= VARIABLES; j++)
         for (size_t i = 0; i < SAMPLES; i++)
             columns_at(&w->table, j)[i] = 2 * gsl_rng_uniform(rng) - 1;
+    w->single = columns_float_new(&w->table);
     for (size_t i = 0; i < GENOMES; i++) {
-        w->tree[i].gene = w->gene[i];
+        struct tree *t = &w->tree[i];
+        t->gene = w->gene[i];
         do
-            tree_random(rng, &genes, 16, false, LONGEST, &w->tree[i]);
-        while (w->tree[i].length < SHORTEST || !isfinite(error_sum(w, &w->tree[i], k)));
-        w->genes += w->tree[i].length;
+            tree_random(rng, &genes, 16, false, kind->longest, t);
+        while (t->length < kind->shortest || !isfinite(kernel_sum(w, t, k, true)));
+        w->genes += t->length;
     }
     gsl_rng_free(rng);
 }
 
+/* Processor time in seconds: other processes of the machine count for nothing. */
 static double now(void)
 {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Engine 0 is the interpreter, engine 1 + w the kernel of width w. */
-static void race(struct kernel *const kernel[KERNEL_WIDTHS], const char *suffix, size_t operations, FILE *stream)
+/* Seconds for all genomes, with the kernel, or the interpreter of that width if `k` is NULL. */
+static double lap(const struct workload *w, struct kernel *k, enum kernel_width width, bool single)
+{
+    volatile double sink;
+    const double start = now();
+    for (size_t i = 0; i < GENOMES; i++)
+        sink = k ? kernel_sum(w, &w->tree[i], k, single) : interpreter_sum(w, &w->tree[i], width, single);
+    (void)sink;
+    return now() - start;
+}
+
+static void race(struct kernel *const kernel[KERNEL_WIDTHS], const struct kind *kind, FILE *stream)
 {
     static struct workload w;
-    static double stack[LONGEST][KERNEL_BLOCK];
-    double best[1 + KERNEL_WIDTHS];
-    volatile double sink;
-    w = (struct workload){0};
-    fill(&w, kernel[KERNEL_PLAIN], operations);
-    for (int e = 0; e <= KERNEL_WIDTHS; e++)
-        best[e] = INFINITY;
+    double best[2][2][KERNEL_WIDTHS]; /* by engine, precision and width */
+    fill(&w, kernel[KERNEL_PLAIN], kind);
     for (int round = 0; round < ROUNDS; round++)
-        for (int e = 0; e <= KERNEL_WIDTHS; e++) {
-            const double start = now();
-            for (size_t i = 0; i < GENOMES && (e == 0 || kernel[e - 1]); i++)
-                sink = e == 0 ? plain_error_sum(&w, &w.tree[i], stack) : error_sum(&w, &w.tree[i], kernel[e - 1]);
-            best[e] = fmin(best[e], now() - start);
+        for (int i = 0; i < 4 * KERNEL_WIDTHS; i++) {
+            const int engine = i / 2 % 2, single = i % 2, width = i / 4;
+            double *b = &best[engine][single][width];
+            if (kernel[width])
+                *b = fmin(round == 0 ? INFINITY : *b,
+                          lap(&w, engine == 0 ? NULL : kernel[width], (enum kernel_width)width, single == 1));
         }
-    (void)sink;
-    for (int e = 0; e <= KERNEL_WIDTHS; e++)
-        if (e == 0 || kernel[e - 1])
-            fprintf(stream, "%s%s,double,%d,%.3e\n", e == 0 ? "interpreter" : "footpoint", suffix,
-                    kernel_bits(e == 0 ? KERNEL_PLAIN : (enum kernel_width)(e - 1)),
-                    (double)w.genes * SAMPLES / best[e]);
+    for (int i = 0; i < 4 * KERNEL_WIDTHS; i++) {
+        const int engine = i / (2 * KERNEL_WIDTHS), single = i / KERNEL_WIDTHS % 2, width = i % KERNEL_WIDTHS;
+        if (kernel[width])
+            fprintf(stream, "%s%s,%s,%d,%.3e\n", engine == 0 ? "interpreter" : "footpoint", kind->name,
+                    single ? "float" : "double", kernel_bits((enum kernel_width)width),
+                    (double)w.genes * SAMPLES / best[engine][single][width]);
+    }
     genome_file_free(w.program);
+    columns_float_free(&w.single);
     columns_free(&w.table);
 }
 
@@ -138,8 +153,8 @@ void evolve_benchmark(FILE *stream)
     for (int k = 0; k < KERNEL_WIDTHS; k++)
         kernel[k] = kernel_supports((enum kernel_width)k) ? kernel_new((enum kernel_width)k) : NULL;
     fprintf(stream, "engine,precision,bits,genes_samples_per_s\n");
-    race(kernel, "", 3, stream);
-    race(kernel, "-rational", 4, stream);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        race(kernel, &kinds[i], stream);
     for (int k = 0; k < KERNEL_WIDTHS; k++)
         kernel_free(kernel[k]);
 }

@@ -4,9 +4,10 @@
 
 #include <stdio.h>
 
-/** CSV engine,precision,bits,genes_samples_per_s: random genomes of 50..250 genes over 8 inputs and 28,672 samples,
- *  polynomials, then with protected division among the operators; the best of several rounds in which the engines take
- *  turns. */
+/** CSV engine,precision,bits,genes_samples_per_s over 8 inputs and 28,672 samples, the best of several rounds in which
+ *  the engines take turns.  Engines: "footpoint" and "interpreter", for random polynomials of 50..250 genes;
+ *  "footpoint-rational" and "interpreter-rational", with protected division among their operators; "footpoint-short"
+ *  and "interpreter-short", for polynomials of 15 genes.  Leaves count, as in all published figures. */
 void evolve_benchmark(FILE *stream);
 
 #endif

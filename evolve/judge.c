@@ -11,6 +11,8 @@ struct judge *judge_new(const struct genome_file *program, const struct columns 
     struct judge *j = new_array(1, sizeof *j);
     *j = (struct judge){.table = table, .program = program, .norm = norm, .kernel = kernel_new_widest()};
     j->scratch = new_array(table->n, sizeof *j->scratch);
+    if (norm == NORM_MEAN)
+        j->single = columns_float_new(table);
     return j;
 }
 
@@ -19,17 +21,32 @@ void judge_free(struct judge *j)
     if (!j)
         return;
     kernel_free(j->kernel);
+    columns_float_free(&j->single);
     free(j->scratch);
     free(j);
 }
 
+static struct kernel_task task_of(const struct judge *j, const struct tree *t)
+{
+    return (struct kernel_task){t->gene, t->length, j->decimal ? NULL : j->program->constant, j->table};
+}
+
 double judge_error(struct judge *j, const struct tree *t, size_t target, double bound)
 {
-    const struct kernel_task task = {t->gene, t->length, j->program->constant, j->table};
+    const struct kernel_task task = task_of(j, t);
     const size_t n = j->table->n;
     if (j->norm == NORM_MEAN)
         return kernel_error_sum(j->kernel, &task, target, bound * (double)n) / (double)n;
     kernel_values(j->kernel, &task, j->scratch);
     errors_absolute(j->scratch, columns_at(j->table, target), n);
     return j->norm == NORM_MAX ? errors_max(j->scratch, n) : errors_p99(j->scratch, n);
+}
+
+double judge_rank(struct judge *j, const struct tree *t, size_t target, double bound)
+{
+    if (j->norm != NORM_MEAN)
+        return judge_error(j, t, target, bound);
+    const struct kernel_task task = task_of(j, t);
+    const double n = (double)j->table->n;
+    return kernel_error_sum_float(j->kernel, &task, &j->single, target, bound * n) / n;
 }

@@ -11,8 +11,10 @@ struct judge {
     const struct columns *table;       /* not owned */
     const struct genome_file *program; /* not owned: what the genes mean */
     enum scene_norm norm;
-    struct kernel *kernel; /* owned */
-    double *scratch;       /* owned: one value for each sample */
+    bool decimal; /* constants of trees are coded in their genes (decimal.h), not the program's; false at first */
+    struct kernel *kernel;       /* owned */
+    double *scratch;             /* owned: one value for each sample */
+    struct columns_float single; /* owned: the table in float; empty unless the norm is the mean */
 };
 struct judge *judge_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm);
 void judge_free(struct judge *j);
@@ -20,5 +22,8 @@ void judge_free(struct judge *j);
 /** Error of a tree against table column `target`: mean, 99 % or maximum of |value - target|.  INFINITY where a value is
  *  not finite, or where the mean is sure to exceed `bound`. */
 double judge_error(struct judge *j, const struct tree *t, size_t target, double bound);
+
+/** The same for ranking: the mean is computed in float, with about six digits and in half the time. */
+double judge_rank(struct judge *j, const struct tree *t, size_t target, double bound);
 
 #endif

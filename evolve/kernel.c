@@ -1,223 +1,112 @@
-/* The evaluator of evolution.  A prefix genome is read from the back with a stack (Tokui and Iba's linear genetic
- * programming, section 4.2 of the paper) once, which gives a list of steps `block = block op block`; the steps then run
- * over one block of samples after the other.  Leaves are never copied: a column is read in place, a constant is a
- * scalar of the loop, and operators of constants are folded.  The loops are plain C, vectorised by the compiler; the
- * same source is compiled for several vector widths, and the widest that the machine has is taken when the workspace
- * is made.  Nothing is reassociated or contracted, so all widths give the same bits. */
+/* The evaluator of evolution.  A prefix genome is translated once (kernel_translate.c) to instructions that each work
+ * on a tile of eight vectors, which stays in registers from instruction to instruction: 64 samples in double and 128 in
+ * float with 512 bits.  Leaves are operands of their operator: columns are read in place from the first-level cache,
+ * constants are broadcast from the instruction.  A second tile of registers takes the shorter branch of an operator of
+ * two branches; what does not fit there is stored in slots of memory, rarely.  The error |value - target| is added up
+ * in the end of the tile's run, and no value is written back.
+ *
+ * The interpreter (kernel_engine.h) is direct threaded: each instruction ends in a jump of its own to the next one, and
+ * its body is eight vector operations.  The same source is compiled for registers of 128, 256 and 512 bits, and the
+ * widest that the machine has are taken when the workspace is made.
+ *
+ * All widths give the same bits: values, because every sample goes through the same correctly rounded operations,
+ * uncontracted, whatever tile it is in, and a quick division is correctly rounded too (kernel_divide.h); sums, because
+ * their order is laid down: the errors of a block of 512 samples go to 64 lanes, sample i to lane i mod 64, which then
+ * are added by halves, lane j + lane j + 32 and so on; the sums of the blocks are added in double, in their order.  The
+ * bound is compared after each block, so all widths give up at the same one. */
 #include "kernel.h"
 
-#include <math.h>
+#include "kernel_code.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Operands and result of a step are one block or separate ones, never shifted against each other. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpedantic" /* goto *label */
 #if defined __clang__
-#pragma clang diagnostic ignored "-Wpass-failed" /* of the next pragma, in builds that do not optimise */
-#define INDEPENDENT _Pragma("clang loop vectorize(assume_safety) interleave_count(4)")
-#else
-#define INDEPENDENT _Pragma("GCC ivdep") _Pragma("GCC unroll 4")
+#pragma clang diagnostic ignored "-Wpass-failed" /* of INDEPENDENT, in builds that do not optimise */
 #endif
-#define INLINE static inline __attribute__((always_inline))
+#include "kernel_tile.h"
 
-/* What an operand is. */
-enum kind { CONSTANT, BLOCK, COLUMN };
+#if defined __x86_64__
+#define TARGET_256 __attribute__((target("avx2,fma,bmi2")))
+#define TARGET_512 __attribute__((target("avx2,fma,bmi2,avx512f,avx512bw,avx512cd,avx512dq,avx512vl")))
+#include "kernel_divide.h"
+#endif
 
-struct operand {
-    enum kind kind;
-    double constant;
-    const double *first; /* of the block, or of the column's first row */
-};
+#if defined __AVX512F__
+#define PLAIN_BYTES 64 /* where the compiler was told so */
+#elif defined __AVX__
+#define PLAIN_BYTES 32
+#else
+#define PLAIN_BYTES 16
+#endif
 
-/* Which operands of a step are arrays. */
-enum form { ARRAY_ARRAY, ARRAY_CONSTANT, CONSTANT_ARRAY, FORMS };
+#define REAL double
+#define INTEGER int64_t
+#define CONSTANT_OF as_double
+#define ENGINE double_plain
+#define DIVIDE_TILE PLAIN_TILE
+#define BYTES PLAIN_BYTES
+#define TARGET
+#include "kernel_engine.h"
+#if defined __x86_64__
+#define ENGINE double_256
+#define DIVIDE_TILE PLAIN_TILE
+#define BYTES 32
+#define TARGET TARGET_256
+#include "kernel_engine.h"
+#define ENGINE double_512
+#define DIVIDE_TILE QUICK_TILE
+#define BYTES 64
+#define TARGET TARGET_512
+#include "kernel_engine.h"
+#endif
+#undef REAL
+#undef INTEGER
+#undef CONSTANT_OF
 
-struct step {
-    int code; /* operator * FORMS + form */
-    struct operand a, b;
-    double *to;
+#define REAL float
+#define INTEGER int32_t
+#define CONSTANT_OF as_float
+#define ENGINE float_plain
+#define DIVIDE_TILE PLAIN_TILE
+#define BYTES PLAIN_BYTES
+#define TARGET
+#include "kernel_engine.h"
+#if defined __x86_64__
+#define ENGINE float_256
+#define DIVIDE_TILE PLAIN_TILE
+#define BYTES 32
+#define TARGET TARGET_256
+#include "kernel_engine.h"
+#define ENGINE float_512
+#define DIVIDE_TILE QUICK_TILE
+#define BYTES 64
+#define TARGET TARGET_512
+#include "kernel_engine.h"
+#endif
+#pragma GCC diagnostic pop
+
+typedef double engine_fn(struct kernel_run *);
+static const struct {
+    int bits;
+    engine_fn *run[2]; /* in double, in float */
+} engine[KERNEL_WIDTHS] = {
+    {8 * PLAIN_BYTES, {double_plain, float_plain}},
+#if defined __x86_64__
+    {256, {double_256, float_256}},
+    {512, {double_512, float_512}},
+#endif
 };
 
 struct kernel {
     enum kernel_width width;
     double work;
-    struct step *step; /* owned */
-    size_t steps, step_room;
-    struct operand *stack; /* owned */
-    size_t stack_room;
-    struct operand root;
-    double *block, *memory; /* stack of blocks, aligned in `memory`, which is owned */
-    size_t blocks;
-};
-
-enum { LINE = 64 };
-
-static double *align(double *p)
-{
-    const uintptr_t over = (uintptr_t)p % LINE;
-    return over ? p + (LINE - over) / sizeof *p : p;
-}
-
-struct columns columns_new(size_t n, size_t count)
-{
-    const size_t room = (n + KERNEL_BLOCK - 1) / KERNEL_BLOCK * KERNEL_BLOCK;
-    struct columns c = {.n = n, .count = count, .room = room};
-    c.memory = new_array(room * count + LINE / sizeof(double), sizeof(double));
-    c.data = align(c.memory);
-    return c;
-}
-
-void columns_free(struct columns *c)
-{
-    free(c->memory);
-    *c = (struct columns){0};
-}
-
-double *columns_at(const struct columns *c, size_t column)
-{
-    return c->data + column * c->room;
-}
-
-/* Meaning of the operators, for scalars and, vectorised, for blocks.  Min and max give the second operand where one
- * is not a number; x / 0 is what IEEE 754 says. */
-__attribute__((no_sanitize("float-divide-by-zero"))) INLINE double apply(int op, double x, double y)
-{
-    switch (op) {
-    case GENE_ADD:
-        return x + y;
-    case GENE_SUB:
-        return x - y;
-    case GENE_MUL:
-        return x * y;
-    case GENE_DIV:
-        return x / y;
-    case GENE_PDIV: /* one division without a condition, so that it vectorises */
-        return (y == 0 ? 1 : x) / (y + (y == 0 ? 1 : 0));
-    case GENE_MIN:
-        return x < y ? x : y;
-    case GENE_MAX:
-        return x > y ? x : y;
-    case GENE_NEG:
-        return -x;
-    case GENE_SQRT:
-        return sqrt(x);
-    default:
-        return fabs(x);
-    }
-}
-
-#define CASE(op, form, x, y)                                                                                           \
-    case (op)*FORMS + (form):                                                                                          \
-        INDEPENDENT for (size_t i = 0; i < KERNEL_BLOCK; i++) to[i] = apply(op, x, y);                                 \
-        break;
-#define UNARY(op) CASE(op, ARRAY_ARRAY, a[i], 0)
-#define BINARY(op)                                                                                                     \
-    CASE(op, ARRAY_ARRAY, a[i], b[i])                                                                                  \
-    CASE(op, ARRAY_CONSTANT, a[i], kb)                                                                                 \
-    CASE(op, CONSTANT_ARRAY, ka, b[i])
-
-INLINE const double *at(const struct operand *o, size_t row)
-{
-    return o->kind == COLUMN ? o->first + row : o->first;
-}
-
-/* All steps for the block of samples that begins at `row`. */
-INLINE void run_steps(const struct kernel *k, size_t row)
-{
-    for (const struct step *s = k->step; s < k->step + k->steps; s++) {
-        const double *a = at(&s->a, row), *b = at(&s->b, row);
-        const double ka = s->a.constant, kb = s->b.constant;
-        double *to = s->to;
-        switch (s->code) {
-            BINARY(GENE_ADD)
-            BINARY(GENE_SUB)
-            BINARY(GENE_MUL)
-            BINARY(GENE_DIV)
-            BINARY(GENE_PDIV)
-            BINARY(GENE_MIN)
-            BINARY(GENE_MAX)
-            UNARY(GENE_NEG)
-            UNARY(GENE_ABS)
-            UNARY(GENE_SQRT)
-        }
-    }
-}
-
-static double sum_lanes(const double lane[KERNEL_LANES])
-{
-    double sum = 0;
-    for (int j = 0; j < KERNEL_LANES; j++)
-        sum += lane[j];
-    return sum;
-}
-
-INLINE double run_error_sum(struct kernel *k, const struct kernel_task *t, size_t target, double bound)
-{
-    const double *goal = columns_at(t->table, target);
-    double lane[KERNEL_LANES] = {0}, sum = 0;
-    for (size_t row = 0; row < t->table->n; row += KERNEL_BLOCK) {
-        const size_t left = t->table->n - row, n = left < KERNEL_BLOCK ? left : KERNEL_BLOCK;
-        run_steps(k, row);
-        const double *value = at(&k->root, row);
-        size_t i = 0;
-        for (; i + KERNEL_LANES <= n; i += KERNEL_LANES)
-            for (size_t j = 0; j < KERNEL_LANES; j++)
-                lane[j] += fabs(value[i + j] - goal[row + i + j]);
-        for (size_t j = 0; i + j < n; j++)
-            lane[j] += fabs(value[i + j] - goal[row + i + j]);
-        k->work += (double)(t->length * n);
-        sum = sum_lanes(lane);
-        if (!(sum <= bound))
-            return INFINITY;
-    }
-    return isfinite(sum) ? sum : INFINITY;
-}
-
-INLINE void run_values(const struct kernel *k, const struct kernel_task *t, double *value)
-{
-    for (size_t row = 0; row < t->table->n; row += KERNEL_BLOCK) {
-        const size_t left = t->table->n - row;
-        run_steps(k, row);
-        memcpy(value + row, at(&k->root, row), (left < KERNEL_BLOCK ? left : KERNEL_BLOCK) * sizeof *value);
-    }
-}
-
-typedef double error_sum_fn(struct kernel *, const struct kernel_task *, size_t, double);
-typedef void values_fn(const struct kernel *, const struct kernel_task *, double *);
-
-#define ENGINE(name, attribute)                                                                                        \
-    attribute static double error_sum_##name(struct kernel *k, const struct kernel_task *t, size_t target,             \
-                                             double bound)                                                             \
-    {                                                                                                                  \
-        return run_error_sum(k, t, target, bound);                                                                     \
-    }                                                                                                                  \
-    attribute static void values_##name(const struct kernel *k, const struct kernel_task *t, double *value)            \
-    {                                                                                                                  \
-        run_values(k, t, value);                                                                                       \
-    }
-
-ENGINE(plain, )
-#if defined __x86_64__
-ENGINE(256, __attribute__((target("arch=x86-64-v3"))))
-ENGINE(512, __attribute__((target("arch=x86-64-v4"))))
-#endif
-
-static const struct {
-    int bits;
-    error_sum_fn *error_sum;
-    values_fn *values;
-} engine[KERNEL_WIDTHS] = {
-#if defined __AVX512F__
-    {512, error_sum_plain, values_plain},
-#elif defined __AVX__
-    {256, error_sum_plain, values_plain},
-#else
-    {128, error_sum_plain, values_plain},
-#endif
-#if defined __x86_64__
-    {256, error_sum_256, values_256},
-    {512, error_sum_512, values_512},
-#endif
+    struct translator *translator; /* owned */
+    char *slot, *memory;           /* slots of tiles, aligned in `memory`, which is owned */
+    size_t slots;
 };
 
 int kernel_bits(enum kernel_width width)
@@ -246,7 +135,7 @@ bool kernel_supports(enum kernel_width width)
 struct kernel *kernel_new(enum kernel_width width)
 {
     struct kernel *k = new_array(1, sizeof *k);
-    k->width = width;
+    *k = (struct kernel){.width = width, .translator = translator_new()};
     return k;
 }
 
@@ -262,72 +151,53 @@ void kernel_free(struct kernel *k)
 {
     if (!k)
         return;
-    free(k->step);
-    free(k->stack);
+    translator_free(k->translator);
     free(k->memory);
     free(k);
 }
 
-/* Room for a genome of `length` genes: at most length / 2 operators, as many blocks. */
-static void reserve(struct kernel *k, size_t length)
+static void reserve(struct kernel *k, size_t slots)
 {
-    if (length <= k->stack_room)
+    if (slots <= k->slots)
         return;
-    free(k->step);
-    free(k->stack);
     free(k->memory);
-    k->stack_room = length;
-    k->step = new_array(length, sizeof *k->step);
-    k->stack = new_array(length, sizeof *k->stack);
-    k->memory = new_array((length / 2 + 1) * KERNEL_BLOCK + LINE / sizeof(double), sizeof(double));
-    k->block = align(k->memory);
+    k->slots = slots;
+    k->memory = new_array(slots + 1, SLOT);
+    k->slot = k->memory + (SLOT - (uintptr_t)k->memory % SLOT) % SLOT;
 }
 
-static void translate(struct kernel *k, const struct kernel_task *t)
+static double run(struct kernel *k, const struct kernel_task *t, struct kernel_run *r)
 {
-    reserve(k, t->length);
-    k->steps = 0;
-    struct operand *top = k->stack; /* one past the top */
-    size_t blocks = 0;              /* live on the stack */
-    for (size_t i = t->length; i-- > 0;) {
-        const int gene = t->gene[i], arity = gene_arity(gene);
-        if (gene >= GENE_SYMBOL) {
-            *top++ = (struct operand){COLUMN, 0, columns_at(t->table, (size_t)(gene - GENE_SYMBOL))};
-            continue;
-        }
-        if (gene < 0) {
-            *top++ = (struct operand){CONSTANT, t->constant[-1 - gene].value, NULL};
-            continue;
-        }
-        const struct operand a = *--top, b = arity == 2 ? *--top : a;
-        if (a.kind == CONSTANT && b.kind == CONSTANT) {
-            *top++ = (struct operand){CONSTANT, apply(gene, a.constant, b.constant), NULL};
-            continue;
-        }
-        blocks -= (size_t)(a.kind == BLOCK) + (size_t)(arity == 2 && b.kind == BLOCK);
-        double *to = k->block + KERNEL_BLOCK * blocks++;
-        const enum form form = a.kind == CONSTANT ? CONSTANT_ARRAY : b.kind == CONSTANT ? ARRAY_CONSTANT : ARRAY_ARRAY;
-        k->step[k->steps++] = (struct step){gene * FORMS + (int)form, a, b, to};
-        *top++ = (struct operand){BLOCK, 0, to};
-    }
-    k->root = *--top;
-    if (k->root.kind == CONSTANT) {
-        for (size_t i = 0; i < KERNEL_BLOCK; i++)
-            k->block[i] = k->root.constant;
-        k->root = (struct operand){BLOCK, 0, k->block};
-    }
+    size_t slots;
+    r->code = translator_code(k->translator, t, &r->table, &slots);
+    reserve(k, slots + 1);
+    r->slot = k->slot;
+    const double sum = engine[k->width].run[r->table.single](r);
+    k->work += (double)t->length * (double)r->done;
+    return sum;
 }
 
 double kernel_error_sum(struct kernel *k, const struct kernel_task *t, size_t target, double bound)
 {
-    translate(k, t);
-    return engine[k->width].error_sum(k, t, target, bound);
+    const size_t stride = t->table->room * sizeof(double);
+    struct kernel_run r = {
+        .table = {t->table->data, t->table->n, stride, false}, .target = target * stride, .bound = bound};
+    return run(k, t, &r);
+}
+
+double kernel_error_sum_float(struct kernel *k, const struct kernel_task *t, const struct columns_float *table,
+                              size_t target, double bound)
+{
+    const size_t stride = table->room * sizeof(float);
+    struct kernel_run r = {.table = {table->data, table->n, stride, true}, .target = target * stride, .bound = bound};
+    return run(k, t, &r);
 }
 
 void kernel_values(struct kernel *k, const struct kernel_task *t, double *value)
 {
-    translate(k, t);
-    engine[k->width].values(k, t, value);
+    struct kernel_run r = {.table = {t->table->data, t->table->n, t->table->room * sizeof(double), false},
+                           .value = value};
+    run(k, t, &r);
 }
 
 double kernel_work(const struct kernel *k)

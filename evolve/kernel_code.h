@@ -1,0 +1,106 @@
+/* The code that a genome is translated to, and that the engines of kernel_engine.h run over one tile of samples after
+ * the other. */
+#ifndef FOOTPOINT_KERNEL_CODE_H
+#define FOOTPOINT_KERNEL_CODE_H
+
+#include "kernel.h"
+
+#include <math.h>
+
+/* Operands of an instruction of a fast operator, first and second.  A tile is computed in the registers A, or beside a
+ * live A in the registers B.  Form f of B is form f of A plus FORMS_OF_ONE. */
+enum kernel_form {
+    A_COLUMN, /* A = A op column */
+    COLUMN_A,
+    A_CONSTANT,
+    CONSTANT_A,
+    COLUMN_COLUMN, /* A = column op column: a new value begins */
+    COLUMN_CONSTANT,
+    CONSTANT_COLUMN,
+    FORMS_OF_ONE,
+    A_B = 2 * FORMS_OF_ONE, /* A = A op B */
+    B_A,
+    A_SLOT, /* A = A op slot */
+    SLOT_A,
+    FORMS
+};
+
+/* Codes: gene * FORMS + form of + - * / %, then these. */
+enum kernel_code {
+    LOAD_COLUMN = (GENE_PDIV + 1) * FORMS, /* A = column */
+    LOAD_CONSTANT,
+    STORE,     /* slot = A */
+    SLOW,      /* A = slot op A, or op A: any operator, in memory */
+    SLOW_SWAP, /* A = A op slot */
+    END,
+    CODES
+};
+
+enum { SLOT = 512 /* bytes of a tile, at most */ };
+
+struct instruction {
+    int code;
+    int gene; /* of a slow operator */
+    size_t a; /* bytes: the column, the first column of two, or the slot, from where they begin */
+    union {
+        size_t b; /* bytes: the second column */
+        double as_double;
+        float as_float;
+    } u;
+};
+
+/* A table as the engines see it. */
+struct kernel_table {
+    const void *data;
+    size_t n, stride; /* stride: bytes from column to column */
+    bool single;      /* float instead of double */
+};
+
+/* What an engine runs: for the error sum when `value` is NULL, or else for the values. */
+struct kernel_run {
+    const struct instruction *code;
+    struct kernel_table table;
+    size_t target; /* bytes: its column */
+    double bound;
+    double *value;
+    char *slot;  /* aligned room for one tile more than the code has slots; the first is the engine's */
+    size_t done; /* samples that have been evaluated */
+};
+
+/** Meaning of the operators.  Min and max give the second operand where one is not a number; x / 0 is what IEEE 754
+ *  says. */
+__attribute__((no_sanitize("float-divide-by-zero"))) static inline double kernel_apply(int op, double x, double y)
+{
+    switch (op) {
+    case GENE_ADD:
+        return x + y;
+    case GENE_SUB:
+        return x - y;
+    case GENE_MUL:
+        return x * y;
+    case GENE_DIV:
+        return x / y;
+    case GENE_PDIV:
+        return y == 0 ? 1 : x / y;
+    case GENE_MIN:
+        return x < y ? x : y;
+    case GENE_MAX:
+        return x > y ? x : y;
+    case GENE_NEG:
+        return -x;
+    case GENE_SQRT:
+        return sqrt(x);
+    default:
+        return fabs(x);
+    }
+}
+
+/** Translator with its room. */
+struct translator;
+struct translator *translator_new(void);
+void translator_free(struct translator *t);
+/** Code of a genome for a table; valid until the next call.  *slots: how many the code uses, the engine's own apart. */
+const struct instruction *translator_code(struct translator *t, const struct kernel_task *task,
+                                          const struct kernel_table *table, size_t *slots);
+
+#endif

@@ -1,0 +1,60 @@
+/* Tables of samples.  Columns begin 17 lines further than whole blocks would put them: at a distance of a power of two,
+ * the tiles of all columns would share a few sets of the first-level cache and drive each other out. */
+#include "kernel.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+enum { LINE = 64, STAGGER = 17 * LINE };
+
+static void *align(void *p)
+{
+    const uintptr_t over = (uintptr_t)p % LINE;
+    return over ? (char *)p + (LINE - over) : p;
+}
+
+static size_t room(size_t n, size_t size)
+{
+    return (n + KERNEL_BLOCK - 1) / KERNEL_BLOCK * KERNEL_BLOCK + STAGGER / size;
+}
+
+struct columns columns_new(size_t n, size_t count)
+{
+    struct columns c = {.n = n, .count = count, .room = room(n, sizeof(double))};
+    c.memory = new_array(c.room * count + LINE / sizeof(double), sizeof(double));
+    c.data = align(c.memory);
+    return c;
+}
+
+void columns_free(struct columns *c)
+{
+    free(c->memory);
+    *c = (struct columns){0};
+}
+
+double *columns_at(const struct columns *c, size_t column)
+{
+    return c->data + column * c->room;
+}
+
+struct columns_float columns_float_new(const struct columns *c)
+{
+    struct columns_float f = {.n = c->n, .count = c->count, .room = room(c->n, sizeof(float))};
+    f.memory = new_array(f.room * f.count + LINE / sizeof(float), sizeof(float));
+    f.data = align(f.memory);
+    for (size_t j = 0; j < c->count; j++)
+        for (size_t i = 0; i < c->n; i++)
+            columns_float_at(&f, j)[i] = (float)columns_at(c, j)[i];
+    return f;
+}
+
+void columns_float_free(struct columns_float *c)
+{
+    free(c->memory);
+    *c = (struct columns_float){0};
+}
+
+float *columns_float_at(const struct columns_float *c, size_t column)
+{
+    return c->data + column * c->room;
+}

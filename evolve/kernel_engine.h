@@ -1,0 +1,105 @@
+/* The interpreter, included once for each precision and width of registers.  Before: REAL, INTEGER (an integer of its
+ * size), CONSTANT_OF (member of the instruction's union), BYTES (of a register), TARGET (attribute of the function),
+ * ENGINE (its name), DIVIDE_TILE (PLAIN_TILE, or a quicker division). */
+
+#define TILE (8 * BYTES / sizeof(REAL)) /* samples */
+#define VECTOR PASTE(ENGINE, _vector)
+#define BITS PASTE(ENGINE, _bits)
+#define ELSEWHERE PASTE(ENGINE, _elsewhere)
+
+typedef REAL VECTOR __attribute__((vector_size(BYTES), may_alias));
+typedef INTEGER BITS __attribute__((vector_size(BYTES), may_alias));
+typedef REAL ELSEWHERE __attribute__((vector_size(BYTES), may_alias, aligned(sizeof(REAL))));
+
+/* Not for sanitizers: they would make minutes of compilation of it. */
+TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE(struct kernel_run *r)
+{
+    static const void *const label[CODES] = {
+        LABELS(ADD),          LABELS(SUB),  LABELS(MUL), LABELS(DIV),      LABELS(PDIV), LABEL(load_column),
+        LABEL(load_constant), LABEL(store), LABEL(slow), LABEL(slow_swap), LABEL(end),
+    };
+    const BITS magnitude = (BITS){0} + (INTEGER)(UINT64_MAX >> (65 - 8 * sizeof(INTEGER)));
+    double sum = 0;
+    VECTOR EIGHT(NAMES, a), EIGHT(NAMES, b);
+    EIGHT_DO(CLEAR, a)
+    EIGHT_DO(CLEAR, b)
+    for (size_t row = 0; row < r->table.n; row += KERNEL_BLOCK) {
+        const size_t rest = r->table.n - row, left = rest < KERNEL_BLOCK ? rest : KERNEL_BLOCK;
+        REAL lane[KERNEL_LANES] __attribute__((aligned(64))) = {0};
+        for (size_t first = 0; first < left; first += TILE) {
+            const char *const column = (const char *)r->table.data + (row + first) * sizeof(REAL);
+            const struct instruction *at = r->code - 1;
+            NEXT HANDLERS(ADD) HANDLERS(SUB) HANDLERS(MUL) HANDLERS(DIV) HANDLERS(PDIV) load_column:
+            {
+                const char *p = column + at->a;
+                EIGHT_DO(LOAD, p)
+                NEXT
+            }
+        load_constant : {
+            const VECTOR c = at->u.CONSTANT_OF - (VECTOR){0};
+            EIGHT_DO(FILL, c)
+            NEXT
+        }
+        store : {
+            char *p = r->slot + at->a;
+            EIGHT_DO(SAVE, p)
+            NEXT
+        }
+        slow:
+        slow_swap : {
+            REAL *to = (REAL *)r->slot;
+            const REAL *x = (const REAL *)(r->slot + at->a), *y = to;
+            if (at->code == SLOW_SWAP)
+                x = to, y = (const REAL *)(r->slot + at->a);
+            EIGHT_DO(SAVE, r->slot)
+            switch (at->gene) {
+                SLOW_CASE(GENE_MIN)
+                SLOW_CASE(GENE_MAX)
+                SLOW_CASE(GENE_NEG)
+                SLOW_CASE(GENE_SQRT)
+                SLOW_CASE(GENE_ABS)
+            }
+            EIGHT_DO(LOAD, r->slot)
+            EIGHT_DO(CLEAR, b) /* dead here: nothing has to live across the loops */
+            NEXT
+        }
+        end:
+            if (r->value && first + TILE <= left) {
+                double *to = r->value + row + first;
+                EIGHT_DO(PUT, to)
+            } else if (r->value) {
+                EIGHT_DO(SAVE, r->slot)
+                memcpy(r->value + row + first, r->slot, (left - first) * sizeof(REAL));
+            } else {
+                const char *goal = column + r->target;
+                EIGHT_DO(DIFFERENCE, goal)
+                if (first + TILE <= left) {
+                    EIGHT_DO(ADD_TO_LANE, first)
+                } else {
+                    EIGHT_DO(SAVE, r->slot)
+                    for (size_t j = 0; first + j < left; j++)
+                        lane[(first + j) % KERNEL_LANES] += ((const REAL *)r->slot)[j];
+                }
+            }
+        }
+        r->done += left;
+        if (r->value)
+            continue;
+        for (size_t half = KERNEL_LANES / 2; half > 0; half /= 2)
+            for (size_t j = 0; j < half; j++)
+                lane[j] += lane[j + half];
+        sum += (double)lane[0];
+        if (!(sum <= r->bound))
+            return INFINITY;
+    }
+    return isfinite(sum) ? sum : INFINITY;
+}
+
+#undef TILE
+#undef VECTOR
+#undef BITS
+#undef ELSEWHERE
+#undef ENGINE
+#undef BYTES
+#undef TARGET
+#undef DIVIDE_TILE
