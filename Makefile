@@ -42,7 +42,7 @@ CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA
 
 # What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
 codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
-evolve_mpi  := $(wildcard evolve/migrate*.c)
+evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,keeper.c loop.c resume.c run.c)
 evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c))
 genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c
 runtime_lib := $(wildcard runtime/*.c)
@@ -70,7 +70,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -MMD -MP -c $< -o $@
 
-$(OBJ)/evolve/migrate.o $(OBJ)/evolve/evolve_main.o: CFLAGS += $(CFLAGS_mpi)
+$(call object,evolve/evolve_main.c $(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
 
 # New flags rebuild everything.
 $(OBJ)/flags: FORCE
@@ -140,7 +140,8 @@ $(OBJ)/tests/bench_main.o: $(OBJ)/rival_counts.inc
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
 SCENES := $(patsubst evolve/scenes/%.scene,%,$(sort $(wildcard evolve/scenes/*.scene)))
-MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe -n $(RANKS)
+MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe \
+          --mca odls_base_sigkill_timeout 5 -n $(RANKS)
 
 regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch
 	$(Q)for scene in $(or $(SCENE),$(SCENES)); do \

@@ -1,4 +1,5 @@
-/* Command line of footpoint-evolve: long options only, each checked. */
+/* Command line of footpoint-evolve: long options only, each checked; and the same options as the facts of a checkpoint.
+ */
 #include "evolve_options.h"
 
 #include <ctype.h>
@@ -6,35 +7,6 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
-
-const char evolve_help[] =
-    "usage: footpoint-evolve --scene NAME [options]\n"
-    "Evolve expressions for the foot point of a scene's segments; alone or under mpirun.\n"
-    "\n"
-    "  --scene NAME|FILE           what to evolve for: evolve/scenes/NAME.scene, or a file\n"
-    "  --root DIR                  folder that holds evolve/ (default: .)\n"
-    "  --start FILE                genomes to start from (default: evolve/genomes/NAME.gen, where there is one)\n"
-    "  --from-scratch              start from random expressions alone\n"
-    "  -o, --output FILE           genomes to write (default: evolve/genomes/NAME.gen)\n"
-    "  --generations N             0: only measure and write (default: 200)\n"
-    "  --seed N                    same seed, same result on any number of processes (default: 1)\n"
-    "  --islands N                 islands for each output of each tier (default: 2)\n"
-    "  --population N              individuals of an island (default: 200)\n"
-    "  --max-length N              genes of an expression (default: as the tier says)\n"
-    "  --functions polynomial|rational\n"
-    "                              + - * or + - * and protected division (default: as the tier says)\n"
-    "  --selection roulette|tournament\n"
-    "                              of parents: on 1/error, or the best of 4 (default: tournament)\n"
-    "  --parsimony X               what a gene costs, as a fraction of the error (default: 0.005)\n"
-    "  --migrate-every N           generations between migrations (default: 10)\n"
-    "  --migrate-fraction X        part of a population that migrates (default: 0.1)\n"
-    "  --preset paper              the paper's run: 3000 generations on 5 islands of 200, roulette, no parsimony;\n"
-    "                              options given beside it still count\n"
-    "  --quiet                     no progress and no log, the table of changes alone\n"
-    "  --benchmark                 speed of the evaluator as CSV: engine,precision,bits,genes_samples_per_s\n"
-    "  --help, --version\n"
-    "\n"
-    "Exit status: 0 done, 1 input rejected, 2 wrong usage, 3 out of memory or unreadable or unwritable file.\n";
 
 static const struct evolve_options standard = {.root = ".",
                                                .seed = 1,
@@ -44,51 +16,55 @@ static const struct evolve_options standard = {.root = ".",
                                                .selection = SELECT_TOURNAMENT,
                                                .parsimony = 0.005,
                                                .migrate_every = 10,
-                                               .migrate_fraction = 0.1};
+                                               .migrate_fraction = 0.1,
+                                               .log_every = 1,
+                                               .checkpoint_every = 600};
 
-enum option_code {
-    OPT_SCENE = 256,
-    OPT_ROOT,
-    OPT_START,
-    OPT_FROM_SCRATCH,
-    OPT_GENERATIONS,
-    OPT_SEED,
-    OPT_ISLANDS,
-    OPT_POPULATION,
-    OPT_MAX_LENGTH,
-    OPT_FUNCTIONS,
-    OPT_SELECTION,
-    OPT_PARSIMONY,
-    OPT_MIGRATE_EVERY,
-    OPT_MIGRATE_FRACTION,
-    OPT_PRESET,
-    OPT_QUIET,
-    OPT_BENCHMARK,
-    OPT_HELP,
-    OPT_VERSION
-};
+enum kind { TEXT, FLAG, WHOLE, SEED, FRACTION, TIME, CHOICE, ACTION, PRESET };
+/* What an option is to a checkpoint: nothing; kept, but may be given anew; or part of what the result depends on. */
+enum role { PASSING, KEPT, FIXED };
 
-static const struct option options[] = {{"scene", required_argument, NULL, OPT_SCENE},
-                                        {"root", required_argument, NULL, OPT_ROOT},
-                                        {"start", required_argument, NULL, OPT_START},
-                                        {"from-scratch", no_argument, NULL, OPT_FROM_SCRATCH},
-                                        {"output", required_argument, NULL, 'o'},
-                                        {"generations", required_argument, NULL, OPT_GENERATIONS},
-                                        {"seed", required_argument, NULL, OPT_SEED},
-                                        {"islands", required_argument, NULL, OPT_ISLANDS},
-                                        {"population", required_argument, NULL, OPT_POPULATION},
-                                        {"max-length", required_argument, NULL, OPT_MAX_LENGTH},
-                                        {"functions", required_argument, NULL, OPT_FUNCTIONS},
-                                        {"selection", required_argument, NULL, OPT_SELECTION},
-                                        {"parsimony", required_argument, NULL, OPT_PARSIMONY},
-                                        {"migrate-every", required_argument, NULL, OPT_MIGRATE_EVERY},
-                                        {"migrate-fraction", required_argument, NULL, OPT_MIGRATE_FRACTION},
-                                        {"preset", required_argument, NULL, OPT_PRESET},
-                                        {"quiet", no_argument, NULL, OPT_QUIET},
-                                        {"benchmark", no_argument, NULL, OPT_BENCHMARK},
-                                        {"help", no_argument, NULL, OPT_HELP},
-                                        {"version", no_argument, NULL, OPT_VERSION},
-                                        {NULL, 0, NULL, 0}};
+static const char *const functions[] = {"tier", "polynomial", "rational", NULL};
+static const char *const selections[] = {"roulette", "tournament", NULL};
+static const char *const topologies[] = {"ring", "torus", "random", "none", NULL};
+static const char *const presets[] = {"paper", NULL};
+
+#define AT(member) offsetof(struct evolve_options, member)
+static const struct entry {
+    const char *name;
+    enum kind kind;
+    enum role role;
+    size_t at;        /* the member in struct evolve_options */
+    size_t low, high; /* of whole numbers; of an action its value */
+    const char *const *choice;
+} entry[] = {{"scene", TEXT, KEPT, AT(scene), 0, 0, NULL},
+             {"root", TEXT, KEPT, AT(root), 0, 0, NULL},
+             {"start", TEXT, PASSING, AT(start), 0, 0, NULL},
+             {"from-scratch", FLAG, PASSING, AT(from_scratch), 0, 0, NULL},
+             {"output", TEXT, KEPT, AT(output), 0, 0, NULL},
+             {"generations", WHOLE, KEPT, AT(generations), 0, 100000000, NULL},
+             {"seed", SEED, FIXED, AT(seed), 0, 0, NULL},
+             {"islands", WHOLE, FIXED, AT(islands), 1, 1000000, NULL},
+             {"population", WHOLE, FIXED, AT(population), 2, 1000000, NULL},
+             {"max-length", WHOLE, FIXED, AT(max_length), 0, 10000, NULL},
+             {"functions", CHOICE, FIXED, AT(functions), 0, 0, functions},
+             {"selection", CHOICE, FIXED, AT(selection), 0, 0, selections},
+             {"parsimony", FRACTION, FIXED, AT(parsimony), 0, 0, NULL},
+             {"topology", CHOICE, FIXED, AT(topology), 0, 0, topologies},
+             {"migrate-every", WHOLE, FIXED, AT(migrate_every), 1, 100000000, NULL},
+             {"migrate-fraction", FRACTION, FIXED, AT(migrate_fraction), 0, 0, NULL},
+             {"preset", PRESET, PASSING, 0, 0, 0, presets},
+             {"checkpoint", TEXT, KEPT, AT(checkpoint), 0, 0, NULL},
+             {"checkpoint-every", TIME, KEPT, AT(checkpoint_every), 0, 0, NULL},
+             {"resume", TEXT, PASSING, AT(resume), 0, 0, NULL},
+             {"time-limit", TIME, PASSING, AT(time_limit), 0, 0, NULL},
+             {"log", TEXT, KEPT, AT(log), 0, 0, NULL},
+             {"log-every", WHOLE, KEPT, AT(log_every), 1, 100000000, NULL},
+             {"quiet", FLAG, PASSING, AT(quiet), 0, 0, NULL},
+             {"benchmark", ACTION, PASSING, 0, ACTION_BENCHMARK, 0, NULL},
+             {"help", ACTION, PASSING, 0, ACTION_HELP, 0, NULL},
+             {"version", ACTION, PASSING, 0, ACTION_VERSION, 0, NULL}};
+enum { ENTRIES = sizeof entry / sizeof *entry, SHORT_OUTPUT = 4 };
 
 static bool usage(struct diag *d, const char *format, const char *option, const char *argument)
 {
@@ -97,115 +73,117 @@ static bool usage(struct diag *d, const char *format, const char *option, const 
     return false;
 }
 
-static bool read_whole(const char *option, const char *text, uint64_t low, uint64_t high, uint64_t *value,
-                       struct diag *d)
+static void *member(struct evolve_options *o, const struct entry *e)
+{
+    return (char *)o + e->at;
+}
+
+static const void *member_of(const struct evolve_options *o, const struct entry *e)
+{
+    return (const char *)o + e->at;
+}
+
+static bool read_whole(const struct entry *e, const char *text, void *value, struct diag *d)
 {
     char *rest;
     errno = 0;
-    *value = strtoull(text, &rest, 10);
+    const uint64_t v = strtoull(text, &rest, 10);
+    const size_t size = (size_t)v;
     if (!isdigit((unsigned char)text[0]) || *rest || errno)
-        return usage(d, "--%s needs a whole number, not '%s'", option, text);
-    return (*value >= low && *value <= high) || usage(d, "--%s %s is out of range", option, text);
+        return usage(d, "--%s needs a whole number, not '%s'", e->name, text);
+    if (e->kind == SEED)
+        memcpy(value, &v, sizeof v);
+    else if (v >= e->low && v <= e->high)
+        memcpy(value, &size, sizeof size);
+    else
+        return usage(d, "--%s %s is out of range", e->name, text);
+    return true;
 }
 
-static bool read_size(const char *option, const char *text, size_t low, size_t high, size_t *value, struct diag *d)
-{
-    uint64_t v;
-    const bool good = read_whole(option, text, low, high, &v, d);
-    *value = (size_t)v;
-    return good;
-}
-
-static bool read_fraction(const char *option, const char *text, double *value, struct diag *d)
+static bool read_fraction(const struct entry *e, const char *text, double *value, struct diag *d)
 {
     char *rest;
     *value = strtod(text, &rest);
     if (rest == text || *rest)
-        return usage(d, "--%s needs a number, not '%s'", option, text);
-    return (*value >= 0 && *value <= 0.5) || usage(d, "--%s %s is out of range (0 to 0.5)", option, text);
+        return usage(d, "--%s needs a number, not '%s'", e->name, text);
+    return (*value >= 0 && *value <= 0.5) || usage(d, "--%s %s is out of range (0 to 0.5)", e->name, text);
+}
+
+/* Seconds, M:SS or H:MM:SS. */
+static bool read_time(const struct entry *e, const char *text, double *value, struct diag *d)
+{
+    const char *at = text;
+    bool good = true;
+    *value = 0;
+    for (int part = 0; good; part++) {
+        char *rest;
+        const double v = strtod(at, &rest);
+        good = part < 3 && isdigit((unsigned char)at[0]) && (part == 0 || v < 60);
+        *value = *value * 60 + v;
+        if (*rest != ':') {
+            good = good && *rest == '\0';
+            break;
+        }
+        at = rest + 1;
+    }
+    if (!good)
+        return usage(d, "--%s needs seconds or H:MM:SS, not '%s'", e->name, text);
+    return *value <= 1e9 || usage(d, "--%s %s is out of range", e->name, text);
 }
 
 /* Index of text in choice[], or an error. */
-static bool read_choice(const char *option, const char *text, const char *const choice[2], int *index, struct diag *d)
+static bool read_choice(const struct entry *e, const char *text, int *index, struct diag *d)
 {
-    for (*index = 0; *index < 2; ++*index)
-        if (choice[*index] && strcmp(text, choice[*index]) == 0)
+    for (int i = 0; e->choice[i]; i++)
+        if (strcmp(text, e->choice[i]) == 0) {
+            *index = i;
             return true;
-    return usage(d, "--%s knows no '%s'", option, text);
+        }
+    return usage(d, "--%s knows no '%s'", e->name, text);
 }
 
-static bool read_option(int code, const char *name, const char *text, struct evolve_options *o, struct diag *d)
+static bool read_text_option(const struct entry *e, const char *text, const char **value, struct diag *d)
 {
-    int index;
-    switch (code) {
-    case OPT_SCENE:
-        o->scene = text;
-        return true;
-    case OPT_ROOT:
-        o->root = text;
-        return true;
-    case OPT_START:
-        o->start = text;
-        return true;
-    case OPT_FROM_SCRATCH:
-        return o->from_scratch = true;
-    case 'o':
-        o->output = text;
-        return true;
-    case OPT_GENERATIONS:
-        return read_size(name, text, 0, 100000000, &o->generations, d);
-    case OPT_SEED:
-        return read_whole(name, text, 0, UINT64_MAX, &o->seed, d);
-    case OPT_ISLANDS:
-        return read_size(name, text, 1, 10000, &o->islands, d);
-    case OPT_POPULATION:
-        return read_size(name, text, 2, 1000000, &o->population, d);
-    case OPT_MAX_LENGTH:
-        return read_size(name, text, 1, 10000, &o->max_length, d);
-    case OPT_FUNCTIONS:
-        if (!read_choice(name, text, (const char *const[]){"polynomial", "rational"}, &index, d))
-            return false;
-        o->functions = index == 0 ? FUNCTIONS_POLYNOMIAL : FUNCTIONS_RATIONAL;
-        return true;
-    case OPT_SELECTION:
-        if (!read_choice(name, text, (const char *const[]){"roulette", "tournament"}, &index, d))
-            return false;
-        o->selection = index == 0 ? SELECT_ROULETTE : SELECT_TOURNAMENT;
-        return true;
-    case OPT_PARSIMONY:
-        return read_fraction(name, text, &o->parsimony, d);
-    case OPT_MIGRATE_EVERY:
-        return read_size(name, text, 1, 100000000, &o->migrate_every, d);
-    case OPT_MIGRATE_FRACTION:
-        return read_fraction(name, text, &o->migrate_fraction, d);
-    case OPT_PRESET:
-        return read_choice(name, text, (const char *const[2]){"paper"}, &index, d);
-    case OPT_QUIET:
-        return o->quiet = true;
-    case OPT_BENCHMARK:
-        o->action = ACTION_BENCHMARK;
-        return true;
-    case OPT_HELP:
-        o->action = ACTION_HELP;
-        return true;
+    if (!*text || strchr(text, '\n'))
+        return usage(d, "--%s needs a name without line breaks%s", e->name, "");
+    *value = text;
+    return true;
+}
+
+static bool read_value(const struct entry *e, const char *text, struct evolve_options *o, struct diag *d)
+{
+    int preset;
+    switch (e->kind) {
+    case TEXT:
+        return read_text_option(e, text, member(o, e), d);
+    case FLAG:
+        return *(bool *)member(o, e) = true;
+    case WHOLE:
+    case SEED:
+        return read_whole(e, text, member(o, e), d);
+    case FRACTION:
+        return read_fraction(e, text, member(o, e), d);
+    case TIME:
+        return read_time(e, text, member(o, e), d);
+    case CHOICE:
+        return read_choice(e, text, member(o, e), d);
+    case PRESET:
+        return read_choice(e, text, &preset, d);
     default:
-        o->action = ACTION_VERSION;
+        o->action = (enum action)e->low;
         return true;
     }
 }
 
-static const char *option_name(int code)
+/* One pass over the command line; given[i] tells whether entry i occurred. */
+static bool read_all(int argc, char **argv, struct evolve_options *o, bool given[ENTRIES], struct diag *d)
 {
-    const struct option *p = options;
-    while (p->name && p->val != code)
-        p++;
-    return p->name;
-}
-
-/* One pass over the command line; *preset tells whether --preset occurred. */
-static bool read_all(int argc, char **argv, struct evolve_options *o, bool *preset, struct diag *d)
-{
+    struct option options[ENTRIES + 1] = {{NULL, 0, NULL, 0}};
     int code;
+    for (int i = 0; i < ENTRIES; i++) {
+        const bool bare = entry[i].kind == FLAG || entry[i].kind == ACTION;
+        options[i] = (struct option){entry[i].name, bare ? no_argument : required_argument, NULL, 256 + i};
+    }
     opterr = 0;
     optind = 0; /* GNU: start anew */
     while ((code = getopt_long(argc, argv, "+:o:", options, NULL)) != -1) {
@@ -213,30 +191,169 @@ static bool read_all(int argc, char **argv, struct evolve_options *o, bool *pres
             return usage(d, "%s needs an argument%s", argv[optind - 1], "");
         if (code == '?')
             return usage(d, "unknown option '%s'%s", argv[optind - 1], "; see --help");
-        if (!read_option(code, option_name(code), optarg, o, d))
+        const int at = code == 'o' ? SHORT_OUTPUT : code - 256;
+        if (!read_value(&entry[at], optarg, o, d))
             return false;
-        *preset = *preset || code == OPT_PRESET;
+        given[at] = true;
     }
     return optind == argc || usage(d, "'%s' is no option%s", argv[optind], "; see --help");
 }
 
+static int find_entry(const char *name)
+{
+    for (int i = 0; i < ENTRIES; i++)
+        if (strcmp(entry[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+static bool exclude(const bool given[ENTRIES], const char *one, const char *other, struct diag *d)
+{
+    return !given[find_entry(one)] || !given[find_entry(other)] ||
+           usage(d, "--%s and --%s exclude each other", one, other);
+}
+
+static bool same_file(const char *a, const char *b)
+{
+    return a && b && strcmp(a, b) == 0;
+}
+
+static bool consistent(const struct evolve_options *o, const bool given[ENTRIES], struct diag *d)
+{
+    if (!o->scene)
+        return usage(d, "--scene is missing%s%s", "", "; see --help");
+    if (!exclude(given, "start", "from-scratch", d) || !exclude(given, "resume", "start", d) ||
+        !exclude(given, "resume", "from-scratch", d))
+        return false;
+    if (given[find_entry("checkpoint-every")] && !o->checkpoint)
+        return usage(d, "--checkpoint-every needs %s%s", "--checkpoint", "");
+    if (given[find_entry("log-every")] && !o->log)
+        return usage(d, "--log-every needs %s%s", "--log", "");
+    if (given[find_entry("time-limit")] && !(o->time_limit > 0))
+        return usage(d, "--time-limit 0 is out of range%s%s", "", "");
+    if (same_file(o->checkpoint, o->log))
+        return usage(d, "%s and %s are the same file", "--checkpoint", "--log");
+    if (same_file(o->checkpoint, o->output) || same_file(o->log, o->output))
+        return usage(d, "--output and %s are the same file%s", same_file(o->log, o->output) ? "--log" : "--checkpoint",
+                     "");
+    return true;
+}
+
+static void set_paper(struct evolve_options *o)
+{
+    o->generations = 3000;
+    o->islands = 5;
+    o->population = 200;
+    o->selection = SELECT_ROULETTE;
+    o->parsimony = 0;
+    o->topology = TOPOLOGY_RING;
+    o->migrate_every = 10;
+    o->migrate_fraction = 0.1;
+}
+
+/* The command line over a base; a preset lies between them. */
+static bool read_over(int argc, char **argv, const struct evolve_options *base, struct evolve_options *o,
+                      bool given[ENTRIES], struct diag *d)
+{
+    *o = *base;
+    if (!read_all(argc, argv, o, given, d))
+        return false;
+    if (given[find_entry("preset")]) {
+        *o = *base;
+        set_paper(o);
+        read_all(argc, argv, o, given, d);
+    }
+    return true;
+}
+
 bool evolve_options_read(int argc, char **argv, struct evolve_options *o, struct diag *d)
 {
-    bool preset = false;
-    *o = standard;
-    if (!read_all(argc, argv, o, &preset, d))
+    bool given[ENTRIES] = {false};
+    if (!read_over(argc, argv, &standard, o, given, d))
         return false;
-    if (preset) { /* whatever is given beside it counts: read again over the preset's values */
-        *o = standard;
-        o->generations = 3000;
-        o->islands = 5;
-        o->selection = SELECT_ROULETTE;
-        o->parsimony = 0;
-        read_all(argc, argv, o, &preset, d);
+    /* What the command line leaves out, a checkpoint may have: that is checked when it was read. */
+    return o->action != ACTION_EVOLVE || o->resume
+               ? exclude(given, "resume", "start", d) && exclude(given, "resume", "from-scratch", d)
+               : consistent(o, given, d);
+}
+
+/* An option's value as the command line would have it; false where there is none. */
+static bool value_text(const struct evolve_options *o, const struct entry *e, char *text, size_t n)
+{
+    uint64_t seed;
+    size_t whole;
+    double number;
+    int index;
+    const char *name;
+    switch (e->kind) {
+    case TEXT:
+        memcpy(&name, member_of(o, e), sizeof name);
+        return name && snprintf(text, n, "%s", name) < (int)n;
+    case SEED:
+        memcpy(&seed, member_of(o, e), sizeof seed);
+        return snprintf(text, n, "%llu", (unsigned long long)seed) > 0;
+    case WHOLE:
+        memcpy(&whole, member_of(o, e), sizeof whole);
+        return snprintf(text, n, "%zu", whole) > 0;
+    case FRACTION:
+    case TIME:
+        memcpy(&number, member_of(o, e), sizeof number);
+        return snprintf(text, n, "%.17g", number) > 0;
+    case CHOICE:
+        memcpy(&index, member_of(o, e), sizeof index);
+        return snprintf(text, n, "%s", e->choice[index]) > 0;
+    default:
+        return false;
     }
-    if (o->action == ACTION_EVOLVE && !o->scene)
-        return usage(d, "--scene is missing%s%s", "", "; see --help");
-    if (o->start && o->from_scratch)
-        return usage(d, "--start and --from-scratch exclude each other%s%s", "", "");
+}
+
+enum { VALUE = 1100 };
+
+void evolve_options_facts(const struct evolve_options *o, char *text, size_t n)
+{
+    char value[VALUE];
+    size_t used = strlen(text);
+    for (int i = 0; i < ENTRIES; i++)
+        if (entry[i].role != PASSING && value_text(o, &entry[i], value, sizeof value) && used < n)
+            used += (size_t)snprintf(text + used, n - used, "%s %s\n", entry[i].name, value);
+}
+
+/* Lines whose key is no option are for others. */
+static bool read_facts(char *facts, struct evolve_options *o, struct diag *d)
+{
+    *o = standard;
+    for (char *line = facts; *line;) {
+        char *end = line + strcspn(line, "\n"), *next = end + (*end == '\n');
+        char *space = line + strcspn(line, " \n");
+        *end = '\0';
+        if (*space == ' ') {
+            *space = '\0';
+            const int at = find_entry(line);
+            if (at >= 0 && entry[at].role != PASSING && !read_value(&entry[at], space + 1, o, d))
+                return false;
+        }
+        line = next;
+    }
     return true;
+}
+
+bool evolve_options_resume(int argc, char **argv, char *facts, struct evolve_options *o, struct diag *d)
+{
+    struct evolve_options base;
+    bool given[ENTRIES] = {false};
+    if (!read_facts(facts, &base, d))
+        return false;
+    if (!read_over(argc, argv, &base, o, given, d))
+        return false;
+    for (int i = 0; i < ENTRIES; i++) {
+        char before[VALUE], now[VALUE];
+        if (entry[i].role == FIXED && value_text(&base, &entry[i], before, sizeof before) &&
+            value_text(o, &entry[i], now, sizeof now) && strcmp(before, now) != 0) {
+            diag_at(d, "footpoint-evolve", 0, 0, "--%s %s contradicts the checkpoint, which has %s", entry[i].name, now,
+                    before);
+            d->code = EXIT_USAGE;
+            return false;
+        }
+    }
+    return consistent(o, given, d);
 }

@@ -29,7 +29,7 @@ struct island {
     struct goal goal;
     struct judge *judge;
     gsl_rng *rng; /* owned */
-    uint64_t generation;
+    uint64_t generation, evaluations;
     struct individual *now, *next; /* owned; now[] is ascending: best first */
     int *pool;                     /* owned: their genes */
     double *cumulative;            /* owned: roulette wheel of now[] */
@@ -82,8 +82,10 @@ static void evaluate(struct island *is, struct individual *x)
 {
     const uint64_t hash = tree_hash(&x->tree);
     struct remembered *r = memory_of(is, hash);
-    if (r->hash != hash || hash == 0)
+    if (r->hash != hash || hash == 0) {
         *r = (struct remembered){hash, judge_error(is->judge, &x->tree, is->goal.target, is->bound)};
+        is->evaluations++;
+    }
     x->error = r->error;
     x->demerit = plan_demerit(is->plan, x->error, x->tree.length);
 }
@@ -228,4 +230,122 @@ void island_receive(struct island *is, size_t n, int *parcel)
         evaluate(is, &is->now[place]);
     }
     rank_population(is);
+}
+
+double island_median(const struct island *is)
+{
+    return is->now[is->plan->population / 2].error; /* ranked by demerit: nearly */
+}
+
+uint64_t island_evaluations(const struct island *is)
+{
+    return is->evaluations;
+}
+
+/* A state: generation, evaluations, the individuals (length, error, genes), and what is remembered. */
+size_t island_state_size(const struct island *is)
+{
+    const size_t individual = sizeof(uint64_t) + sizeof(double) + is->goal.max_length * sizeof(int);
+    return 2 * sizeof(uint64_t) + is->plan->population * individual +
+           ((size_t)1 << CACHE_BITS) * (sizeof(uint64_t) + sizeof(double));
+}
+
+static void put(unsigned char **to, const void *data, size_t bytes)
+{
+    memcpy(*to, data, bytes);
+    *to += bytes;
+}
+
+static void take(const unsigned char **from, void *data, size_t bytes)
+{
+    memcpy(data, *from, bytes);
+    *from += bytes;
+}
+
+void island_save(const struct island *is, unsigned char *to)
+{
+    put(&to, &is->generation, sizeof is->generation);
+    put(&to, &is->evaluations, sizeof is->evaluations);
+    for (size_t i = 0; i < is->plan->population; i++) {
+        const struct individual *x = &is->now[i];
+        const uint64_t length = x->tree.length;
+        put(&to, &length, sizeof length);
+        put(&to, &x->error, sizeof x->error);
+        memset(to, 0, is->goal.max_length * sizeof *x->tree.gene);
+        memcpy(to, x->tree.gene, x->tree.length * sizeof *x->tree.gene);
+        to += is->goal.max_length * sizeof *x->tree.gene;
+    }
+    for (size_t i = 0; i < (size_t)1 << CACHE_BITS; i++) {
+        put(&to, &is->cache[i].hash, sizeof is->cache[i].hash);
+        put(&to, &is->cache[i].error, sizeof is->cache[i].error);
+    }
+}
+
+static bool known_gene(const struct gene_set *s, int gene)
+{
+    const int *of = gene < 0 ? s->constant : s->symbol;
+    const size_t n = gene < 0 ? s->constants : s->symbols;
+    bool known = gene >= 0 && gene < GENE_OPERATORS;
+    for (size_t i = 0; !known && i < n; i++)
+        known = of[i] == gene;
+    return known;
+}
+
+/* The next individual of a state, into *x (NULL: only to check it). */
+static bool take_individual(const struct island *is, const unsigned char **from, int *gene, struct individual *x)
+{
+    uint64_t length;
+    double error;
+    take(from, &length, sizeof length);
+    take(from, &error, sizeof error);
+    take(from, gene, is->goal.max_length * sizeof *gene);
+    bool good = length >= 1 && length <= is->goal.max_length && error >= 0;
+    for (size_t i = 0; good && i < length; i++)
+        good = known_gene(is->goal.genes, gene[i]);
+    if (!good || gene_span(gene, (size_t)length) != length)
+        return false;
+    if (x) {
+        const struct tree t = {gene, (size_t)length};
+        tree_copy(&t, &x->tree);
+        x->error = error;
+        x->demerit = plan_demerit(is->plan, error, x->tree.length);
+    }
+    return true;
+}
+
+bool island_load(struct island *is, const unsigned char *from)
+{
+    const size_t n = is->plan->population;
+    int *gene = new_array(is->goal.max_length, sizeof *gene);
+    uint64_t count[2]; /* generation, evaluations */
+    take(&from, count, sizeof count);
+    const unsigned char *at = from;
+    bool good = true;
+    for (size_t i = 0; good && i < n; i++)
+        good = take_individual(is, &at, gene, NULL);
+    for (size_t i = 0; good && i < n; i++)
+        take_individual(is, &from, gene, &is->now[i]);
+    free(gene);
+    if (!good)
+        return false;
+    is->generation = count[0];
+    is->evaluations = count[1];
+    for (size_t i = 0; i < (size_t)1 << CACHE_BITS; i++) {
+        take(&from, &is->cache[i].hash, sizeof is->cache[i].hash);
+        take(&from, &is->cache[i].error, sizeof is->cache[i].error);
+    }
+    rank_population(is);
+    return true;
+}
+
+size_t island_report_size(const struct island *is)
+{
+    return 2 + is->now[0].tree.length;
+}
+
+void island_report(const struct island *is, int *report)
+{
+    report[0] = 1;
+    report[1] = (int)is->now[0].tree.length;
+    memcpy(report + 2, is->now[0].tree.gene, is->now[0].tree.length * sizeof *report);
 }

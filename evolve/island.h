@@ -54,4 +54,21 @@ void island_pack(const struct island *is, size_t n, int *parcel);
 /** Let the n individuals of a parcel take the places of the worst, but for those that live here already. */
 void island_receive(struct island *is, size_t n, int *parcel);
 
+/** For the log: median error of the population. */
+double island_median(const struct island *is);
+/** For the log: individuals evaluated so far; those remembered do not count. */
+uint64_t island_evaluations(const struct island *is);
+
+/** Bytes of a saved state, fixed for an island. */
+size_t island_state_size(const struct island *is);
+/** Save everything that the next generations depend on: what follows is the same as without the interruption. */
+void island_save(const struct island *is, unsigned char *to);
+/** Go on from a saved state.  False, and the island as it was, where it is no state of such an island. */
+bool island_load(struct island *is, const unsigned char *from);
+
+/** Ints of a report; may differ among islands and over time. */
+size_t island_report_size(const struct island *is);
+/** What the island has found: how many trees, and for each its length and genes. */
+void island_report(const struct island *is, int *report);
+
 #endif

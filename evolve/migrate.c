@@ -1,14 +1,12 @@
-/* The processes' talk, over MPI; see migrate.h.  Trees travel as parcels of ints (island_pack) and are judged again
- * where they arrive. */
+/* The ranks before and after a run; see migrate.h. */
 #include "migrate.h"
+#include "migrate_check.h"
 
+#include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum tag { TAG_MIGRANTS = 1, TAG_BEST };
-
-/* A failure of the network cannot be agreed on: it ends the job. */
-#define CHECK(call) check((call), #call)
-static void check(int code, const char *call)
+void migrate_check(int code, const char *call)
 {
     char text[MPI_MAX_ERROR_STRING] = "";
     int length;
@@ -44,132 +42,79 @@ bool team_agree(const struct team *t, bool good, struct diag *d)
     return false;
 }
 
-void team_minimum(const struct team *t, double *value, size_t n)
+char *team_tell(const struct team *t, const char *text, size_t bytes)
 {
-    CHECK(MPI_Allreduce(MPI_IN_PLACE, value, (int)n, MPI_DOUBLE, MPI_MIN, t->comm));
+    long long size = text ? (long long)bytes : -1;
+    CHECK(MPI_Bcast(&size, 1, MPI_LONG_LONG, 0, t->comm));
+    if (size < 0)
+        return NULL;
+    char *copy = new_array((size_t)size + 1, 1);
+    if (t->rank == 0)
+        memcpy(copy, text, bytes);
+    CHECK(MPI_Bcast(copy, (int)size, MPI_BYTE, 0, t->comm));
+    return copy;
 }
 
-double team_sum(const struct team *t, double value)
+size_t sea_islands(const struct sea *s)
 {
-    CHECK(MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, t->comm));
-    return value;
+    return s->rings * s->places;
+}
+
+/* One ring after the other, from that of the longest genomes on: each island to the rank with the least to do, found on
+ * a heap of ranks by load and rank. */
+struct burden {
+    size_t load;
+    int rank;
+};
+
+static bool lighter(const struct burden *a, const struct burden *b)
+{
+    return a->load < b->load || (a->load == b->load && a->rank < b->rank);
+}
+
+static void sink(struct burden *heap, size_t n)
+{
+    for (size_t at = 0, child; (child = 2 * at + 1) < n; at = child) {
+        if (child + 1 < n && lighter(&heap[child + 1], &heap[child]))
+            child++;
+        if (!lighter(&heap[child], &heap[at]))
+            break;
+        const struct burden moved = heap[at];
+        heap[at] = heap[child];
+        heap[child] = moved;
+    }
 }
 
 void team_share(const struct team *t, struct sea *s)
 {
-    size_t *load = new_array((size_t)t->size, sizeof *load);
-    const size_t n = s->rings * s->places;
-    for (size_t i = 0; i < n; i++)
-        s->owner[i] = -1;
-    for (size_t given = 0; given < n; given++) {
-        size_t longest = n;
-        for (size_t i = 0; i < n; i++)
-            if (s->owner[i] < 0 && (longest == n || s->max_length[i / s->places] > s->max_length[longest / s->places]))
-                longest = i;
-        int idle = 0;
-        for (int r = 1; r < t->size; r++)
-            if (load[r] < load[idle])
-                idle = r;
-        load[idle] += s->max_length[longest / s->places];
-        s->owner[longest] = idle;
-    }
-    free(load);
-}
-
-/* Parcels of n trees from every island: one buffer each, all on their way at once. */
-struct post {
-    int **parcel; /* owned, one for each island; NULL where this rank has nothing to do with it */
-    MPI_Request *request;
-    int requests;
-};
-
-static size_t parcel_size(const struct sea *s, size_t island, size_t n)
-{
-    return n * (1 + s->max_length[island / s->places]);
-}
-
-static struct post post_new(const struct sea *s)
-{
-    const size_t n = s->rings * s->places;
-    return (struct post){new_array(n, sizeof(int *)), new_array(n, sizeof(MPI_Request)), 0};
-}
-
-/* Parcel of island `from` to the rank `to`.  Called on every rank for all islands in ascending order, so that parcels
- * between two ranks are received in the order in which they are sent. */
-static void post_parcel(const struct team *t, const struct sea *s, struct post *p, size_t from, int to, size_t n,
-                        int tag)
-{
-    const int sender = s->owner[from];
-    const size_t size = parcel_size(s, from, n);
-    if (t->rank != sender && t->rank != to)
-        return;
-    int *parcel = p->parcel[from] = new_array(size, sizeof *parcel);
-    if (t->rank == sender)
-        island_pack(s->island[from], n, parcel);
-    if (sender == to)
-        return;
-    MPI_Request *request = &p->request[p->requests++];
-    if (t->rank == sender)
-        CHECK(MPI_Isend(parcel, (int)size, MPI_INT, to, tag, t->comm, request));
-    else
-        CHECK(MPI_Irecv(parcel, (int)size, MPI_INT, sender, tag, t->comm, request));
-}
-
-static void post_wait(struct post *p)
-{
-    CHECK(MPI_Waitall(p->requests, p->request, MPI_STATUSES_IGNORE));
-}
-
-static void post_free(struct post *p, size_t islands)
-{
-    for (size_t i = 0; i < islands; i++)
-        free(p->parcel[i]);
-    free(p->parcel);
-    free(p->request);
-}
-
-static size_t next_in_ring(const struct sea *s, size_t island)
-{
-    return island / s->places * s->places + (island + 1) % s->places;
-}
-
-void team_migrate(const struct team *t, struct sea *s, size_t migrants)
-{
-    const size_t n = s->rings * s->places;
-    if (s->places < 2 || migrants == 0)
-        return;
-    struct post p = post_new(s);
-    for (size_t i = 0; i < n; i++)
-        post_parcel(t, s, &p, i, s->owner[next_in_ring(s, i)], migrants, TAG_MIGRANTS);
-    post_wait(&p);
-    for (size_t i = 0; i < n; i++)
-        if (s->island[next_in_ring(s, i)])
-            island_receive(s->island[next_in_ring(s, i)], migrants, p.parcel[i]);
-    post_free(&p, n);
-}
-
-struct tree *team_gather(const struct team *t, struct sea *s, int **genes)
-{
-    const size_t n = s->rings * s->places;
-    size_t total = 0;
-    struct post p = post_new(s);
-    for (size_t i = 0; i < n; i++)
-        post_parcel(t, s, &p, i, 0, 1, TAG_BEST);
-    post_wait(&p);
-    struct tree *tree = NULL;
-    *genes = NULL;
-    if (t->rank == 0) {
-        for (size_t i = 0; i < n; i++)
-            total += parcel_size(s, i, 1);
-        tree = new_array(n, sizeof *tree);
-        int *to = *genes = new_array(total, sizeof *to);
-        for (size_t i = 0; i < n; i++) {
-            const struct tree best = {p.parcel[i] + 1, (size_t)p.parcel[i][0]};
-            tree[i].gene = to;
-            tree_copy(&best, &tree[i]);
-            to += best.length;
+    const size_t ranks = (size_t)t->size;
+    struct burden *heap = new_array(ranks, sizeof *heap);
+    bool *shared = new_array(s->rings, sizeof *shared);
+    for (size_t r = 0; r < ranks; r++)
+        heap[r].rank = (int)r;
+    for (size_t k = 0; k < s->rings; k++) {
+        size_t ring = s->rings;
+        for (size_t i = 0; i < s->rings; i++)
+            if (!shared[i] && (ring == s->rings || s->max_length[i] > s->max_length[ring]))
+                ring = i;
+        shared[ring] = true;
+        for (size_t i = 0; i < s->places; i++) {
+            s->owner[ring * s->places + i] = heap[0].rank;
+            heap[0].load += s->max_length[ring];
+            sink(heap, ranks);
         }
     }
-    post_free(&p, n);
-    return tree;
+    free(shared);
+    free(heap);
+}
+
+bool team_can_tag(const struct team *t, size_t islands, struct diag *d)
+{
+    int *bound, known;
+    CHECK(MPI_Comm_get_attr(t->comm, MPI_TAG_UB, &bound, &known));
+    if (!known || islands <= (size_t)(*bound - TAG_MIGRANTS))
+        return true;
+    diag_at(d, "footpoint-evolve", 0, 0, "%zu islands, but this MPI has tags for %d alone", islands, *bound);
+    d->code = EXIT_USAGE;
+    return false;
 }

@@ -1,37 +1,136 @@
 /* Progress lines; see progress.h. */
 #include "progress.h"
 
+#include "stop.h"
+
+#include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
-#include <time.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
-enum { LOG_LINES = 20 };
+enum { LOG_LINES = 20, LINE = 400 };
+/* Seconds between lines: least on a terminal; most in a log, at first and ever after. */
+static const double blink = 0.2, first_silence = 10, last_silence = 600;
 
-static double now(void)
+/* mpirun hands its ranks a pipe: what counts is where mpirun itself writes, if it is on this host. */
+static int find_terminal(void)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    char path[64];
+    if (isatty(STDERR_FILENO) == 1)
+        return STDERR_FILENO;
+    if (!getenv("OMPI_COMM_WORLD_RANK"))
+        return -1;
+    snprintf(path, sizeof path, "/proc/%ld/fd/2", (long)getppid());
+    const int file = open(path, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0 || isatty(file) == 1)
+        return file;
+    close(file);
+    return -1;
 }
 
-struct progress progress_start(bool shown, size_t generations)
+void progress_phase(bool shown, const char *text)
 {
-    const double t = now();
-    return (struct progress){shown, isatty(STDERR_FILENO) == 1, generations, 0, t, t - 1};
-}
-
-void progress_show(struct progress *p, size_t generation, const char *best, double work)
-{
-    const double t = now(), spent = t - p->start, per_second = spent > 0 ? work / spent : 0;
-    const bool last = generation >= p->generations;
-    const double left = generation > 0 ? spent * (double)(p->generations - generation) / (double)generation : 0;
-    if (!p->shown || (p->terminal && !last && t - p->last < 0.2) ||
-        (!p->terminal && !last && (generation - p->logged) * LOG_LINES < p->generations))
+    const int terminal = shown ? find_terminal() : -1;
+    if (terminal < 0)
         return;
+    fprintf(stderr, "\r%s\033[K", text);
+    fflush(stderr);
+    if (terminal != STDERR_FILENO)
+        close(terminal);
+}
+
+struct progress progress_start(bool shown, size_t first, size_t generations, double until)
+{
+    const double t = seconds_now();
+    return (struct progress){.shown = shown,
+                             .terminal = shown ? find_terminal() : -1,
+                             .first = first,
+                             .generations = generations,
+                             .logged = first,
+                             .start = t,
+                             .last = t - blink,
+                             .silence = first_silence,
+                             .until = until};
+}
+
+static bool due(const struct progress *p, size_t generation, double t)
+{
+    if (generation >= p->generations)
+        return true;
+    if (p->terminal >= 0)
+        return t - p->last >= blink;
+    return (generation - p->logged) * LOG_LINES >= p->generations - p->first || t - p->last >= p->silence;
+}
+
+static void time_text(double seconds, char text[32])
+{
+    const unsigned long s = (unsigned long)(seconds + 0.5);
+    if (s < 100)
+        snprintf(text, 32, "%lu s", s);
+    else if (s < 3600)
+        snprintf(text, 32, "%lu:%02lu min", s / 60, s % 60);
+    else
+        snprintf(text, 32, "%lu:%02lu h", s / 3600, s / 60 % 60);
+}
+
+static int columns(int terminal)
+{
+    struct winsize w;
+    return ioctl(terminal, TIOCGWINSZ, &w) == 0 && w.ws_col > 1 ? w.ws_col - 1 : 79;
+}
+
+void number_text(double value, char text[NUMBER_TEXT])
+{
+    snprintf(text, NUMBER_TEXT, "%.1e", value);
+    char *zero = strchr(text, 'e');
+    if (!zero)
+        return;
+    zero += zero[1] == '-' ? 2 : 1;
+    const size_t zeros = strspn(zero, "+0"), length = strlen(zero);
+    memmove(zero, zero + zeros - (zeros == length), length - zeros + 1 + (zeros == length));
+}
+
+/* Seconds until the last generation, or until the time is up: then *limited. */
+static double time_left(const struct progress *p, size_t generation, double t, bool *limited)
+{
+    const double left = (t - p->start) * (double)(p->generations - generation) / (double)(generation - p->first);
+    *limited = p->until > 0 && p->until - t < left;
+    return *limited ? fmax(p->until - t, 0) : left;
+}
+
+void progress_show(struct progress *p, size_t generation, const char *best, const char *brief, double work)
+{
+    const double t = seconds_now(), spent = t - p->start;
+    char line[LINE], rest[32], speed[NUMBER_TEXT];
+    bool limited;
+    if (!p->shown || generation == p->first || !due(p, generation, t))
+        return;
+    time_text(time_left(p, generation, t, &limited), rest);
+    number_text(spent > 0 ? work / spent : 0, speed);
     p->last = t;
     p->logged = generation;
-    fprintf(stderr, "%sgeneration %zu/%zu  %.1e genes x samples/s  %.0f s left  %s%s%s", p->terminal ? "\r" : "",
-            generation, p->generations, per_second, left, best, p->terminal ? "\033[K" : "",
-            p->terminal && !last ? "" : "\n");
+    p->silence = fmin(2 * p->silence, last_silence);
+    const int n = snprintf(line, sizeof line, "generation %zu/%zu  %s left%s  %s genes x samples/s  %s", generation,
+                           p->generations, rest, limited ? " (limit)" : "", speed, best);
+    const int width = p->terminal >= 0 ? columns(p->terminal) : LINE - 1;
+    if (n > width)
+        snprintf(line, sizeof line, "%zu/%zu  %s left  %s/s  %s", generation, p->generations, rest, speed, brief);
+    if (p->terminal >= 0)
+        fprintf(stderr, "\r%.*s\033[K", width, line);
+    else
+        fprintf(stderr, "%s\n", line);
+    p->open = p->terminal >= 0;
+    if (generation >= p->generations)
+        progress_break(p);
     fflush(stderr);
+}
+
+void progress_break(struct progress *p)
+{
+    if (p->open)
+        fputc('\n', stderr);
+    p->open = false;
 }

@@ -27,6 +27,15 @@ scene 's/"parallelogram"/"trapezium"/'; refused 'unknown frame' "$work/s.scene:1
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
 refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
 
+# A frame's value that is infinite somewhere is refused; values that never change are taken as they are.
+mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/" && echo 'let bad = / 1 - xi0 -0.5' >> "$work/root/evolve/frames/parallelogram.gen"
+scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "bad"/'
+expect 'infinite value' 1 '' "$work/s.scene:13: error: 'bad' is not finite on 700 of 700 training samples" \
+    "$evolve" --root "$work/root" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
+scene 's/\["xi0", "eta0", "p", "q", "a", "b"\]/["xi0", "eta0"]/'
+expect 'constant values alone' 0 '*' '' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 3 --quiet
+rm -f "$work/o.gen"
+
 mesh() { sed 's|^shapes.*|mesh: { file = "m.inp"; distance = '"$1"'; };|' tests/scenes/small.scene > "$work/s.scene"; }
 mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: cannot read mesh file '$work/m.inp'"
 printf '*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n*ELEMENT, TYPE=B31\n1, 1, 2\n' > "$work/m.inp"
@@ -59,3 +68,15 @@ expect 'malformed start file' 1 '' '*' "$evolve" --scene "$work/small.scene" --s
 mkdir "$work/closed"
 expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No such file or directory" \
     "$evolve" --scene "$work/small.scene" --from-scratch -o "$work/none/o.gen" --generations 100000000
+
+# On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
+if [ -n "$(command -v script)" ]; then
+    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --generations 60 -o $work/t.gen" /dev/null > "$work/tty"
+    tr '\r' '\n' < "$work/tty" | sed -n 's/\x1b\[K//; /^[0-9]*\/60 .* left /p' > "$work/lines"
+    [ -s "$work/lines" ] && [ -z "$(awk 'length > 59' "$work/lines")" ] && tail -1 "$work/lines" | grep -q '^60/60 '
+    report $((! $?)) 'a line on a terminal'
+fi
+$mpirun -n 2 "$evolve" --scene "$work/small.scene" --generations 60 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
+[ "$(wc -l < "$work/lines")" -gt 10 ] && ! grep -q "$(printf '[\r\033]')" "$work/lines" &&
+    tail -1 "$work/lines" | grep -q '^generation 60/60  0 s left  .* genes x samples/s  steps xi .* eta .*  paper xi .*  eta '
+report $((! $?)) 'plain lines in a file'

@@ -1,0 +1,307 @@
+/* A run of footpoint-evolve; see evolve_run.h.  Every process reads the same files and computes the same table of
+ * training samples; islands are shared out, and what they find is independent of who computes them. */
+#include "evolve_run.h"
+
+#include "evolve_loop.h"
+#include "frame.h"
+#include "progress.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static void genomes_path(const struct run *r, char path[1024])
+{
+    snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", r->options->root, r->scene->name);
+}
+
+static bool probe(const char *path, struct diag *d)
+{
+    struct outfile f;
+    if (!path)
+        return true;
+    if (!outfile_open(&f, path, d))
+        return false;
+    outfile_discard(&f);
+    return true;
+}
+
+static bool choose_paths(struct run *r, struct diag *d)
+{
+    const struct evolve_options *o = r->options;
+    genomes_path(r, r->output);
+    if (o->output)
+        snprintf(r->output, sizeof r->output, "%s", o->output);
+    if (r->resume)
+        return !*r->resume->start || resume_start_file(r->resume, r->start, sizeof r->start, d);
+    if (o->start)
+        snprintf(r->start, sizeof r->start, "%s", o->start);
+    else if (!o->from_scratch)
+        genomes_path(r, r->start);
+    if (!o->start && access(r->start, F_OK) != 0)
+        r->start[0] = '\0';
+    return true;
+}
+
+/* The start file as checkpoints hold it. */
+static bool keep_start(struct run *r, struct diag *d)
+{
+    r->start_text = r->start[0] ? read_text(r->start, &r->start_bytes, d) : new_text("", 0);
+    return r->start_text != NULL;
+}
+
+static bool load_archive(struct run *r, struct diag *d)
+{
+    struct genome_file *program = frame_program(r->options->root, r->scene, r->output, d);
+    r->archive = program ? archive_new(r->scene, program, r->start[0] ? r->start : NULL, d) : NULL;
+    return r->archive != NULL;
+}
+
+/* What is read: the cheap part, in which most mistakes show. */
+static bool load(struct run *r, struct diag *d)
+{
+    const struct evolve_options *o = r->options;
+    r->scene = scene_read(o->root, o->scene, d);
+    if (!r->scene || (r->resume && !resume_suits(r->resume, r->scene->sha256, o->generations, d)) ||
+        !choose_paths(r, d))
+        return false;
+    const bool first = r->team->rank == 0;
+    const bool good =
+        (!first || (probe(r->output, d) && probe(o->checkpoint, d) && keep_start(r, d))) && load_archive(r, d);
+    if (r->resume && r->start[0])
+        unlink(r->start);
+    return good;
+}
+
+/* A value without a number somewhere would make every expression with it hopeless, without a word. */
+static bool finite_column(const struct run *r, const char *name, int line, size_t column, struct diag *d)
+{
+    const double *v = columns_at(&r->table, column);
+    size_t bad = 0;
+    for (size_t i = 0; i < r->table.n; i++)
+        bad += isfinite(v[i]) ? 0 : 1;
+    return bad == 0 || diag_at(d, r->scene->path, line, 0, "'%.64s' is not finite on %zu of %zu training samples", name,
+                               bad, r->table.n);
+}
+
+static bool finite_columns(const struct run *r, struct diag *d)
+{
+    for (int k = 0; k < 2; k++)
+        if (!finite_column(r, frame_output[k], 0, frame_target(r->archive->program, k), d))
+            return false;
+    for (size_t i = 0; i < r->scene->tiers; i++) {
+        const struct tier *t = &r->scene->tier[i];
+        for (size_t k = 0; k < t->terminals; k++) {
+            const long symbol = genome_find_symbol(r->archive->program, t->terminal[k]);
+            if (symbol >= 0 && !finite_column(r, t->terminal[k], t->line, (size_t)symbol, d))
+                return false;
+        }
+    }
+    return true;
+}
+
+static bool sample(struct run *r, struct diag *d)
+{
+    struct sample_set training = {0};
+    if (!scene_samples(r->scene, PART_TRAINING, &training, d))
+        return false;
+    struct kernel *kernel = kernel_new_widest();
+    r->table = frame_columns(kernel, r->archive->program, training.s, training.n);
+    kernel_free(kernel);
+    sample_set_free(&training);
+    if (!finite_columns(r, d))
+        return false;
+    if (r->team->rank > 0)
+        return true;
+    return scene_samples(r->scene, PART_HELDOUT, &r->heldout[0], d) &&
+           scene_samples(r->scene, PART_HELDOUT_RANDOM, &r->heldout[1], d);
+}
+
+static void judge_champions(struct run *r)
+{
+    const enum functions f = r->options->functions;
+    r->judge = judge_new(r->archive->program, &r->table, r->scene->norm);
+    archive_judge(r->archive, r->judge);
+    r->genes = new_array(r->scene->tiers, sizeof *r->genes);
+    for (size_t i = 0; i < r->scene->tiers; i++) {
+        const bool rational = f == FUNCTIONS_OF_TIER ? r->scene->tier[i].rational : f == FUNCTIONS_RATIONAL;
+        r->genes[i] = archive_genes(r->archive, i, rational);
+    }
+}
+
+/* Rings for all outputs; in a run of no generations for those alone that have no champion. */
+static void found_rings(struct run *r)
+{
+    const struct evolve_options *o = r->options;
+    struct sea *s = &r->sea;
+    const size_t outputs = 2 * r->scene->tiers;
+    r->plan = (struct plan){o->seed, o->population, o->selection, o->parsimony, 0};
+    r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
+    r->quest = new_array(outputs, sizeof *r->quest);
+    s->max_length = new_array(outputs, sizeof *s->max_length);
+    s->places = o->islands;
+    for (size_t i = 0; i < outputs; i++)
+        if (o->generations > 0 || r->archive->champion[i / 2][i % 2].tree.length == 0) {
+            r->quest[s->rings] = (struct quest){i / 2, (int)(i % 2)};
+            s->max_length[s->rings++] = o->max_length ? o->max_length : r->scene->tier[i / 2].max_length;
+        }
+    s->owner = new_array(s->rings * s->places, sizeof *s->owner);
+    s->island = new_array(s->rings * s->places, sizeof(struct island *));
+    r->seeded = new_array(s->rings * s->places, sizeof *r->seeded);
+    team_share(r->team, s);
+}
+
+/* The last island of a ring of several starts from random trees alone. */
+static const struct tree *seed_of(const struct run *r, size_t island)
+{
+    const size_t ring = island / r->sea.places, place = island % r->sea.places;
+    const struct quest q = r->quest[ring];
+    if (r->sea.places > 1 && place == r->sea.places - 1)
+        return NULL;
+    return archive_seed(r->archive, q.tier, q.output, r->sea.max_length[ring]);
+}
+
+size_t run_ring(const struct run *r, size_t ring)
+{
+    return 2 * r->quest[ring].tier + (size_t)r->quest[ring].output;
+}
+
+static void found_islands(struct run *r)
+{
+    struct sea *s = &r->sea;
+    for (size_t i = 0; i < sea_islands(s); i++) {
+        const size_t ring = i / s->places;
+        const struct quest q = r->quest[ring];
+        const struct goal goal = {.target = frame_target(r->archive->program, q.output),
+                                  .max_length = s->max_length[ring],
+                                  .genes = &r->genes[q.tier],
+                                  .ring = run_ring(r, ring),
+                                  .place = i % s->places};
+        const struct tree *seed = seed_of(r, i);
+        r->seeded[i] = seed != NULL;
+        if (s->owner[i] != r->team->rank)
+            continue;
+        s->island[i] = island_new(&r->plan, &goal, r->judge);
+        if (!r->resume)
+            island_start(s->island[i], seed);
+    }
+}
+
+/* A message has at most INT_MAX bytes. */
+static bool fits_messages(const struct run *r, struct diag *d)
+{
+    for (size_t i = 0; i < sea_islands(&r->sea); i++) {
+        const struct island *is = r->sea.island[i];
+        if (is && (island_parcel_size(is, r->plan.migrants) > INT_MAX / sizeof(int) ||
+                   (r->options->checkpoint && island_state_size(is) > INT_MAX))) {
+            diag_at(d, "footpoint-evolve", 0, 0, "--population %zu is too large to be sent", r->options->population);
+            d->code = EXIT_USAGE;
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool settle(struct run *r, struct diag *d)
+{
+    found_rings(r);
+    if (!team_agree(r->team, team_can_tag(r->team, sea_islands(&r->sea), d), d))
+        return false;
+    found_islands(r);
+    if (!team_agree(r->team, fits_messages(r, d), d))
+        return false;
+    r->generation = r->resume ? r->resume->generation : 0;
+    return !r->resume || resume_islands(r->resume, r->team, &r->sea, d);
+}
+
+static void say(const struct run *r, const char *phase)
+{
+    progress_phase(r->team->rank == 0 && !r->options->quiet, phase);
+}
+
+/* Rank 0 judges what all islands found, in their order.  Collective. */
+static void harvest(struct run *r)
+{
+    struct finds f = team_gather(r->team, &r->sea);
+    for (size_t i = 0; i < f.finds; i++) {
+        const size_t island = f.find[i].island;
+        const struct tree *t = &f.find[i].tree;
+        const struct quest q = r->quest[island / r->sea.places];
+        const double error = judge_error(r->judge, t, frame_target(r->archive->program, q.output), INFINITY);
+        archive_offer(r->archive, &r->plan, q.tier, q.output, t, error);
+        if (!r->options->quiet)
+            fprintf(stderr, "island %zu of %s %s (%s): error %.3e with %zu genes\n", island % r->sea.places,
+                    r->scene->tier[q.tier].name, frame_output[q.output], r->seeded[island] ? "seeded" : "random", error,
+                    t->length);
+    }
+    finds_free(&f);
+}
+
+static bool finish(struct run *r, struct diag *d)
+{
+    const struct evolve_options *o = r->options;
+    const struct run_facts facts = {o->seed, r->generation, o->islands};
+    if (r->team->rank > 0)
+        return true;
+    if (r->reason != STOP_DONE)
+        fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(r->reason), r->generation, o->generations,
+                o->checkpoint && !r->unsaved ? "; go on with --resume " : "",
+                o->checkpoint && !r->unsaved ? o->checkpoint : "");
+    say(r, "measuring on samples held out ...");
+    const bool written = archive_write(r->archive, r->output, &facts, r->heldout, d);
+    say(r, "");
+    if (!written)
+        return false;
+    archive_table(r->archive, stdout);
+    if (fflush(stdout) != 0)
+        return diag_system(d, "standard output", "cannot write");
+    *d = (struct diag){.code = r->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */
+    return !r->unsaved;
+}
+
+static void run_free(struct run *r)
+{
+    for (size_t i = 0; i < sea_islands(&r->sea); i++)
+        island_free(r->sea.island[i]);
+    for (size_t i = 0; r->genes && i < r->scene->tiers; i++)
+        gene_set_free(&r->genes[i]);
+    free(r->genes);
+    free(r->sea.island);
+    free(r->sea.owner);
+    free(r->sea.max_length);
+    free(r->quest);
+    free(r->seeded);
+    free(r->start_text);
+    judge_free(r->judge);
+    columns_free(&r->table);
+    sample_set_free(&r->heldout[0]);
+    sample_set_free(&r->heldout[1]);
+    archive_free(r->archive);
+    scene_free(r->scene);
+}
+
+bool run_evolution(const struct evolve_options *o, const struct team *team, const struct resume *resume, double begun,
+                   int *status, struct diag *d)
+{
+    struct run r = {.options = o, .team = team, .resume = resume, .begun = begun};
+    /* The ranks agree before any of them goes on. */
+    bool good = team_agree(team, load(&r, d), d);
+    if (good) {
+        say(&r, "drawing samples ...");
+        good = team_agree(team, sample(&r, d), d);
+        say(&r, "");
+    }
+    if (good) {
+        judge_champions(&r);
+        good = settle(&r, d) && evolve_islands(&r, d);
+    }
+    if (good) {
+        harvest(&r);
+        good = team_agree(team, finish(&r, d), d);
+    }
+    *status = stop_status(r.reason);
+    run_free(&r);
+    return good;
+}

@@ -1,0 +1,47 @@
+/* A run of footpoint-evolve: what it reads, its islands, what it finds. */
+#ifndef FOOTPOINT_EVOLVE_RUN_H
+#define FOOTPOINT_EVOLVE_RUN_H
+
+#include "archive.h"
+#include "evolve_options.h"
+#include "evolve_resume.h"
+#include "migrate.h"
+#include "stop.h"
+
+/** The output that a ring of islands searches. */
+struct quest {
+    size_t tier;
+    int output;
+};
+
+struct run {
+    const struct evolve_options *options; /* not owned */
+    const struct team *team;              /* not owned */
+    const struct resume *resume;          /* not owned; NULL: a new run */
+    double begun;                         /* seconds_now() */
+    char start[1024], output[1024];       /* paths; start is empty where there is none */
+    char *start_text;                     /* owned; on rank 0: the start file, for checkpoints */
+    size_t start_bytes;
+    struct scene *scene;
+    struct archive *archive;
+    struct gene_set *genes;       /* one for each tier */
+    struct sample_set heldout[2]; /* on rank 0 */
+    struct columns table;
+    struct judge *judge;
+    struct plan plan;
+    struct quest *quest; /* one for each ring */
+    bool *seeded;        /* one for each island: started from a champion */
+    struct sea sea;
+    size_t generation;       /* reached */
+    enum stop_reason reason; /* why it ended */
+    bool unsaved;            /* the last checkpoint or the log could not be written */
+};
+
+/** Collective: the whole run.  False with *d; *status is the exit status of one that ended well. */
+bool run_evolution(const struct evolve_options *o, const struct team *team, const struct resume *resume, double begun,
+                   int *status, struct diag *d);
+
+/** The ring's key in random streams. */
+size_t run_ring(const struct run *r, size_t ring);
+
+#endif

@@ -1,0 +1,118 @@
+# footpoint-evolve interrupted: same bytes after kill -9, signals and time limits, on any number of ranks; hostile
+# checkpoints, full disks and contradictions end in one line and leave what was there.
+. tests/cli/expect.inc
+evolve=$BIN/footpoint-evolve
+export OMPI_MCA_btl_base_warn_component_unused=0 OMPI_MCA_ess_singleton_isolated=1
+mpirun="mpirun -q --oversubscribe"
+[ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
+cp tests/scenes/small.scene "$work/"
+options="--scene $work/small.scene --seed 5 --from-scratch --islands 3 --population 60 --quiet"
+same() { cmp -s "$1" "$2"; report $((! $?)) "$3"; }
+
+usage() { expect "$1" 2 '' "footpoint-evolve: error: $2" "$evolve" --scene quad4 $3; }
+usage 'resume from scratch' '--resume and --from-scratch exclude each other' '--resume x --from-scratch'
+usage 'resume and start' '--resume and --start exclude each other' '--resume x --start y'
+usage 'checkpoints without a file' '--checkpoint-every needs --checkpoint' '--checkpoint-every 5'
+usage 'no time' "--time-limit 0 is out of range" '--time-limit 0'
+usage 'odd time' "--time-limit needs seconds or H:MM:SS, not '1:99'" '--time-limit 1:99'
+usage 'odd topology' "--topology knows no 'star'" '--topology star'
+usage 'more migrants than individuals' '--migrate-fraction 1.5 is out of range (0 to 0.5)' '--migrate-fraction 1.5'
+usage 'one file for two things' '--checkpoint and --log are the same file' '--checkpoint f --log f'
+
+# Without interruption, then in two parts on other numbers of ranks: genomes and log.
+"$evolve" $options --generations 60 -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
+cp "$work/whole.csv" "$work/log.csv" && head -1 "$work/log.csv" | grep -q '^generation,island,tier,output,place,best_error,' &&
+    [ "$(wc -l < "$work/log.csv")" = $((1 + 60 * 12)) ]; report $((! $?)) 'a line for each generation and island'
+$mpirun -n 3 "$evolve" $options --generations 60 -o "$work/o.gen" --log "$work/log.csv" > /dev/null 2>&1
+same "$work/whole.csv" "$work/log.csv" 'the same log from 3 ranks'
+$mpirun -n 3 "$evolve" $options --generations 30 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
+cp "$work/ck" "$work/good"; echo rubbish >> "$work/parts.csv"
+$mpirun -n 2 "$evolve" --resume "$work/ck" --generations 60 --quiet > /dev/null 2>&1
+same "$work/whole.gen" "$work/parts.gen" 'begun on 3 ranks, resumed on 2: the same genomes'
+same "$work/whole.csv" "$work/parts.csv" 'and the same log'
+for topology in torus random none; do
+    "$evolve" $options --topology $topology --generations 25 -o "$work/t1.gen" > /dev/null 2>&1
+    $mpirun -n 2 "$evolve" $options --topology $topology --generations 25 -o "$work/t2.gen" > /dev/null 2>&1
+    same "$work/t1.gen" "$work/t2.gen" "$topology: the same genomes from 1 and 2 ranks"
+done
+
+# Killed, and ended by signals.
+started() { # started PID: its first checkpoint is there
+    tries=200
+    until [ -e "$work/ck" ] || [ $((tries -= 1)) = 0 ] || ! kill -0 "$1" 2> /dev/null; do sleep 0.05; done
+}
+interrupted() { # interrupted NAME SIGNAL STATUS [OPTIONS...]: then resumed to its end, compared with a run in one go
+    name=$1 signal=$2 wanted=$3
+    shift 3
+    rm -f "$work/ck" "$work/i.gen" "$work/i.csv"
+    "$evolve" $options --generations 100000000 -o "$work/i.gen" --log "$work/i.csv" --checkpoint "$work/ck" \
+        --checkpoint-every 0.1 "$@" > /dev/null 2> "$work/err" &
+    pid=$!
+    started $pid
+    [ "$signal" = none ] || kill -"$signal" $pid
+    wait $pid 2> /dev/null
+    [ $? = "$wanted" ]; report $((! $?)) "$name: exit status $wanted"
+    generation=$(sed -n 's/^generation //p' "$work/ck" | head -1)
+    to=$((generation - generation % 10 + 20))
+    [ "$signal" = KILL ] || grep -q "ended at generation $generation of 100000000; go on with --resume $work/ck$" "$work/err" &&
+        { [ "$signal" = KILL ] || [ -s "$work/i.gen" ]; }
+    report $((! $?)) "$name: everything is written"
+    $mpirun -n 2 "$evolve" --resume "$work/ck" --generations $to --quiet > /dev/null 2>&1
+    "$evolve" $options --generations $to -o "$work/j.gen" --log "$work/j.csv" > /dev/null 2>&1
+    cmp -s "$work/i.gen" "$work/j.gen" && cmp -s "$work/i.csv" "$work/j.csv"
+    report $((! $?)) "$name: resumed to the same bytes"
+}
+interrupted 'kill -9' KILL 137
+interrupted SIGTERM TERM 143
+interrupted SIGUSR1 USR1 0
+interrupted 'time limit' none 0 --time-limit 2
+
+# What must not be resumed; nothing is touched.
+rm -f "$work/ck"
+refused() { # refused NAME STATUS STDERR [OPTIONS...]: resumes $work/bad
+    name=$1 status=$2 message=$3
+    shift 3
+    cp "$work/whole.gen" "$work/kept.gen"; cp "$work/bad" "$work/before"
+    expect "$name" "$status" '' "$message" "$evolve" --resume "$work/bad" -o "$work/kept.gen" "$@"
+    cmp -s "$work/kept.gen" "$work/whole.gen" && cmp -s "$work/bad" "$work/before" || report 0 "$name: files are left"
+}
+damaged="$work/bad: error: checkpoint is cut or damaged"
+head -c 100000 "$work/good" > "$work/bad"; refused 'cut' 1 "$damaged"
+: > "$work/bad"; refused 'empty' 1 "$work/bad: error: no checkpoint"
+cp "$work/good" "$work/bad"; printf x | dd of="$work/bad" bs=1 seek=200000 conv=notrunc 2> /dev/null
+refused 'a byte changed' 1 "$damaged"
+resealed() { # resealed SED: $work/bad with other facts and a good seal
+    first=$(head -1 "$work/good") facts=$(printf %s "$first" | cut -d' ' -f3)
+    tail -c +$((${#first} + 2)) "$work/good" | head -c "$facts" | sed "$1" > "$work/facts"
+    { printf 'footpoint-checkpoint 1 %s %s\n' "$(wc -c < "$work/facts")" "${first##* }"; cat "$work/facts"
+      tail -c +$((${#first} + 2 + facts)) "$work/good" | head -c -65; } > "$work/bad"
+    sum=$(sha256sum "$work/bad")
+    printf '%s\n' "${sum%% *}" >> "$work/bad"
+}
+resealed 's/^version .*/version 9/'; refused 'another version' 1 "$work/bad: error: checkpoint of version 9; this is 0.1.0"
+resealed 's/^islands 3/islands 2/'; refused 'other islands' 1 "$work/bad: error: checkpoint lacks islands"
+resealed 's/^population 60/population 50/'; refused 'other states' 1 "$work/bad: error: island 0 of the checkpoint is malformed"
+resealed 's/^islands 3/islands x/'; refused 'no number' 2 "footpoint-evolve: error: --islands needs a whole number, not 'x'"
+resealed '/^scene /d'; refused 'no scene' 2 'footpoint-evolve: error: --scene is missing; see --help'
+resealed ''; refused 'another seed' 2 'footpoint-evolve: error: --seed 6 contradicts the checkpoint, which has 5' --seed 6
+refused 'another preset' 2 'footpoint-evolve: error: --islands 5 contradicts the checkpoint, which has 3' --preset paper
+refused 'too few generations' 2 "$work/bad: error: checkpoint of generation 30, beyond --generations 20" --generations 20
+sed 's/^seed .*/seed = 4;/' "$work/small.scene" > "$work/other.scene"
+sum=$(sed -n 's/^scene-sha256 //p' "$work/good" | cut -c1-12)
+other=$("$evolve" --scene "$work/other.scene" --resume "$work/bad" 2>&1 | sed -n 's/.*, not \(.*\)\.\.\.$/\1/p')
+refused 'another scene' 1 "$work/bad: error: checkpoint of another scene: SHA-256 $sum..., not $other..." --scene "$work/other.scene"
+echo x > "$work/log.csv"
+refused 'another log' 1 "$work/log.csv: error: not the log of the run that the checkpoint is of" --generations 40 --log "$work/log.csv"
+rm "$work/bad"
+expect 'no checkpoint' 3 '' "$work/bad: error: cannot open: No such file or directory" "$evolve" --resume "$work/bad"
+expect 'no folder for checkpoints' 3 '' "$work/none/ck: error: cannot write: No such file or directory" \
+    "$evolve" $options --checkpoint "$work/none/ck" -o "$work/o.gen"
+
+# A disk that is too small for a checkpoint (MPI itself needs some MB): the last one stays, the genomes are written.
+cp "$work/good" "$work/ck"; rm -f "$work/o.gen"
+full() { (ulimit -f 32768; exec "$evolve" $options --islands 40 --generations 2 --checkpoint "$work/ck" -o "$work/o.gen"); }
+expect 'full disk' 3 '*' "$work/ck: error: cannot write: File too large" full
+cmp -s "$work/ck" "$work/good" && [ -s "$work/o.gen" ] && ! ls "$work" | grep -q tmp
+report $((! $?)) 'full disk: the last checkpoint stays, the genomes are there, nothing else'
+expect 'full log' 3 '*' '/dev/full: error: cannot write: No space left on device' \
+    "$evolve" $options --generations 10 --log /dev/full -o "$work/o.gen"
