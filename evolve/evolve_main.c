@@ -88,11 +88,24 @@ static bool sample(struct run *r, struct diag *d)
            scene_samples(r->scene, PART_HELDOUT_RANDOM, &r->heldout[1], d);
 }
 
+static void make_plan(struct run *r)
+{
+    const struct evolve_options *o = r->options;
+    r->plan = o->paper ? plan_paper() : plan_default();
+    r->plan.seed = o->seed;
+    r->plan.population = o->population;
+    r->plan.selection = o->selection;
+    r->plan.parsimony = o->parsimony;
+    r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
+}
+
 static void judge_champions(struct run *r)
 {
     const enum functions f = r->options->functions;
+    make_plan(r);
     r->judge = judge_new(r->archive->program, &r->table, r->scene->norm);
-    archive_judge(r->archive, r->judge);
+    r->judge->decimal = true;
+    archive_judge(r->archive, &r->plan, r->judge, r->options->max_length);
     r->genes = new_array(r->scene->tiers, sizeof *r->genes);
     for (size_t i = 0; i < r->scene->tiers; i++) {
         const bool rational = f == FUNCTIONS_OF_TIER ? r->scene->tier[i].rational : f == FUNCTIONS_RATIONAL;
@@ -106,8 +119,6 @@ static void found_islands(struct run *r)
     const struct evolve_options *o = r->options;
     struct sea *s = &r->sea;
     const size_t outputs = 2 * r->scene->tiers;
-    r->plan = (struct plan){o->seed, o->population, o->selection, o->parsimony, 0};
-    r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
     r->quest = new_array(outputs, sizeof *r->quest);
     s->max_length = new_array(outputs, sizeof *s->max_length);
     s->places = o->islands;
@@ -122,14 +133,10 @@ static void found_islands(struct run *r)
     team_share(r->team, s);
 }
 
-/* The last island of a ring of several starts from random trees alone. */
-static const struct tree *seed_of(const struct run *r, size_t island)
+/* The last island of a ring of several starts from random trees alone; where others have seeds, it takes no guests. */
+static bool starts_at_random(const struct run *r, size_t place)
 {
-    const size_t ring = island / r->sea.places, place = island % r->sea.places;
-    const struct quest q = r->quest[ring];
-    if (r->sea.places > 1 && place == r->sea.places - 1)
-        return NULL;
-    return archive_seed(r->archive, q.tier, q.output, r->sea.max_length[ring]);
+    return r->sea.places > 1 && place == r->sea.places - 1;
 }
 
 static void start_islands(struct run *r)
@@ -138,17 +145,21 @@ static void start_islands(struct run *r)
     for (size_t i = 0; i < s->rings * s->places; i++) {
         const size_t ring = i / s->places;
         const struct quest q = r->quest[ring];
+        struct tree *seed;
+        const size_t seeds = archive_seeds(r->archive, q.tier, q.output, s->max_length[ring], &seed);
+        const bool random = starts_at_random(r, i % s->places);
         const struct goal goal = {.target = frame_target(r->archive->program, q.output),
                                   .max_length = s->max_length[ring],
                                   .genes = &r->genes[q.tier],
                                   .ring = 2 * q.tier + (size_t)q.output,
-                                  .place = i % s->places};
-        const struct tree *seed = seed_of(r, i);
-        r->seeded[i] = seed != NULL;
-        if (s->owner[i] != r->team->rank)
-            continue;
-        s->island[i] = island_new(&r->plan, &goal, r->judge);
-        island_start(s->island[i], seed);
+                                  .place = i % s->places,
+                                  .closed = random && seeds > 0};
+        r->seeded[i] = !random && seeds > 0;
+        if (s->owner[i] == r->team->rank) {
+            s->island[i] = island_new(&r->plan, &goal, r->judge);
+            island_start(s->island[i], seed, random ? 0 : seeds);
+        }
+        free(seed);
     }
 }
 
@@ -195,22 +206,31 @@ static void evolve(struct run *r)
     }
 }
 
-/* Rank 0 judges what all islands found, in their order.  Collective. */
+/* The fronts of all islands, judged and merged in their order, and the champions chosen from them, on rank 0.
+ * Collective. */
 static void harvest(struct run *r)
 {
-    int *genes;
-    struct tree *tree = team_gather(r->team, &r->sea, &genes);
-    for (size_t i = 0; tree && i < r->sea.rings * r->sea.places; i++) {
+    int **report = team_gather(r->team, &r->sea);
+    for (size_t i = 0; report && i < r->sea.rings * r->sea.places; i++) {
         const struct quest q = r->quest[i / r->sea.places];
-        const double error = judge_error(r->judge, &tree[i], frame_target(r->archive->program, q.output), INFINITY);
-        archive_offer(r->archive, &r->plan, q.tier, q.output, &tree[i], error);
+        const int *at = report[i] + 1;
+        double lowest = INFINITY;
+        for (int k = 0; k < report[i][0]; k++, at += 1 + at[0]) {
+            const struct tree t = {(int *)at + 1, (size_t)at[0]};
+            const double error = judge_error(r->judge, &t, frame_target(r->archive->program, q.output), INFINITY);
+            archive_offer(r->archive, &r->plan, q.tier, q.output, &t, error,
+                          r->seeded[i] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
+            lowest = fmin(lowest, error);
+        }
         if (!r->options->quiet)
-            fprintf(stderr, "island %zu of %s %s (%s): error %.3e with %zu genes\n", i % r->sea.places,
-                    r->scene->tier[q.tier].name, frame_output[q.output], r->seeded[i] ? "seeded" : "random", error,
-                    tree[i].length);
+            fprintf(stderr, "island %zu of %s %s (%s): %d on the front, lowest error %.3e\n", i % r->sea.places,
+                    r->scene->tier[q.tier].name, frame_output[q.output], r->seeded[i] ? "seeded" : "random",
+                    report[i][0], lowest);
+        free(report[i]);
     }
-    free(tree);
-    free(genes);
+    if (report)
+        archive_crown(r->archive, &r->plan);
+    free(report);
 }
 
 static bool finish(struct run *r, struct diag *d)
@@ -222,6 +242,8 @@ static bool finish(struct run *r, struct diag *d)
     if (!archive_write(r->archive, r->output, &facts, r->heldout, d))
         return false;
     archive_table(r->archive, stdout);
+    if (o->generations > 0)
+        archive_front_table(r->archive, stdout);
     return fflush(stdout) == 0 || diag_system(d, "standard output", "cannot write");
 }
 

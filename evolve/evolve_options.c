@@ -25,7 +25,7 @@ const char evolve_help[] =
     "                              + - * or + - * and protected division (default: as the tier says)\n"
     "  --selection roulette|tournament\n"
     "                              of parents: on 1/error, or the best of 4 (default: tournament)\n"
-    "  --parsimony X               what a gene costs, as a fraction of the error (default: 0.005)\n"
+    "  --parsimony X               what an operation costs, as a fraction of the error (default: 0.005)\n"
     "  --migrate-every N           generations between migrations (default: 10)\n"
     "  --migrate-fraction X        part of a population that migrates (default: 0.1)\n"
     "  --preset paper              the paper's run: 3000 generations on 5 islands of 200, roulette, no parsimony;\n"
@@ -228,6 +228,7 @@ bool evolve_options_read(int argc, char **argv, struct evolve_options *o, struct
         return false;
     if (preset) { /* whatever is given beside it counts: read again over the preset's values */
         *o = standard;
+        o->paper = true;
         o->generations = 3000;
         o->islands = 5;
         o->selection = SELECT_ROULETTE;

@@ -11,6 +11,7 @@ struct evolve_options {
     enum action action;
     const char *scene, *root, *start, *output; /* not owned; NULL: not given */
     bool from_scratch, quiet;
+    bool paper; /* the paper's preset */
     uint64_t seed;
     size_t generations, islands, population, migrate_every;
     size_t max_length; /* 0: each tier's own */

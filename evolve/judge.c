@@ -25,7 +25,7 @@ void judge_free(struct judge *j)
 
 double judge_error(struct judge *j, const struct tree *t, size_t target, double bound)
 {
-    const struct kernel_task task = {t->gene, t->length, j->program->constant, j->table};
+    const struct kernel_task task = {t->gene, t->length, j->decimal ? NULL : j->program->constant, j->table};
     const size_t n = j->table->n;
     if (j->norm == NORM_MEAN)
         return kernel_error_sum(j->kernel, &task, target, bound * (double)n) / (double)n;

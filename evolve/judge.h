@@ -11,6 +11,7 @@ struct judge {
     const struct columns *table;       /* not owned */
     const struct genome_file *program; /* not owned: what the genes mean */
     enum scene_norm norm;
+    bool decimal; /* constants of trees are coded in their genes (decimal.h), not the program's; false at first */
     struct kernel *kernel; /* owned */
     double *scratch;       /* owned: one value for each sample */
 };

@@ -6,6 +6,8 @@
  * is made.  Nothing is reassociated or contracted, so all widths give the same bits. */
 #include "kernel.h"
 
+#include "decimal.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -296,7 +298,7 @@ static void translate(struct kernel *k, const struct kernel_task *t)
             continue;
         }
         if (gene < 0) {
-            *top++ = (struct operand){CONSTANT, t->constant[-1 - gene].value, NULL};
+            *top++ = (struct operand){CONSTANT, t->constant ? t->constant[-1 - gene].value : decimal_value(gene), NULL};
             continue;
         }
         const struct operand a = *--top, b = arity == 2 ? *--top : a;

@@ -38,7 +38,7 @@ void kernel_free(struct kernel *k);
 struct kernel_task {
     const int *gene;
     size_t length;
-    const struct genome_constant *constant; /* not owned */
+    const struct genome_constant *constant; /* not owned; NULL: decimal numbers (decimal.h) */
     const struct columns *table;            /* not owned */
 };
 

@@ -148,28 +148,32 @@ void team_migrate(const struct team *t, struct sea *s, size_t migrants)
     post_free(&p, n);
 }
 
-struct tree *team_gather(const struct team *t, struct sea *s, int **genes)
+int **team_gather(const struct team *t, struct sea *s)
 {
     const size_t n = s->rings * s->places;
-    size_t total = 0;
-    struct post p = post_new(s);
-    for (size_t i = 0; i < n; i++)
-        post_parcel(t, s, &p, i, 0, 1, TAG_BEST);
-    post_wait(&p);
-    struct tree *tree = NULL;
-    *genes = NULL;
-    if (t->rank == 0) {
-        for (size_t i = 0; i < n; i++)
-            total += parcel_size(s, i, 1);
-        tree = new_array(n, sizeof *tree);
-        int *to = *genes = new_array(total, sizeof *to);
-        for (size_t i = 0; i < n; i++) {
-            const struct tree best = {p.parcel[i] + 1, (size_t)p.parcel[i][0]};
-            tree[i].gene = to;
-            tree_copy(&best, &tree[i]);
-            to += best.length;
+    int **report = new_array(n + 1, sizeof *report);
+    for (size_t i = 0; i < n; i++) {
+        int size = 0;
+        if (s->island[i]) {
+            size = (int)island_report_size(s->island[i]);
+            report[i] = new_array((size_t)size, sizeof **report);
+            island_report(s->island[i], report[i]);
+        }
+        if (s->owner[i] == 0)
+            continue;
+        if (t->rank == s->owner[i]) {
+            CHECK(MPI_Send(&size, 1, MPI_INT, 0, TAG_BEST, t->comm));
+            CHECK(MPI_Send(report[i], size, MPI_INT, 0, TAG_BEST, t->comm));
+        } else if (t->rank == 0) {
+            CHECK(MPI_Recv(&size, 1, MPI_INT, s->owner[i], TAG_BEST, t->comm, MPI_STATUS_IGNORE));
+            report[i] = new_array((size_t)size, sizeof **report);
+            CHECK(MPI_Recv(report[i], size, MPI_INT, s->owner[i], TAG_BEST, t->comm, MPI_STATUS_IGNORE));
         }
     }
-    post_free(&p, n);
-    return tree;
+    if (t->rank == 0)
+        return report;
+    for (size_t i = 0; i < n; i++)
+        free(report[i]);
+    free(report);
+    return NULL;
 }

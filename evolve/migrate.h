@@ -42,8 +42,8 @@ void team_share(const struct team *t, struct sea *s);
  *  leave before the first arrives, so that neither ranks nor order matter. */
 void team_migrate(const struct team *t, struct sea *s, size_t migrants);
 
-/** Collective: the best tree of every island, on rank 0: tree[i] with genes in *genes, both owned by the caller; NULL
- * on other ranks. */
-struct tree *team_gather(const struct team *t, struct sea *s, int **genes);
+/** Collective: the front of every island, on rank 0: its island_report, all owned by the caller; NULL on other ranks.
+ */
+int **team_gather(const struct team *t, struct sea *s);
 
 #endif

@@ -27,6 +27,8 @@ scene 's/"parallelogram"/"trapezium"/'; refused 'unknown frame' "$work/s.scene:1
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
 refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
 
+scene 's/max_length = 30/max_length = 30; budget = 0.5/'; refused 'budget below an operation' "$work/s.scene:13: error: 'budget' must be in 1..1e+06"
+
 mesh() { sed 's|^shapes.*|mesh: { file = "m.inp"; distance = '"$1"'; };|' tests/scenes/small.scene > "$work/s.scene"; }
 mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: cannot read mesh file '$work/m.inp'"
 printf '*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n*ELEMENT, TYPE=B31\n1, 1, 2\n' > "$work/m.inp"
