@@ -42,7 +42,7 @@ CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA
 
 # What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
 codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
-evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,keeper.c loop.c resume.c run.c)
+evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c keeper.c loop.c resume.c run.c)
 evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c))
 genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c
 runtime_lib := $(wildcard runtime/*.c)

@@ -1,10 +1,9 @@
-/* Champions and their file; see archive.h.  Measured notes are measured anew on every writing, and provenance is
- * carried over with the expression it belongs to, so that a run that finds nothing better writes the same bytes again.
- */
+/* Champions, seeds and fronts; see archive.h.  A champion of the start file keeps its expression to the digit; what is
+ * bred from it has its constants rounded. */
 #include "archive.h"
 
+#include "decimal.h"
 #include "frame.h"
-#include "scene_region.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,27 +11,19 @@
 
 enum { GRID = 100 }; /* constants -GRID..GRID times 0.05 */
 
-static const char *const norm_name[] = {[NORM_MEAN] = "mean", [NORM_P99] = "p99", [NORM_MAX] = "max"};
+const char *const origin_name[ORIGINS] = {"start file", "seed", "seeded island", "random island"};
 
-static const struct genome *find_genome(const struct genome_file *f, const char *name)
+const struct genome *archive_start_genome(const struct archive *a, size_t tier)
 {
-    for (size_t i = 0; f && i < f->genomes; i++)
-        if (strcmp(f->genome[i].name, name) == 0)
-            return &f->genome[i];
+    for (size_t i = 0; a->start && i < a->start->genomes; i++)
+        if (strcmp(a->start->genome[i].name, a->scene->tier[tier].name) == 0)
+            return &a->start->genome[i];
     return NULL;
-}
-
-static void crown(struct champion *c, const struct tree *t, double error)
-{
-    free(c->tree.gene);
-    c->tree.gene = new_array(t->length, sizeof *t->gene);
-    tree_copy(t, &c->tree);
-    c->error = error;
 }
 
 static bool read_champion(struct archive *a, size_t tier, int output, struct diag *d)
 {
-    const struct genome *g = find_genome(a->start, a->scene->tier[tier].name);
+    const struct genome *g = archive_start_genome(a, tier);
     for (size_t i = 0; g && i < g->outs; i++) {
         const struct genome_expr *e = &g->out[i];
         if (strcmp(e->name, frame_output[output]) != 0)
@@ -45,15 +36,50 @@ static bool read_champion(struct archive *a, size_t tier, int output, struct dia
     return true;
 }
 
+/* Constants of the program become decimal numbers. */
+static void round_constants(const struct genome_file *program, struct tree *t)
+{
+    for (size_t i = 0; i < t->length; i++)
+        if (t->gene[i] < 0)
+            t->gene[i] = decimal_gene(program->constant[-1 - t->gene[i]].value);
+}
+
+/* The champion becomes its own tier's seed. */
+static void seed_champion(struct archive *a, size_t tier, int output)
+{
+    const struct tree *t = &a->champion[tier][output].tree;
+    if (t->length == 0)
+        return;
+    archive_add_seed(a, (long)tier, output, t);
+    round_constants(a->program, &a->seed[a->seeds - 1].tree);
+}
+
+static char *text_of(const struct genome_file *program)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    if (!f)
+        return NULL;
+    genome_print(program, f);
+    fclose(f);
+    return text;
+}
+
 struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, struct diag *d)
 {
     struct archive *a = new_array(1, sizeof *a);
     *a = (struct archive){.scene = s, .program = program, .champion = new_array(s->tiers, sizeof *a->champion)};
+    a->bare = text_of(program);
     a->start = start ? genome_read(start, d) : NULL;
-    bool good = a->start || !start;
+    bool good = a->bare || diag_system(d, program->path, "cannot keep the program");
+    good = good && (a->start || !start);
     for (size_t i = 0; good && i < s->tiers; i++)
-        for (int k = 0; good && k < 2; k++)
+        for (int k = 0; good && k < 2; k++) {
             good = read_champion(a, i, k, d);
+            if (good)
+                seed_champion(a, i, k);
+        }
     if (good)
         return a;
     archive_free(a);
@@ -65,40 +91,157 @@ void archive_free(struct archive *a)
     if (!a)
         return;
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < 2; k++) {
             free(a->champion[i][k].tree.gene);
+            front_free(a->front ? a->front[i][k] : NULL);
+            front_free(a->old ? a->old[i][k] : NULL);
+        }
+    for (size_t i = 0; i < a->seeds; i++)
+        free(a->seed[i].tree.gene);
+    free(a->seed);
     free(a->champion);
+    free(a->front);
+    free(a->old);
+    free(a->bare);
     genome_file_free(a->start);
     genome_file_free(a->program);
     free(a);
 }
 
-void archive_judge(struct archive *a, struct judge *j)
+void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t)
 {
+    grow_array(&a->seed, a->seeds, &a->seed_room, sizeof *a->seed);
+    struct seedling *s = &a->seed[a->seeds++];
+    *s = (struct seedling){tier, output, {new_array(t->length, sizeof *t->gene), 0}};
+    tree_copy(t, &s->tree);
+}
+
+static long tier_of_name(const struct scene *s, const char *name)
+{
+    for (size_t i = 0; i < s->tiers; i++)
+        if (strcmp(s->tier[i].name, name) == 0)
+            return (long)i;
+    return -1;
+}
+
+static bool read_seed(struct archive *a, const struct genome_file *f, const struct genome *g,
+                      const struct genome_expr *e, struct diag *d)
+{
+    for (int k = 0; k < 2; k++) {
+        if (strcmp(e->name, frame_output[k]) != 0)
+            continue;
+        struct tree t = {new_array(e->length, sizeof *e->gene), e->length};
+        const bool good = frame_rebind(f, e, a->program, t.gene, d);
+        if (good) {
+            round_constants(a->program, &t);
+            archive_add_seed(a, tier_of_name(a->scene, g->name), k, &t);
+        }
+        free(t.gene);
+        return good;
+    }
+    return true;
+}
+
+bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
+{
+    struct genome_file *f = genome_read(path, d);
+    const size_t before = a->seeds;
+    bool good = f != NULL;
+    for (size_t i = 0; good && i < f->genomes; i++)
+        for (size_t k = 0; good && k < f->genome[i].outs; k++)
+            good = read_seed(a, f, &f->genome[i], &f->genome[i].out[k], d);
+    if (good && a->seeds == before)
+        good = diag_at(d, path, 0, 0, "no genome with an output xi or eta");
+    genome_file_free(f);
+    return good;
+}
+
+/* The tier can breed from it. */
+static bool fits_tier(const struct archive *a, size_t tier, int output, size_t max_length, const struct seedling *s)
+{
+    const struct tier *t = &a->scene->tier[tier];
+    bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= max_length;
+    for (size_t i = 0; known && i < s->tree.length; i++) {
+        known = s->tree.gene[i] < GENE_SYMBOL;
+        for (size_t k = 0; !known && k < t->terminals; k++)
+            known = genome_find_symbol(a->program, t->terminal[k]) == s->tree.gene[i] - GENE_SYMBOL;
+    }
+    return known;
+}
+
+size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed)
+{
+    size_t n = 0;
+    *seed = new_array(a->seeds + 1, sizeof **seed);
+    for (size_t i = 0; i < a->seeds; i++)
+        if (fits_tier(a, tier, output, max_length, &a->seed[i]))
+            (*seed)[n++] = a->seed[i].tree;
+    return n;
+}
+
+static double cost_of(const struct plan *plan, const struct tree *t, const struct genome_constant *constant)
+{
+    struct counter *c = counter_new(t->length);
+    const struct operations o = operations_count(c, t, constant);
+    counter_free(c);
+    return operations_price(&o, &plan->prices);
+}
+
+static void judge_champion(struct archive *a, const struct plan *plan, struct judge *exact, size_t tier, int output)
+{
+    struct champion *c = &a->champion[tier][output];
+    if (c->tree.length > 0) {
+        c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
+        c->cost = cost_of(plan, &c->tree, a->program->constant);
+    }
+    c->error_before = c->error;
+}
+
+/* The first seed of a tier that has a champion is that champion. */
+static void found_fronts(struct archive *a, const struct plan *plan, struct judge *j, size_t tier, int output,
+                         size_t max_length)
+{
+    struct tree *seed;
+    a->front[tier][output] = front_new(plan->front_limit, max_length);
+    a->old[tier][output] = front_new(plan->front_limit, max_length);
+    const size_t n = archive_seeds(a, tier, output, max_length, &seed);
+    for (size_t i = 0; i < n; i++) {
+        const double error = judge_error(j, &seed[i], frame_target(a->program, output), INFINITY);
+        const bool start = i == 0 && a->champion[tier][output].tree.length > 0;
+        archive_offer(a, plan, tier, output, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
+    }
+    front_copy(a->front[tier][output], a->old[tier][output]);
+    free(seed);
+}
+
+void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length)
+{
+    struct judge *exact = judge_new(a->program, j->table, j->norm);
+    a->front = new_array(a->scene->tiers, sizeof *a->front);
+    a->old = new_array(a->scene->tiers, sizeof *a->old);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < 2; k++) {
-            struct champion *c = &a->champion[i][k];
-            if (c->tree.length > 0)
-                c->error = judge_error(j, &c->tree, frame_target(a->program, k), INFINITY);
-            c->error_before = c->error;
+            judge_champion(a, plan, exact, i, k);
+            found_fronts(a, plan, j, i, k, max_length ? max_length : a->scene->tier[i].max_length);
         }
+    judge_free(exact);
 }
 
 /* Insert by value; each value once. */
-static void add_constant(const struct genome_file *program, struct gene_set *s, int gene)
+static void add_constant(struct gene_set *s, int gene)
 {
-    const double value = program->constant[-1 - gene].value;
+    const double value = decimal_value(gene);
     size_t at = s->constants;
-    while (at > 0 && program->constant[-1 - s->constant[at - 1]].value > value)
+    while (at > 0 && decimal_value(s->constant[at - 1]) > value)
         at--;
-    if (at > 0 && program->constant[-1 - s->constant[at - 1]].value == value)
+    if (at > 0 && s->constant[at - 1] == gene)
         return;
     memmove(s->constant + at + 1, s->constant + at, (s->constants - at) * sizeof *s->constant);
     s->constant[at] = gene;
     s->constants++;
 }
 
-struct gene_set archive_genes(struct archive *a, size_t tier, bool rational)
+struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational)
 {
     static const int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
     const struct tier *t = &a->scene->tier[tier];
@@ -110,188 +253,60 @@ struct gene_set archive_genes(struct archive *a, size_t tier, bool rational)
     for (size_t i = 0; i < t->terminals; i++)
         s.symbol[i] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
     s.constant = new_array(2 * GRID + 1 + c[0].tree.length + c[1].tree.length, sizeof *s.constant);
-    for (int k = -GRID; k <= GRID; k++) {
-        char text[32];
-        frame_number(k * 5 / 100.0, text);
-        add_constant(a->program, &s, -1 - (int)genome_add_constant(a->program, text));
-    }
+    for (int k = -GRID; k <= GRID; k++)
+        add_constant(&s, decimal_gene(k * 5 / 100.0));
     for (int k = 0; k < 2; k++)
         for (size_t i = 0; i < c[k].tree.length; i++)
             if (c[k].tree.gene[i] < 0)
-                add_constant(a->program, &s, c[k].tree.gene[i]);
+                add_constant(&s, decimal_gene(a->program->constant[-1 - c[k].tree.gene[i]].value));
     return s;
 }
 
-const struct tree *archive_seed(const struct archive *a, size_t tier, int output, size_t max_length)
+void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
+                   double error, enum origin origin)
 {
-    const struct tier *t = &a->scene->tier[tier];
-    const struct tree *tree = &a->champion[tier][output].tree;
-    if (tree->length == 0 || tree->length > max_length)
-        return NULL;
-    for (size_t i = 0; i < tree->length; i++) {
-        bool known = tree->gene[i] < GENE_SYMBOL;
-        for (size_t k = 0; !known && k < t->terminals; k++)
-            known = genome_find_symbol(a->program, t->terminal[k]) == tree->gene[i] - GENE_SYMBOL;
-        if (!known)
-            return NULL;
-    }
-    return tree;
+    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(plan, t, NULL));
+    if (m)
+        m->origin = (int)origin;
 }
 
-void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
-                   double error)
+void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound)
 {
-    struct champion *c = &a->champion[tier][output];
-    const double demerit = plan_demerit(plan, error, t->length);
-    if (c->tree.length > 0 && (error > c->error || !(demerit < plan_demerit(plan, c->error, c->tree.length))))
-        return;
-    crown(c, t, error);
+    tree_copy(t, bound);
+    for (size_t i = 0; i < t->length; i++)
+        if (t->gene[i] < 0) {
+            char text[DECIMAL_TEXT];
+            decimal_text(t->gene[i], text);
+            bound->gene[i] = -1 - (int)genome_add_constant(program, text);
+        }
+}
+
+static void crown(struct archive *a, struct champion *c, const struct member *m)
+{
+    free(c->tree.gene);
+    c->tree.gene = new_array(m->tree.length, sizeof *m->tree.gene);
+    archive_bind(a->program, &m->tree, &c->tree);
+    c->error = m->error;
+    c->cost = m->cost;
     c->bred = true;
 }
 
-/* What the error tables hold for. */
-static void note_range(struct genome_file *f, const struct scene *s)
+static bool outdoes(const struct plan *plan, double budget, const struct member *m, const struct champion *c)
 {
-    const double degree = acos(-1) / 180;
-    const struct shapes *p = &s->shapes;
-    const char *slash = s->source == SOURCE_MESH ? strrchr(s->mesh.file, '/') : NULL;
-    double lo[2], hi[2];
-    scene_box(s, lo, hi);
-#define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, "range", __VA_ARGS__)
-    if (s->source == SOURCE_RANDOM)
-        NOTE("aspect <= %g, skew <= %g deg, taper <= %g, warp <= %g deg, |gap| <= %g of the shortest edge", p->aspect,
-             p->skew / degree, p->taper, p->warp / degree, p->gap);
-    else if (s->source == SOURCE_MESH)
-        NOTE("contact pairs of %s within %g mesh lengths", slash ? slash + 1 : s->mesh.file, s->mesh.distance);
-    else
-        NOTE("A = (0,0,0), B = (1,0,0); |x|, |y| <= %g, |z| <= %g", s->lattice.xy_max, s->lattice.z_max);
-    NOTE("%g < xi <= %g, %g < eta <= %g", lo[0], hi[0], lo[1], hi[1]);
-#undef NOTE
+    if (budget > 0)
+        return m->cost <= budget && (c->tree.length == 0 || c->cost > budget || m->error < c->error);
+    return c->tree.length == 0 ||
+           (m->error <= c->error && plan_demerit(plan, m->error, m->cost) < plan_demerit(plan, c->error, c->cost));
 }
 
-static void add_file_notes(struct genome_file *f, const struct scene *s)
+void archive_crown(struct archive *a, const struct plan *plan)
 {
-    char frames[512] = "", reference[2][32];
-    for (size_t i = 0; i < s->tiers; i++) {
-        bool seen = false;
-        for (size_t j = 0; j < i; j++)
-            seen = seen || strcmp(s->tier[j].frame, s->tier[i].frame) == 0;
-        const size_t used = strlen(frames);
-        if (!seen)
-            snprintf(frames + used, sizeof frames - used, "%s%s", used ? " " : "", s->tier[i].frame);
-    }
-    for (int k = 0; k < 2; k++)
-        frame_number(s->reference[k], reference[k]);
-#define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, __VA_ARGS__)
-    NOTE("footpoint", "%s", FOOTPOINT_VERSION);
-    NOTE("scene", "%s", s->name);
-    NOTE("scene_sha256", "%s", s->sha256);
-    note_range(f, s);
-    NOTE("frames", "%s", frames);
-    NOTE("reference", "xi %s eta %s", reference[0], reference[1]);
-#undef NOTE
-}
-
-/* Notes that this program writes are "<what>_xi" and "<what>_eta"; others are somebody's remarks. */
-static const char *const measured[] = {"found", "training", "heldout", "heldout_random"};
-
-static void note_key(const char *what, int output, char key[40])
-{
-    snprintf(key, 40, "%s_%s", what, frame_output[output]);
-}
-
-static bool is_remark(const char *key)
-{
-    char own[40];
-    for (size_t i = 0; i < sizeof measured / sizeof *measured; i++)
-        for (int k = 0; k < 2; k++) {
-            note_key(measured[i], k, own);
-            if (strcmp(key, own) == 0)
-                return false;
-        }
-    return true;
-}
-
-#define NOTE(...) genome_add_note(&g->note, &g->notes, &g->note_room, __VA_ARGS__)
-
-/* Provenance: carried over with an expression of the start file, new for one that this run found.  Remarks are about
- * the whole genome and stay as long as it stays. */
-static void add_provenance(struct genome *g, const struct champion champion[2], const struct genome *before,
-                           const struct run_facts *run)
-{
-    for (size_t i = 0; before && !champion[0].bred && !champion[1].bred && i < before->notes; i++)
-        if (is_remark(before->note[i].key))
-            NOTE(before->note[i].key, "%s", before->note[i].text);
-    for (int k = 0; k < 2; k++) {
-        char key[40];
-        note_key("found", k, key);
-        const char *old = before ? genome_find_note(before->note, before->notes, key) : NULL;
-        if (champion[k].bred)
-            NOTE(key, "seed %llu generations %zu islands %zu", (unsigned long long)run->seed, run->generations,
-                 run->islands);
-        else if (old)
-            NOTE(key, "%s", old);
-    }
-}
-
-static void add_errors(struct genome *g, struct kernel *kernel, const struct archive *a,
-                       const struct champion champion[2], const struct sample_set heldout[2])
-{
-    char key[40];
-    for (int k = 0; k < 2; k++) {
-        note_key("training", k, key);
-        NOTE(key, "genes %zu %s %.3e", champion[k].tree.length, norm_name[a->scene->norm], champion[k].error);
-    }
-    for (int part = 0; part < 2; part++)
-        for (int k = 0; k < 2; k++) {
-            const struct errors e = errors_measure(kernel, a->program, &champion[k].tree, k, &heldout[part]);
-            note_key(part ? "heldout_random" : "heldout", k, key);
-            NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
-        }
-}
-
-static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, const struct run_facts *run,
-                     const struct sample_set heldout[2])
-{
-    const struct champion *c = a->champion[tier];
-    const char *name = a->scene->tier[tier].name;
-    struct genome *g = genome_add(a->program, name);
-    add_provenance(g, c, find_genome(a->start, name), run);
-    add_errors(g, kernel, a, c, heldout);
-    for (int k = 0; k < 2; k++)
-        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], c[k].tree.gene, c[k].tree.length);
-}
-
-#undef NOTE
-
-bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct sample_set heldout[2],
-                   struct diag *d)
-{
-    struct outfile f;
-    if (!outfile_open(&f, path, d))
-        return false;
-    struct kernel *kernel = kernel_new_widest();
-    add_file_notes(a->program, a->scene);
     for (size_t i = 0; i < a->scene->tiers; i++)
-        add_tier(a, kernel, i, run, heldout);
-    kernel_free(kernel);
-    scene_region_add(a->program, heldout, 2);
-    genome_print(a->program, f.stream);
-    return outfile_commit(&f, d);
-}
-
-void archive_table(const struct archive *a, FILE *stream)
-{
-    fprintf(stream, "%-24s %-6s %10s    %-10s %6s    %-6s\n", "tier", "output", "error", "", "genes", "");
-    for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++) {
-            const struct champion *c = &a->champion[i][k];
-            char error[16] = "-", length[16] = "-";
-            if (c->length_before > 0) {
-                snprintf(error, sizeof error, "%.3e", c->error_before);
-                snprintf(length, sizeof length, "%zu", c->length_before);
+        for (int k = 0; k < 2; k++)
+            for (size_t c = 0; c <= a->front[i][k]->limit; c++) {
+                const struct member *m = &a->front[i][k]->member[c];
+                if (m->tree.length > 0 && m->origin != ORIGIN_START &&
+                    outdoes(plan, a->scene->tier[i].budget, m, &a->champion[i][k]))
+                    crown(a, &a->champion[i][k], m);
             }
-            fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s\n", a->scene->tier[i].name, frame_output[k],
-                    error, c->error, length, c->tree.length, c->bred ? "" : "unchanged");
-        }
 }

@@ -1,21 +1,35 @@
-/* The best expression known for each output of each tier: read from the start file, challenged by what the islands
- * find, written with its provenance. */
+/* The best expressions known for each output of each tier: one champion, and the front of error against cost.  Read
+ * from the start file, challenged by what the islands find, written with provenance. */
 #ifndef FOOTPOINT_ARCHIVE_H
 #define FOOTPOINT_ARCHIVE_H
 
 #include "errors.h"
-#include "island.h"
+#include "front.h"
 #include "judge.h"
+#include "plan.h"
 #include "scene.h"
 
 /** One output of one tier. */
 struct champion {
-    struct tree tree; /* genes owned; length 0: none yet */
+    struct tree tree; /* genes owned, constants are the program's; length 0: none yet */
     double error;     /* on the training samples, in the scene's norm */
+    double cost;      /* by the plan's model */
     bool bred;        /* found by this run */
     double error_before;
     size_t length_before; /* 0: there was none */
 };
+
+/** An expression to breed from. */
+struct seedling {
+    long tier;        /* -1: every tier that has its symbols */
+    int output;       /* 0: xi, 1: eta */
+    struct tree tree; /* genes owned; constants are decimal numbers */
+};
+
+/** Where a member of a front comes from. */
+enum origin { ORIGIN_START, ORIGIN_SEED, ORIGIN_SEEDED, ORIGIN_RANDOM, ORIGINS };
+/** "start file", "seed", "seeded island", "random island". */
+extern const char *const origin_name[ORIGINS];
 
 /** What this run is, for the provenance of what it finds. */
 struct run_facts {
@@ -26,8 +40,13 @@ struct run_facts {
 struct archive {
     const struct scene *scene;      /* not owned */
     struct genome_file *program;    /* owned: what the genes mean; the genomes are added on writing */
+    char *bare;                     /* owned: the program's text before that */
     struct genome_file *start;      /* owned; NULL: none */
     struct champion (*champion)[2]; /* owned: for each tier xi and eta */
+    struct seedling *seed;          /* owned */
+    size_t seeds, seed_room;
+    struct front *(*front)[2]; /* owned: for each tier xi and eta; NULL before archive_judge */
+    struct front *(*old)[2];   /* owned: the start file and the seeds alone */
 };
 
 /** Champions of the file `start`; none where it is NULL or has no genome of a tier's name.  Takes the program over (and
@@ -35,24 +54,49 @@ struct archive {
  *  program lacks. */
 struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, struct diag *d);
 void archive_free(struct archive *a);
-/** Measure the champions that were read. */
-void archive_judge(struct archive *a, struct judge *j);
+/** The start file's genome of a tier, or NULL. */
+const struct genome *archive_start_genome(const struct archive *a, size_t tier);
+
+/** Add a copy of an expression to breed from; its constants are decimal numbers. */
+void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t);
+/** Add every output xi and eta of a genome file as a seed, with constants rounded to decimal numbers, for the tier that
+ *  has the genome's name, or else for all.  False with *d filled if the file cannot be read, has no such output, or
+ * uses a symbol that the program lacks. */
+bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
+/** The seeds of an output that may breed: the champion (its constants rounded) and those added, as far as they use the
+ *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
+ *  that the archive owns. */
+size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed);
+
+/** Measure the champions that were read, and found the fronts with champions and seeds.
+ *  @param[in] j           judge of decimal numbers
+ *  @param[in] max_length  genes of the longest members of a front; 0: as each tier says */
+void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length);
 
 /** The genes of a tier: its terminals, + - * and, if rational, protected division, the paper's 201 constants
- *  -5.00..5.00 in steps of 0.05 and those of the tier's champions. */
-struct gene_set archive_genes(struct archive *a, size_t tier, bool rational);
-/** The champion where it may breed: it uses no other symbols than the tier's terminals and is not too long; or NULL. */
-const struct tree *archive_seed(const struct archive *a, size_t tier, int output, size_t max_length);
+ *  -5.00..5.00 in steps of 0.05 and, rounded, those of the tier's champions. */
+struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational);
 
-/** Let a tree take the champion's place if it is better: no higher error, and a lower demerit by the plan. */
+/** Offer a tree of decimal constants to a front. */
 void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
-                   double error);
+                   double error, enum origin origin);
+/** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
+ *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest demerit by the plan, if it is
+ *  lower than the champion's and the error is not higher. */
+void archive_crown(struct archive *a, const struct plan *plan);
+
+/** Copy of a tree whose decimal numbers become constants of a program. */
+void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound);
 
 /** Write the file: notes, program, and one genome for each tier with its errors on the two held-out parts, which serve
  *  for nothing else. */
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct sample_set heldout[2],
                    struct diag *d);
+/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors. */
+bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
 /** Table of tier, output, error and genes, before and after. */
 void archive_table(const struct archive *a, FILE *stream);
+/** Table of the fronts, old against new, with where each member comes from. */
+void archive_front_table(const struct archive *a, FILE *stream);
 
 #endif

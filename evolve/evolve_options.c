@@ -13,6 +13,7 @@ static const struct evolve_options standard = {.root = ".",
                                                .generations = 200,
                                                .islands = 2,
                                                .population = 200,
+                                               .breeding = BREED_FRONT,
                                                .selection = SELECT_TOURNAMENT,
                                                .parsimony = 0.005,
                                                .migrate_every = 10,
@@ -25,6 +26,9 @@ enum kind { TEXT, FLAG, WHOLE, SEED, FRACTION, TIME, CHOICE, ACTION, PRESET };
 enum role { PASSING, KEPT, FIXED };
 
 static const char *const functions[] = {"tier", "polynomial", "rational", NULL};
+static const char *const breedings[] = {"paper", "front", NULL};
+static const char *const growths[] = {"yes", "no", NULL};
+static const char *const costs[] = {"throughput", "paper", NULL};
 static const char *const selections[] = {"roulette", "tournament", NULL};
 static const char *const topologies[] = {"ring", "torus", "random", "none", NULL};
 static const char *const presets[] = {"paper", NULL};
@@ -42,12 +46,17 @@ static const struct entry {
              {"start", TEXT, PASSING, AT(start), 0, 0, NULL},
              {"from-scratch", FLAG, PASSING, AT(from_scratch), 0, 0, NULL},
              {"output", TEXT, KEPT, AT(output), 0, 0, NULL},
+             {"seeds", TEXT, PASSING, AT(seeds), 0, 0, NULL},
+             {"front", TEXT, KEPT, AT(front), 0, 0, NULL},
              {"generations", WHOLE, KEPT, AT(generations), 0, 100000000, NULL},
              {"seed", SEED, FIXED, AT(seed), 0, 0, NULL},
              {"islands", WHOLE, FIXED, AT(islands), 1, 1000000, NULL},
              {"population", WHOLE, FIXED, AT(population), 2, 1000000, NULL},
              {"max-length", WHOLE, FIXED, AT(max_length), 0, 10000, NULL},
              {"functions", CHOICE, FIXED, AT(functions), 0, 0, functions},
+             {"growth", CHOICE, FIXED, AT(growth), 0, 0, growths},
+             {"breeding", CHOICE, FIXED, AT(breeding), 0, 0, breedings},
+             {"cost", CHOICE, FIXED, AT(cost), 0, 0, costs},
              {"selection", CHOICE, FIXED, AT(selection), 0, 0, selections},
              {"parsimony", FRACTION, FIXED, AT(parsimony), 0, 0, NULL},
              {"topology", CHOICE, FIXED, AT(topology), 0, 0, topologies},
@@ -223,7 +232,7 @@ static bool consistent(const struct evolve_options *o, const bool given[ENTRIES]
     if (!o->scene)
         return usage(d, "--scene is missing%s%s", "", "; see --help");
     if (!exclude(given, "start", "from-scratch", d) || !exclude(given, "resume", "start", d) ||
-        !exclude(given, "resume", "from-scratch", d))
+        !exclude(given, "resume", "from-scratch", d) || !exclude(given, "resume", "seeds", d))
         return false;
     if (given[find_entry("checkpoint-every")] && !o->checkpoint)
         return usage(d, "--checkpoint-every needs %s%s", "--checkpoint", "");
@@ -244,6 +253,9 @@ static void set_paper(struct evolve_options *o)
     o->generations = 3000;
     o->islands = 5;
     o->population = 200;
+    o->breeding = BREED_PAPER;
+    o->cost = COST_PAPER;
+    o->growth = GROWTH_NO;
     o->selection = SELECT_ROULETTE;
     o->parsimony = 0;
     o->topology = TOPOLOGY_RING;

@@ -6,12 +6,15 @@
 #include "topology.h"
 
 enum functions { FUNCTIONS_OF_TIER, FUNCTIONS_POLYNOMIAL, FUNCTIONS_RATIONAL };
+enum growth { GROWTH_YES, GROWTH_NO };
+enum cost_model { COST_THROUGHPUT, COST_PAPER }; /* as codegen's --cost */
 enum action { ACTION_EVOLVE, ACTION_BENCHMARK, ACTION_HELP, ACTION_VERSION };
 
 struct evolve_options {
     enum action action;
     const char *scene, *root, *start, *output; /* not owned, as are all texts; NULL: not given */
     const char *checkpoint, *resume, *log;
+    const char *seeds, *front;
     bool from_scratch, quiet;
     uint64_t seed;
     size_t generations, islands, population, migrate_every, log_every;
@@ -19,7 +22,10 @@ struct evolve_options {
     double parsimony, migrate_fraction;
     double checkpoint_every, time_limit; /* seconds; a limit of 0: none */
     enum functions functions;
+    enum breeding breeding;
     enum selection selection;
+    enum cost_model cost;
+    enum growth growth;
     enum topology topology;
 };
 

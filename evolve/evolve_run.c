@@ -2,6 +2,7 @@
  * training samples; islands are shared out, and what they find is independent of who computes them. */
 #include "evolve_run.h"
 
+#include "evolve_grow.h"
 #include "evolve_loop.h"
 #include "frame.h"
 #include "progress.h"
@@ -56,7 +57,7 @@ static bool load_archive(struct run *r, struct diag *d)
 {
     struct genome_file *program = frame_program(r->options->root, r->scene, r->output, d);
     r->archive = program ? archive_new(r->scene, program, r->start[0] ? r->start : NULL, d) : NULL;
-    return r->archive != NULL;
+    return r->archive && (!r->options->seeds || archive_read_seeds(r->archive, r->options->seeds, d));
 }
 
 /* What is read: the cheap part, in which most mistakes show. */
@@ -69,7 +70,8 @@ static bool load(struct run *r, struct diag *d)
         return false;
     const bool first = r->team->rank == 0;
     const bool good =
-        (!first || (probe(r->output, d) && probe(o->checkpoint, d) && keep_start(r, d))) && load_archive(r, d);
+        (!first || (probe(r->output, d) && probe(o->checkpoint, d) && probe(o->front, d) && keep_start(r, d))) &&
+        load_archive(r, d);
     if (r->resume && r->start[0])
         unlink(r->start);
     return good;
@@ -119,16 +121,35 @@ static bool sample(struct run *r, struct diag *d)
            scene_samples(r->scene, PART_HELDOUT_RANDOM, &r->heldout[1], d);
 }
 
+static void make_plan(struct run *r)
+{
+    const struct evolve_options *o = r->options;
+    r->plan = o->breeding == BREED_PAPER ? plan_paper() : plan_default();
+    r->plan.seed = o->seed;
+    r->plan.population = o->population;
+    r->plan.selection = o->selection;
+    r->plan.parsimony = o->parsimony;
+    r->plan.prices = o->cost == COST_PAPER ? (struct prices){.add = 0, .div = 1} : (struct prices){.add = 1, .div = 8};
+    r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
+}
+
+/* Judge, genes, seeds and the fronts that they found. */
 static void judge_champions(struct run *r)
 {
     const enum functions f = r->options->functions;
+    make_plan(r);
     r->judge = judge_new(r->archive->program, &r->table, r->scene->norm);
-    archive_judge(r->archive, r->judge);
+    r->judge->decimal = true;
+    r->fits = fits_new(r->judge);
+    r->hooks = fits_hooks(r->fits);
     r->genes = new_array(r->scene->tiers, sizeof *r->genes);
     for (size_t i = 0; i < r->scene->tiers; i++) {
         const bool rational = f == FUNCTIONS_OF_TIER ? r->scene->tier[i].rational : f == FUNCTIONS_RATIONAL;
         r->genes[i] = archive_genes(r->archive, i, rational);
     }
+    if (r->options->generations > 0 && r->options->growth == GROWTH_YES && !r->resume)
+        evolve_grow(r);
+    archive_judge(r->archive, &r->plan, r->judge, r->options->max_length);
 }
 
 /* Rings for all outputs; in a run of no generations for those alone that have no champion. */
@@ -137,8 +158,6 @@ static void found_rings(struct run *r)
     const struct evolve_options *o = r->options;
     struct sea *s = &r->sea;
     const size_t outputs = 2 * r->scene->tiers;
-    r->plan = (struct plan){o->seed, o->population, o->selection, o->parsimony, 0};
-    r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
     r->quest = new_array(outputs, sizeof *r->quest);
     s->max_length = new_array(outputs, sizeof *s->max_length);
     s->places = o->islands;
@@ -153,14 +172,10 @@ static void found_rings(struct run *r)
     team_share(r->team, s);
 }
 
-/* The last island of a ring of several starts from random trees alone. */
-static const struct tree *seed_of(const struct run *r, size_t island)
+/* The last island of a ring of several starts from random trees alone, and in front breeding takes no guests. */
+static bool starts_at_random(const struct run *r, size_t place)
 {
-    const size_t ring = island / r->sea.places, place = island % r->sea.places;
-    const struct quest q = r->quest[ring];
-    if (r->sea.places > 1 && place == r->sea.places - 1)
-        return NULL;
-    return archive_seed(r->archive, q.tier, q.output, r->sea.max_length[ring]);
+    return r->sea.places > 1 && place == r->sea.places - 1;
 }
 
 size_t run_ring(const struct run *r, size_t ring)
@@ -174,18 +189,23 @@ static void found_islands(struct run *r)
     for (size_t i = 0; i < sea_islands(s); i++) {
         const size_t ring = i / s->places;
         const struct quest q = r->quest[ring];
+        struct tree *seed;
+        const size_t seeds = archive_seeds(r->archive, q.tier, q.output, s->max_length[ring], &seed);
+        const bool random = starts_at_random(r, i % s->places);
         const struct goal goal = {.target = frame_target(r->archive->program, q.output),
                                   .max_length = s->max_length[ring],
                                   .genes = &r->genes[q.tier],
                                   .ring = run_ring(r, ring),
-                                  .place = i % s->places};
-        const struct tree *seed = seed_of(r, i);
-        r->seeded[i] = seed != NULL;
-        if (s->owner[i] != r->team->rank)
-            continue;
-        s->island[i] = island_new(&r->plan, &goal, r->judge);
-        if (!r->resume)
-            island_start(s->island[i], seed);
+                                  .place = i % s->places,
+                                  .fit = &r->hooks,
+                                  .closed = random && r->plan.breeding == BREED_FRONT};
+        r->seeded[i] = !random && (seeds > 0 || r->options->growth == GROWTH_YES);
+        if (s->owner[i] == r->team->rank) {
+            s->island[i] = island_new(&r->plan, &goal, r->judge);
+            if (!r->resume)
+                island_start(s->island[i], seed, random ? 0 : seeds);
+        }
+        free(seed);
     }
 }
 
@@ -221,21 +241,33 @@ static void say(const struct run *r, const char *phase)
     progress_phase(r->team->rank == 0 && !r->options->quiet, phase);
 }
 
-/* Rank 0 judges what all islands found, in their order.  Collective. */
+/* The fronts of all islands, judged and merged in their order, and the champions chosen from them, on rank 0.
+ * Collective. */
 static void harvest(struct run *r)
 {
     struct finds f = team_gather(r->team, &r->sea);
+    size_t members = 0;
+    double lowest = INFINITY;
     for (size_t i = 0; i < f.finds; i++) {
         const size_t island = f.find[i].island;
         const struct tree *t = &f.find[i].tree;
         const struct quest q = r->quest[island / r->sea.places];
         const double error = judge_error(r->judge, t, frame_target(r->archive->program, q.output), INFINITY);
-        archive_offer(r->archive, &r->plan, q.tier, q.output, t, error);
+        archive_offer(r->archive, &r->plan, q.tier, q.output, t, error,
+                      r->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
+        members++;
+        lowest = fmin(lowest, error);
+        if (i + 1 < f.finds && f.find[i + 1].island == island)
+            continue;
         if (!r->options->quiet)
-            fprintf(stderr, "island %zu of %s %s (%s): error %.3e with %zu genes\n", island % r->sea.places,
-                    r->scene->tier[q.tier].name, frame_output[q.output], r->seeded[island] ? "seeded" : "random", error,
-                    t->length);
+            fprintf(stderr, "island %zu of %s %s (%s): %zu on its front, lowest error %.3e\n", island % r->sea.places,
+                    r->scene->tier[q.tier].name, frame_output[q.output], r->seeded[island] ? "seeded" : "random",
+                    members, lowest);
+        members = 0;
+        lowest = INFINITY;
     }
+    if (r->team->rank == 0)
+        archive_crown(r->archive, &r->plan);
     finds_free(&f);
 }
 
@@ -251,10 +283,13 @@ static bool finish(struct run *r, struct diag *d)
                 o->checkpoint && !r->unsaved ? o->checkpoint : "");
     say(r, "measuring on samples held out ...");
     const bool written = archive_write(r->archive, r->output, &facts, r->heldout, d);
+    const bool fronts = written && (!o->front || archive_write_front(r->archive, o->front, r->heldout, d));
     say(r, "");
-    if (!written)
+    if (!fronts)
         return false;
     archive_table(r->archive, stdout);
+    if (o->generations > 0)
+        archive_front_table(r->archive, stdout);
     if (fflush(stdout) != 0)
         return diag_system(d, "standard output", "cannot write");
     *d = (struct diag){.code = r->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */
@@ -274,6 +309,7 @@ static void run_free(struct run *r)
     free(r->quest);
     free(r->seeded);
     free(r->start_text);
+    fits_free(r->fits);
     judge_free(r->judge);
     columns_free(&r->table);
     sample_set_free(&r->heldout[0]);

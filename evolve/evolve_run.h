@@ -5,6 +5,7 @@
 #include "archive.h"
 #include "evolve_options.h"
 #include "evolve_resume.h"
+#include "fits.h"
 #include "migrate.h"
 #include "stop.h"
 
@@ -28,6 +29,8 @@ struct run {
     struct sample_set heldout[2]; /* on rank 0 */
     struct columns table;
     struct judge *judge;
+    struct fits *fits;    /* of constants, for the islands */
+    struct fitting hooks; /* the same as the islands call it */
     struct plan plan;
     struct quest *quest; /* one for each ring */
     bool *seeded;        /* one for each island: started from a champion */

@@ -31,7 +31,7 @@ struct grower {
 
 static double cost_of(const struct grower *g, const struct tree *t)
 {
-    return price_of(&g->plan->price, t);
+    return price_of(&g->plan->prices, t);
 }
 
 /* Fit `trial`; its mean absolute error. */
@@ -66,7 +66,7 @@ static void price_terms(struct grower *g)
         const double extra = cost_of(g, &g->spare) - g->cost;
         if (g->spare.length > g->plan->max_length || !(g->cost + extra <= g->plan->max_cost))
             continue;
-        x.gain /= fmax(extra, g->plan->price.add);
+        x.gain /= fmax(extra, g->plan->prices.add);
         g->list.term[kept++] = x;
     }
     g->list.n = kept;
@@ -100,7 +100,7 @@ static bool add_term(struct grower *g)
         tries++;
         term_insert(&g->now, x, &g->trial);
         const double error = fit_trial(g);
-        const double gain = (g->error - error) / fmax(cost_of(g, &g->trial) - g->cost, g->plan->price.add);
+        const double gain = (g->error - error) / fmax(cost_of(g, &g->trial) - g->cost, g->plan->prices.add);
         if (gain > best) {
             best = gain;
             g->best_error = error;
@@ -217,7 +217,7 @@ static void finish(struct grower *g, struct seeds *front)
 
 struct grow_plan grow_plan_new(const int *symbol, size_t symbols, double max_cost, size_t max_length)
 {
-    return (struct grow_plan){symbol, symbols, {1, 0.3, 1}, max_cost, max_length, 2500, 4, 3, false, 0, 0};
+    return (struct grow_plan){symbol, symbols, {.add = 0.3, .div = 1}, max_cost, max_length, 2500, 4, 3, false, 0, 0};
 }
 
 void grow(const struct grow_plan *plan, struct judge *judge, size_t target, const struct tree *start,
@@ -229,7 +229,7 @@ void grow(const struct grow_plan *plan, struct judge *judge, size_t target, cons
     g.fitter = fitter_new(&g.thin);
     g.fitter->guard = divisor_guard;
     g.measure = (struct loss){LOSS_SQUARES, 1, 0};
-    g.stages.price = plan->price;
+    g.stages.prices = plan->prices;
     make_room(&g, start->length);
     tree_copy(start, &g.trial);
     adopt(&g, &g.trial, fit_trial(&g));
@@ -320,9 +320,9 @@ void grow_quotients(const struct grow_plan *plan, struct judge *judge, size_t ta
     struct tree start = {new_array((base ? base->length : 0) + START_GENES, sizeof *start.gene), 0};
     double *error = new_array(plan->symbols, sizeof *error);
     const double constant = mean_above(judge->table, target, base);
-    first.max_cost = fmin(plan->max_cost, (base ? price_of(&plan->price, base) : 0) + plan->price.div + first_cost);
+    first.max_cost = fmin(plan->max_cost, (base ? price_of(&plan->prices, base) : 0) + plan->prices.div + first_cost);
     for (size_t i = 0; i < plan->symbols; i++) {
-        struct seeds seeds = {.price = plan->price};
+        struct seeds seeds = {.prices = plan->prices};
         write_start(plan, judge->table, constant, base, plan->symbol[i], &start);
         grow(&first, judge, target, &start, &seeds);
         error[i] = seeds_error(&seeds, first.max_cost);

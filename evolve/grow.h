@@ -8,7 +8,7 @@
 struct grow_plan {
     const int *symbol; /* genes that may be added; not owned */
     size_t symbols;
-    struct price price; /* add > 0 */
+    struct prices prices; /* add > 0 */
     double max_cost;    /* by that price */
     size_t max_length;  /* genes */
     size_t rows;        /* about so many of the table's samples are grown on; the last fit takes all */

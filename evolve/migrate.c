@@ -55,6 +55,18 @@ char *team_tell(const struct team *t, const char *text, size_t bytes)
     return copy;
 }
 
+int *team_pass(const struct team *t, int from, const int *number, size_t *n)
+{
+    unsigned long long count = *n;
+    CHECK(MPI_Bcast(&count, 1, MPI_UNSIGNED_LONG_LONG, from, t->comm));
+    int *copy = new_array((size_t)count, sizeof *copy);
+    if (t->rank == from && count > 0)
+        memcpy(copy, number, (size_t)count * sizeof *copy);
+    CHECK(MPI_Bcast(copy, (int)count, MPI_INT, from, t->comm));
+    *n = (size_t)count;
+    return copy;
+}
+
 size_t sea_islands(const struct sea *s)
 {
     return s->rings * s->places;

@@ -24,6 +24,9 @@ bool team_agree(const struct team *t, bool good, struct diag *d);
 /** Collective: copy of rank 0's text (NULL stays NULL), owned by the caller; NUL-terminated. */
 char *team_tell(const struct team *t, const char *text, size_t bytes);
 
+/** Collective: copy of rank `from`'s n numbers on all ranks, owned by the caller; *n and number count on that rank. */
+int *team_pass(const struct team *t, int from, const int *number, size_t *n);
+
 /** All islands of a run.  Ring r holds the islands r * places .. r * places + places - 1. */
 struct sea {
     size_t rings, places;

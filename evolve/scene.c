@@ -274,7 +274,8 @@ static bool read_terminals(const struct reader *r, const config_setting_t *s, st
 static bool read_tier(const struct reader *r, config_setting_t *g, const config_setting_t *frame, struct scene *scene)
 {
     static const char *const required[] = {"name", "terminals", "max_length", "functions", NULL};
-    static const char *const optional[] = {"frame", NULL}, *const functions[] = {"polynomial", "rational"};
+    static const char *const optional[] = {"frame", "budget", NULL};
+    static const char *const functions[] = {"polynomial", "rational"};
     struct tier *t = &scene->tier[scene->tiers++];
     const config_setting_t *own;
     long long length;
@@ -303,7 +304,8 @@ static bool read_tier(const struct reader *r, config_setting_t *g, const config_
         return false;
     t->max_length = (size_t)length;
     t->rational = which == 1;
-    return true;
+    const config_setting_t *budget = config_setting_get_member(g, "budget");
+    return !budget || read_number(r, budget, "budget", 1, 1e6, &t->budget);
 }
 
 static bool read_tiers(const struct reader *r, config_setting_t *root, struct scene *scene)

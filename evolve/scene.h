@@ -45,6 +45,7 @@ struct tier {
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - * */
+    double budget;     /* operations of one expression, in the plan's cost model; 0: none is set */
     int line;          /* where it stands in the scene */
 };
 

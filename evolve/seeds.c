@@ -5,10 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-double price_of(const struct price *p, const struct tree *t)
+static struct operations operations_of(const struct tree *t)
 {
-    const struct tally n = tally_tree(t);
-    return p->mul * (double)n.mul + p->add * (double)(n.add + n.other) + p->div * (double)n.div;
+    struct counter *c = counter_new(t->length);
+    const struct operations o = operations_count(c, t, NULL);
+    counter_free(c);
+    return o;
+}
+
+double price_of(const struct prices *p, const struct tree *t)
+{
+    const struct operations o = operations_of(t);
+    return operations_price(&o, p);
 }
 
 double seeds_error(const struct seeds *s, double cost)
@@ -21,7 +29,8 @@ double seeds_error(const struct seeds *s, double cost)
 
 bool seeds_offer(struct seeds *s, const struct tree *t, double error)
 {
-    struct seed new = {.tally = tally_tree(t), .cost = price_of(&s->price, t), .error = error};
+    struct seed new = {.operations = operations_of(t), .error = error};
+    new.cost = operations_price(&new.operations, &s->prices);
     if (!(error < seeds_error(s, new.cost)))
         return false;
     size_t first = 0, after;
@@ -43,5 +52,5 @@ void seeds_free(struct seeds *s)
     for (size_t i = 0; i < s->n; i++)
         free(s->seed[i].tree.gene);
     free(s->seed);
-    *s = (struct seeds){.price = s->price};
+    *s = (struct seeds){.prices = s->prices};
 }

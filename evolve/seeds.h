@@ -2,22 +2,18 @@
 #ifndef FOOTPOINT_SEEDS_H
 #define FOOTPOINT_SEEDS_H
 
-#include "tally.h"
+#include "operations.h"
 
-/** What an operation costs. */
-struct price {
-    double mul, add, div; /* operators beside these cost as much as a sum */
-};
-double price_of(const struct price *p, const struct tree *t);
+double price_of(const struct prices *p, const struct tree *t);
 
 struct seed {
     struct tree tree; /* genes owned */
-    struct tally tally;
+    struct operations operations;
     double cost, error; /* error: as the finder measured it */
 };
 /** Ascending by cost, descending by error. */
 struct seeds {
-    struct price price;
+    struct prices prices;
     struct seed *seed; /* owned */
     size_t n, room;
 };

@@ -35,7 +35,7 @@ static int setup(void **state)
         for (size_t i = 0; i < SAMPLES; i++)
             columns_at(&f->table, j)[i] = 2 * gsl_rng_uniform(f->rng) - 1;
     f->judge = judge_new(f->program, &f->table, NORM_MEAN);
-    f->front.price = (struct price){1, 0.1, 1};
+    f->front.prices = (struct prices){0.1, 1};
     *state = f;
     return 0;
 }
@@ -129,7 +129,7 @@ static void sparse_polynomial_is_found(void **state)
     greedy_polynomials(&plan, f->judge, GOAL, &f->front);
     assert_true(f->front.n >= 4);
     const struct seed *last = &f->front.seed[f->front.n - 1];
-    assert_true(last->error < 1e-6 && last->tally.add == 4 && last->tally.div == 0);
+    assert_true(last->error < 1e-6 && last->operations.add == 4 && last->operations.div == 0);
     for (size_t i = 0; i < f->front.n; i++)
         assert_true(judge_error(f->judge, &f->front.seed[i].tree, GOAL, INFINITY) == f->front.seed[i].error);
 }
@@ -167,7 +167,7 @@ static void useless_columns(void **state)
     }
     greedy_polynomials(&(struct greedy_plan){symbol, SYMBOLS, 3, 20, 200}, f->judge, GOAL, &f->front);
     assert_true(f->front.n == 4);
-    assert_true(f->front.seed[3].error < 0.02 && f->front.seed[3].tally.add == 3);
+    assert_true(f->front.seed[3].error < 0.02 && f->front.seed[3].operations.add == 3);
 }
 
 int main(void)

@@ -35,6 +35,7 @@ expect 'infinite value' 1 '' "$work/s.scene:13: error: 'bad' is not finite on 70
 scene 's/\["xi0", "eta0", "p", "q", "a", "b"\]/["xi0", "eta0"]/'
 expect 'constant values alone' 0 '*' '' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 3 --quiet
 rm -f "$work/o.gen"
+scene 's/max_length = 30/max_length = 30; budget = 0.5/'; refused 'budget below an operation' "$work/s.scene:13: error: 'budget' must be in 1..1e+06"
 
 mesh() { sed 's|^shapes.*|mesh: { file = "m.inp"; distance = '"$1"'; };|' tests/scenes/small.scene > "$work/s.scene"; }
 mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: cannot read mesh file '$work/m.inp'"

@@ -1,0 +1,120 @@
+/* Grown seeds; see evolve_grow.h.  A job grows one kind of tree for one output from one base; its rank tells the others
+ * what it found, in the order of the jobs. */
+#include "evolve_grow.h"
+
+#include "frame.h"
+#include "grow.h"
+#include "progress.h"
+
+#include <stdlib.h>
+
+enum kind { POLYNOMIALS, QUOTIENTS };
+
+struct job {
+    size_t tier;
+    int output;
+    enum kind kind;
+    struct tree base; /* genes not owned; length 0: from nothing */
+};
+
+struct jobs {
+    struct job *job; /* owned */
+    size_t n, room;
+};
+
+static bool has_quotients(const struct gene_set *s)
+{
+    for (size_t i = 0; i < s->operations; i++)
+        if (s->operation[i] == GENE_PDIV)
+            return true;
+    return false;
+}
+
+static size_t max_length(const struct run *r, size_t tier)
+{
+    return r->options->max_length ? r->options->max_length : r->scene->tier[tier].max_length;
+}
+
+static void add_job(struct jobs *jobs, struct job job)
+{
+    grow_array(&jobs->job, jobs->n, &jobs->room, sizeof *jobs->job);
+    jobs->job[jobs->n++] = job;
+}
+
+static struct jobs all_jobs(const struct run *r)
+{
+    struct jobs jobs = {0};
+    for (size_t tier = 0; tier < r->scene->tiers; tier++)
+        for (int output = 0; output < 2; output++) {
+            struct tree *seed;
+            const size_t seeds = archive_seeds(r->archive, tier, output, max_length(r, tier), &seed);
+            const int kinds = has_quotients(&r->genes[tier]) ? 2 : 1;
+            for (int kind = 0; kind < kinds; kind++) {
+                add_job(&jobs, (struct job){tier, output, (enum kind)kind, {NULL, 0}});
+                if (seeds > 0)
+                    add_job(&jobs, (struct job){tier, output, (enum kind)kind, seed[0]});
+            }
+            free(seed);
+        }
+    return jobs;
+}
+
+/* What a job finds: for each tree its length and its genes; owned by the caller. */
+static int *do_job(const struct run *r, const struct job *job, size_t *numbers)
+{
+    const struct gene_set *genes = &r->genes[job->tier];
+    const struct grow_plan plan =
+        grow_plan_new(genes->symbol, genes->symbols, (double)r->plan.front_limit, max_length(r, job->tier));
+    const size_t target = frame_target(r->archive->program, job->output);
+    const struct tree *base = job->base.length > 0 ? &job->base : NULL;
+    struct seeds found = {.prices = r->plan.prices};
+    if (job->kind == QUOTIENTS)
+        grow_quotients(&plan, r->judge, target, base, &found);
+    else
+        grow_polynomials(&plan, r->judge, target, base, &found);
+    *numbers = 0;
+    for (size_t i = 0; i < found.n; i++)
+        *numbers += 1 + found.seed[i].tree.length;
+    int *number = new_array(*numbers, sizeof *number), *to = number;
+    for (size_t i = 0; i < found.n; i++) {
+        struct tree copy = {to + 1, 0};
+        tree_copy(&found.seed[i].tree, &copy);
+        *to = (int)copy.length;
+        to += 1 + copy.length;
+    }
+    seeds_free(&found);
+    return number;
+}
+
+static void keep(struct run *r, const struct job *job, int *number, size_t numbers)
+{
+    for (int *at = number; at < number + numbers; at += 1 + at[0]) {
+        const struct tree t = {at + 1, (size_t)at[0]};
+        if (t.length <= max_length(r, job->tier))
+            archive_add_seed(r->archive, (long)job->tier, job->output, &t);
+    }
+}
+
+void evolve_grow(struct run *r)
+{
+    struct jobs jobs = all_jobs(r);
+    const size_t ranks = (size_t)r->team->size, rank = (size_t)r->team->rank;
+    int **found = new_array(jobs.n, sizeof *found);
+    size_t *numbers = new_array(jobs.n, sizeof *numbers);
+    for (size_t i = rank; i < jobs.n; i += ranks) {
+        char text[64];
+        snprintf(text, sizeof text, "growing seeds, %zu of %zu ...", i + 1, jobs.n);
+        progress_phase(rank == 0 && !r->options->quiet, text);
+        found[i] = do_job(r, &jobs.job[i], &numbers[i]);
+    }
+    for (size_t i = 0; i < jobs.n; i++) {
+        int *number = team_pass(r->team, (int)(i % ranks), found[i], &numbers[i]);
+        keep(r, &jobs.job[i], number, numbers[i]);
+        free(number);
+        free(found[i]);
+    }
+    progress_phase(rank == 0 && !r->options->quiet, "");
+    free(found);
+    free(numbers);
+    free(jobs.job);
+}

@@ -1,0 +1,49 @@
+/* Fits for islands; see fits.h. */
+#include "fits.h"
+
+#include "root_terms.h"
+
+#include <stdlib.h>
+
+enum { ROWS = 2048, ITERATIONS = 6 };
+
+struct fits {
+    struct judge *judge;   /* not owned */
+    struct columns thin;   /* owned: about ROWS of the samples */
+    struct fitter *fitter; /* owned: to `thin` */
+};
+
+static bool root_terms(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
+{
+    return fit_root_terms(f->fitter, in, target, max_length, out);
+}
+
+static bool constants(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
+{
+    double error;
+    (void)max_length;
+    return fit_constants(f->fitter, f->judge, in, target, ITERATIONS, out, &error);
+}
+
+struct fits *fits_new(struct judge *judge)
+{
+    const size_t stride = judge->table->n / ROWS;
+    struct fits *f = new_array(1, sizeof *f);
+    *f = (struct fits){judge, columns_thin(judge->table, stride > 1 ? stride : 1), NULL};
+    f->fitter = fitter_new(&f->thin);
+    return f;
+}
+
+void fits_free(struct fits *f)
+{
+    if (!f)
+        return;
+    fitter_free(f->fitter);
+    columns_free(&f->thin);
+    free(f);
+}
+
+struct fitting fits_hooks(struct fits *f)
+{
+    return (struct fitting){f, root_terms, constants};
+}

@@ -1,0 +1,34 @@
+/* Plans and their usual values; see plan.h. */
+#include "plan.h"
+
+struct plan plan_default(void)
+{
+    return (struct plan){.seed = 1,
+                         .breeding = BREED_FRONT,
+                         .selection = SELECT_TOURNAMENT,
+                         .population = 200,
+                         .migrants = 20,
+                         .prices = {.add = 1, .div = 8},
+                         .parsimony = 0.005,
+                         .front_limit = 128,
+                         .front_parents = 0.3,
+                         .crowd = 10,
+                         .fit = 0.9,
+                         .polish_every = 10,
+                         .patience = 200};
+}
+
+struct plan plan_paper(void)
+{
+    struct plan p = plan_default();
+    p.breeding = BREED_PAPER;
+    p.selection = SELECT_ROULETTE;
+    p.prices = (struct prices){.add = 0, .div = 1};
+    p.parsimony = 0;
+    return p;
+}
+
+double plan_demerit(const struct plan *plan, double error, double cost)
+{
+    return error * (1 + plan->parsimony * cost);
+}
