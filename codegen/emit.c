@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INLINE_LENGTH = 56, LINE_LENGTH = 116, EXACT_DIGITS = 17 };
+enum { INLINE_LENGTH = 56, LINE_LENGTH = 116, MOST_DIGITS = 64 };
 
 enum precedence { ATOM, PRODUCT, SUM };
 
@@ -53,6 +53,7 @@ static void append(char **t, const char *more)
     *t = longer;
 }
 
+/* As a decimal number, which compilers round once, if it is one of not too many digits, else as a quotient. */
 char *emit_rational(const fmpq_t c)
 {
     fmpz_t den, scaled;
@@ -65,11 +66,14 @@ char *emit_rational(const fmpq_t c)
     fmpz_set_ui(scaled, 5);
     fives = (int)fmpz_remove(den, den, scaled);
     const int places = twos > fives ? twos : fives;
-    fmpz_set_ui(scaled, 10);
-    fmpz_pow_ui(scaled, scaled, (unsigned long)places);
-    fmpz_mul(scaled, scaled, fmpq_numref(c));
-    if (fmpz_is_one(den) && places <= EXACT_DIGITS && fmpz_sizeinbase(scaled, 10) <= EXACT_DIGITS) {
+    const bool decimal = fmpz_is_one(den) && places <= MOST_DIGITS;
+    if (decimal) {
+        fmpz_set_ui(scaled, 10);
+        fmpz_pow_ui(scaled, scaled, (unsigned long)places);
+        fmpz_mul(scaled, scaled, fmpq_numref(c));
         fmpz_divexact(scaled, scaled, fmpq_denref(c));
+    }
+    if (decimal && fmpz_sizeinbase(scaled, 10) <= MOST_DIGITS) {
         const bool negative = fmpz_sgn(scaled) < 0;
         fmpz_abs(scaled, scaled);
         char *digits = fmpz_get_str(NULL, 10, scaled);

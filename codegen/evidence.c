@@ -14,6 +14,7 @@
 #include <string.h>
 
 enum { MOST_NAME = 60, MOST_LISTED = 12, POINTS = 8, POINT_BITS = 6, TRIES_A_SAMPLE = 20, LINE_WIDTH = 118 };
+enum { BOXES_FOR_EMPTY = 200 };
 
 /* Limits of work, in operations on coefficients (about a nanosecond) and in Arb's operations. */
 #define MOST_WORK 1.5e9
@@ -146,6 +147,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     struct search s = {.region = r, .boxes = options->boxes, .work = MOST_WORK};
     find_denominators(e, f, genome, p);
     e->region = r->complete;
+    e->empty = region_is_empty(r, BOXES_FOR_EMPTY);
     e->outputs = p->outputs;
     e->error = new_array(p->outputs, sizeof *e->error);
     for (size_t i = 0; i < e->denominators; i++)

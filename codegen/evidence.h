@@ -25,6 +25,7 @@ struct output_error {
 
 struct evidence {
     bool region;                     /* the file gives the range of every input that the program reads */
+    bool empty;                      /* the requires contradict each other or the ranges: all below means nothing */
     struct denominator *denominator; /* owned */
     size_t denominators;
     struct output_error *error; /* owned: by output */

@@ -1,5 +1,6 @@
 /* Factoring over the rationals, with FLINT.  Equal factors of a numerator and of its denominator meet as equal nodes
- * and cancel by themselves; so this is also the reduction of quotients to lowest terms.  See shape.h. */
+ * and cancel by themselves; so this is also the reduction of quotients to lowest terms.  What is irreducible may be a
+ * sum of parts without a common variable that are not: (a + b)^2 + (c - d)^2.  See shape.h. */
 #include "shape.h"
 
 #include "walk.h"
@@ -65,6 +66,8 @@ static bool worth_trying(struct polynomial *a, const struct dag *g, const struct
     return a->variables > 0 && dense <= MOST_DENSE;
 }
 
+static bool split_sum(struct dag *to, const struct edges *sum, struct value *v);
+
 static struct value polynomial_value(struct polynomial *a, const fmpq_mpoly_t p, struct dag *to)
 {
     struct edges terms = {0};
@@ -81,7 +84,11 @@ static struct value polynomial_value(struct polynomial *a, const fmpq_mpoly_t p,
         edges_add(&terms, v.coef, v.node, 1);
     }
     fmpq_clear(c);
-    return dag_sum(to, &terms);
+    struct value sum;
+    if (!split_sum(to, &terms, &sum))
+        return dag_sum(to, &terms);
+    edges_clear(&terms);
+    return sum;
 }
 
 /* Product of the factors found. */
@@ -131,6 +138,75 @@ static bool factor_sum(struct dag *to, const struct edges *sum, struct value *v)
     fmpq_mpoly_clear(a.p, a.ring);
     fmpq_mpoly_ctx_clear(a.ring);
     return several;
+}
+
+/* The first of the variables that term after term connects with variable i. */
+static slong root_of(const slong *parent, slong i)
+{
+    while (parent[i] != i)
+        i = parent[i];
+    return i;
+}
+
+/* part[i]: the part that term i belongs to, -1 for a constant; returns false if all terms hang together. */
+static bool find_parts(struct polynomial *a, const struct dag *g, const struct edges *sum, slong *part)
+{
+    slong parent[MOST_VARIABLES], parts = 0;
+    for (slong k = 0; k < a->variables; k++)
+        parent[k] = k;
+    for (size_t i = 0; i < sum->n; i++) {
+        term_powers(a, g, sum->edge[i].node);
+        part[i] = -1;
+        for (slong k = 0; k < a->variables; k++)
+            if (a->power[k] > 0) {
+                part[i] = part[i] < 0 ? k : part[i];
+                parent[root_of(parent, k)] = root_of(parent, part[i]);
+            }
+    }
+    for (slong k = 0; k < a->variables; k++)
+        parts += parent[k] == k;
+    for (size_t i = 0; i < sum->n; i++)
+        part[i] = part[i] < 0 ? -1 : root_of(parent, part[i]);
+    return parts > 1;
+}
+
+/* A factor is a power of a sum: others are Horner's choice. */
+static bool has_power(const struct dag *g, int node)
+{
+    const struct node *n = &g->node[node];
+    bool power = false;
+    for (size_t i = 0; n->kind == NODE_PRODUCT && i < n->edges; i++)
+        power |= g->node[n->edge[i].node].kind == NODE_SUM && n->edge[i].power > 1;
+    return power;
+}
+
+/* The sum as one of parts without a common variable, some of which factor; false if none does. */
+static bool split_sum(struct dag *to, const struct edges *sum, struct value *v)
+{
+    struct polynomial a;
+    struct edges all = {0};
+    slong *part = new_array(sum->n, sizeof *part);
+    bool factored = false;
+    if (worth_trying(&a, to, sum) && find_parts(&a, to, sum, part))
+        for (slong k = -1; k < a.variables; k++) {
+            struct edges own = {0};
+            struct value product;
+            for (size_t i = 0; i < sum->n; i++)
+                if (part[i] == k)
+                    edges_add(&own, sum->edge[i].coef, sum->edge[i].node, 1);
+            const bool found = own.n > 2 && factor_sum(to, &own, &product) && has_power(to, product.node);
+            for (size_t i = 0; !found && i < own.n; i++)
+                edges_add(&all, own.edge[i].coef, own.edge[i].node, 1);
+            if (found)
+                edges_add(&all, product.coef, product.node, 1);
+            factored |= found;
+            edges_clear(&own);
+        }
+    free(part);
+    if (factored)
+        *v = dag_sum(to, &all);
+    edges_clear(&all);
+    return factored;
 }
 
 struct dag *shape_factor(const struct dag *g)

@@ -62,10 +62,10 @@ static inline double interval_most(struct interval x)
     return greater(-x.lo, x.hi);
 }
 
-/** Smallest |x|. */
+/** Smallest |x|; never -0, by which others would divide to -infinity. */
 static inline double interval_least(struct interval x)
 {
-    return greater(0, greater(x.lo, -x.hi));
+    return greater(greater(x.lo, -x.hi), 0);
 }
 
 /** A number inside, near the middle where the interval is finite. */

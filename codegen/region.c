@@ -1,6 +1,7 @@
 /* The region of a program's inputs; see region.h. */
 #include "region.h"
 
+#include "boxes.h"
 #include "form.h"
 #include "point.h"
 #include "prove_points.h"
@@ -316,6 +317,41 @@ double region_width(const struct region *r, size_t variable, struct interval sid
     const double width = 0.5 * side.hi - 0.5 * side.lo, whole = 0.5 * range.hi - 0.5 * range.lo;
     const double part = interval_finite(range) ? width / whole : width;
     return part > 0x1p-40 ? part : 0;
+}
+
+static size_t widest_side(const struct region *r, const struct interval *box)
+{
+    size_t widest = 0;
+    for (size_t k = 1; k < r->variables; k++)
+        if (region_width(r, k, box[k]) > region_width(r, widest, box[widest]))
+            widest = k;
+    return widest;
+}
+
+bool region_is_empty(struct region *r, long boxes)
+{
+    struct boxes waiting = {.variables = r->variables};
+    struct interval *box = new_array(r->variables, sizeof *box), *part = new_array(r->variables, sizeof *part);
+    region_box(r, part);
+    bool empty = r->program->outputs > 0;
+    if (empty && forms_evaluate_narrowed(r->required, part))
+        boxes_push(&waiting, 0, part);
+    for (long i = 0; empty && waiting.n > 0; i++) {
+        boxes_pop(&waiting, box);
+        for (size_t k = 0; k < r->variables; k++)
+            part[k] = interval_point(interval_middle(box[k]));
+        const size_t side = widest_side(r, box);
+        empty = i < boxes && r->variables > 0 && region_width(r, side, box[side]) > 0 && !region_holds(r, part);
+        for (int half = 0; half < 2 && empty; half++) {
+            box_half(box, r->variables, side, half, part);
+            if (forms_evaluate_narrowed(r->required, part))
+                boxes_push(&waiting, 0, part);
+        }
+    }
+    boxes_free(&waiting);
+    free(box);
+    free(part);
+    return empty;
 }
 
 /* ---- points ---- */

@@ -36,6 +36,9 @@ int region_op(const struct region *r, int op);
 /** The box of the ranges. */
 void region_box(const struct region *r, struct interval *box);
 
+/** True if it is proved, in at most `boxes` boxes, that nowhere in the ranges are all requires > 0. */
+bool region_is_empty(struct region *r, long boxes);
+
 /** Width of a box's side as a fraction of its range (of infinite ranges, as it is); 0 if that is too small to be
  * halved. */
 double region_width(const struct region *r, size_t variable, struct interval side);

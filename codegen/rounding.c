@@ -212,11 +212,11 @@ static bool is_nonnegative(const struct rounding *e, size_t i)
     return false;
 }
 
-/* NaN, and what may overflow, is no bound. */
+/* NaN, anything below 0, and what may overflow, is no bound. */
 static double checked(double error, double most)
 {
     const double padded = error > 0 ? error * GROW + LEAST : error;
-    return padded + most <= DBL_MAX ? padded : INFINITY;
+    return padded >= 0 && padded + most <= DBL_MAX ? padded : INFINITY;
 }
 
 static void propagate(struct rounding *e, size_t i)

@@ -117,6 +117,8 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     const struct evidence_options options = {
         .samples = SAMPLES, .boxes = BOXES_FOR_EFFORT * (1 + o->compile.effort), .seed = o->compile.seed};
     function->evidence = evidence_new(f, function->genome, function->program, &options);
+    if (function->evidence->empty)
+        return diag_at(d, f->path, f->require[0].line, 1, "no inputs in the ranges have all requires > 0");
     hash_genome(f, k, function->sha256);
     return o->allow_poles || check_poles(f, function, d);
 }

@@ -19,7 +19,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 0.00076 (rounding error <= 3.1e-12)
+ *   poles: t29: proved free of zeros, |t29| >= 0.00076 (rounding error <= 2.7e-12)
  *   rounding error of xi: <= 6.1e-12 proved (with or without FMA), 1.9e-15 worst of 10000 points
  *   rounding error of eta: <= 4.4e-12 proved (with or without FMA), 2.1e-15 worst of 10000 points
  *   training_xi: genes 1 mean 3.997e-04
@@ -36,7 +36,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 0.00076 (rounding error <= 3e-12)
+ *   poles: t29: proved free of zeros, |t29| >= 0.00076 (rounding error <= 2.6e-12)
  *   poles: t39 * t39 + t41 * t44: proved free of zeros, |...| >= 0.024 (rounding error <= 0.005)
  *   rounding error of xi: no bound found, 3e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 4.1e-15 worst of 10000 points
@@ -54,7 +54,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t30: proved free of zeros, |t30| >= 0.00076 (rounding error <= 3.2e-12)
+ *   poles: t30: proved free of zeros, |t30| >= 0.00076 (rounding error <= 2.7e-12)
  *   poles: t37 * t45 - t43 * t43: proved free of zeros, |...| >= 0.024 (rounding error <= 0.022)
  *   poles: t54 * t57 - t52 * t52: proved free of zeros, |...| >= 0.023
  *   rounding error of xi: no bound found, 3.8e-15 worst of 10000 points

@@ -70,6 +70,11 @@ genome 'input x y' 'let unused = / 1 - abs x abs * -1 x' 'genome g' 'r = * 2 sqr
 expect 'unused values do not count, nor does doubling a root' 0 'genome,mul,div,add,sqrt,compare
 g,1,0,0,1,0' '' "$codegen" --count "$g"
 genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
+genome 'input a b c d' 'let s = + a b' 'genome g' \
+    'r = + + + * * a a a * * b b b + * 3 * * a a b * 3 * * a b b - + * s * c c * s * d d * * 2 s * c d' 'end'
+expect 'squares in a sum are found' 0 'genome,mul,div,add,sqrt,compare
+g,3,0,3,0,0' '' "$codegen" --count "$g"
+genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
 expect 'output folder missing' 3 '' "$work/none/h.h: error: cannot write: No such file or directory" \
     "$codegen" "$g" -o "$work/none/h.h"
 "$codegen" "$g" -o "$work/h.h"
@@ -114,6 +119,9 @@ genome 'input x y' 'range x 1 2' 'range y -4 1' 'genome g' 'r = / x + y 3' 'end'
 expect 'ranges show a pole' 1 '' \
     "$g:5:1: error: genome 'g' may divide by 0 (in_y + 3.0: has a zero); give the inputs' ranges, or --allow-poles" \
     "$codegen" "$g" -o "$work/none.h"
+genome 'input x y' 'range x 1 2' 'range y 1 2' 'require - 1.5 * x y' 'require - + x y 2.6' 'genome g' 'r = / 1 - x y' 'end'
+expect 'requires that contradict each other' 1 '' "$g:5:1: error: no inputs in the ranges have all requires > 0" \
+    "$codegen" "$g" --allow-poles -o "$work/none.h"
 genome 'input x y' 'genome g' 'r = % x y' 'end'
 expect 'a protected quotient has no pole' 0 '' '' "$codegen" "$g" -o "$work/h.h"
 
