@@ -11,11 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIES = 4 };                    /* to make a child that was not seen lately */
-static const double moved = 0.999;     /* progress: an error less than this part of the front's */
-static const double smallest = 1e-300; /* an error of 0 is compared, too */
-static const double single = 1e-3;     /* room for the rounding of single precision, which ranks first */
-static const double immigrants = 0.02; /* random trees among the children */
+enum { TRIES = 4 };                              /* to make a child that was not seen lately */
+static const double moved = 0.999;               /* progress: an error less than this part of the front's */
+static const double smallest = 1e-300;           /* an error of 0 is compared, too */
+static const double coarse = 1e-3, slack = 1e-3; /* mean errors that single precision tells apart, to this fraction */
+static const double immigrants = 0.02;           /* random trees among the children */
 
 enum edit { GRAFT, TWIG, GENE, WRAP, HOIST, SHRINK, ADD_TERM, DROP_TERM, CONSTANT, EDITS };
 static const double edit_rate[EDITS] = {
@@ -30,6 +30,15 @@ static double ratio(const struct island *is, const struct individual *x)
     return (x->error + smallest) / (is->reference[place] + smallest);
 }
 
+/* Single precision tells most of the hopeless, in half the time, where it is fine enough for errors so large. */
+static double measured(struct island *is, const struct tree *t, double bound)
+{
+    const bool rank = is->judge->norm == NORM_MEAN && bound > coarse && bound < INFINITY;
+    if (rank && judge_rank(is->judge, t, is->goal.target, (1 + slack) * bound) == INFINITY)
+        return INFINITY;
+    return judge_error(is->judge, t, is->goal.target, bound);
+}
+
 /* The error of an individual that is counted already. */
 static void evaluate(struct island *is, struct individual *x)
 {
@@ -40,9 +49,7 @@ static void evaluate(struct island *is, struct individual *x)
         return;
     if (r->hash != x->hash) {
         const double bound = is->bound < INFINITY ? is->bound * is->reference[place] : INFINITY;
-        const bool hopeless = judge_rank(is->judge, &x->tree, is->goal.target, (1 + single) * bound) == INFINITY;
-        *r = (struct remembered){x->hash,
-                                 hopeless ? INFINITY : judge_error(is->judge, &x->tree, is->goal.target, bound)};
+        *r = (struct remembered){x->hash, measured(is, &x->tree, bound)};
         is->evaluations++;
     }
     x->error = r->error;

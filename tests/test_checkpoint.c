@@ -1,9 +1,6 @@
-/* Checkpoints and logs: what is read is what was written, anything else is refused in one line; an island goes on from
- * its saved state as if nothing had been, and no state that it is given breaks it. */
+/* Checkpoints and logs: what is read is what was written, anything else is refused in one line. */
 #include "../evolve/checkpoint.h"
-#include "../evolve/island.h"
 #include "../evolve/run_log.h"
-#include "../evolve/stream.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -13,8 +10,6 @@
 #include <unistd.h>
 
 #include <cmocka.h>
-
-/* ---- files ---- */
 
 static char folder[] = "/tmp/footpoint-test-XXXXXX", path[64];
 
@@ -196,148 +191,12 @@ static void a_log_goes_on_where_its_mark_is(void **state)
     free(whole);
 }
 
-/* ---- islands ---- */
-
-enum { SAMPLES = 300, TARGET = 2, MAX_LENGTH = 21 };
-
-struct fixture {
-    struct genome_file *program;
-    struct columns table; /* x, y, x y + 0.5 */
-    struct judge *judge;
-    struct gene_set genes;
-    struct plan plan;
-    struct goal goal;
-};
-
-static int setup(void **state)
-{
-    static int symbol[] = {GENE_SYMBOL, GENE_SYMBOL + 1}, operation[] = {GENE_ADD, GENE_SUB, GENE_MUL}, constant[21];
-    struct fixture *f = new_array(1, sizeof *f);
-    f->program = genome_file_new("test");
-    f->table = columns_new(SAMPLES, TARGET + 1);
-    for (size_t i = 0; i < SAMPLES; i++) {
-        const double x = sin((double)i), y = cos(3.0 * (double)i);
-        columns_at(&f->table, 0)[i] = x;
-        columns_at(&f->table, 1)[i] = y;
-        columns_at(&f->table, TARGET)[i] = sqrt(2 + x) * y + 0.5;
-    }
-    for (int k = 0; k <= 20; k++) {
-        char text[16];
-        snprintf(text, sizeof text, "%.1f", (k - 10) / 10.0);
-        constant[k] = -1 - (int)genome_add_constant(f->program, text);
-    }
-    f->genes = (struct gene_set){symbol, 2, constant, 21, operation, 3};
-    f->judge = judge_new(f->program, &f->table, NORM_MEAN);
-    f->plan = (struct plan){.seed = 4, .population = 40, .selection = SELECT_TOURNAMENT, .migrants = 4};
-    f->goal = (struct goal){.target = TARGET, .max_length = MAX_LENGTH, .genes = &f->genes};
-    *state = f;
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    struct fixture *f = *state;
-    judge_free(f->judge);
-    columns_free(&f->table);
-    genome_file_free(f->program);
-    free(f);
-    return 0;
-}
-
-static void steps(struct island *is, int n)
-{
-    while (n-- > 0)
-        island_step(is);
-}
-
-static void same_state(const struct island *a, const struct island *b)
-{
-    const size_t n = island_state_size(a);
-    unsigned char *p = new_array(n, 1), *q = new_array(n, 1);
-    assert_int_equal(island_state_size(b), n);
-    island_save(a, p);
-    island_save(b, q);
-    assert_memory_equal(p, q, n);
-    free(p);
-    free(q);
-}
-
-static void an_island_goes_on_from_its_state(void **state)
-{
-    const struct fixture *f = *state;
-    struct island *a = island_new(&f->plan, &f->goal, f->judge), *b = island_new(&f->plan, &f->goal, f->judge);
-    unsigned char *saved = new_array(island_state_size(a), 1);
-    island_start(a, NULL);
-    steps(a, 7);
-    island_save(a, saved);
-    assert_true(island_load(b, saved));
-    same_state(a, b);
-    assert_true(island_evaluations(b) == island_evaluations(a));
-    steps(a, 20);
-    steps(b, 20);
-    same_state(a, b);
-    const size_t ints = island_report_size(a);
-    int *report = new_array(ints, sizeof *report), at = 1;
-    assert_int_equal(island_report_size(b), ints);
-    island_report(a, report);
-    for (int k = 0; k < report[0]; k++) {
-        const size_t length = (size_t)report[at];
-        assert_int_equal(gene_span(report + at + 1, length), length);
-        at += 1 + report[at];
-    }
-    assert_int_equal(at, ints);
-    free(report);
-    free(saved);
-    island_free(a);
-    island_free(b);
-}
-
-/* Bytes of a state changed at random: taken or refused, but an island that refuses is as it was, and one that takes
- * goes on. */
-static void no_state_breaks_an_island(void **state)
-{
-    const struct fixture *f = *state;
-    struct island *a = island_new(&f->plan, &f->goal, f->judge), *b = island_new(&f->plan, &f->goal, f->judge);
-    const size_t n = island_state_size(a), people = 16 + f->plan.population * (16 + MAX_LENGTH * sizeof(int));
-    unsigned char *saved = new_array(n, 1), *bad = new_array(n, 1);
-    gsl_rng *rng = stream_new();
-    int taken = 0;
-    stream_key(rng, 9, 0, 0, 0);
-    island_start(a, NULL);
-    steps(a, 3);
-    island_save(a, saved);
-    for (int k = 0; k < 400; k++) {
-        memcpy(bad, saved, n);
-        const int changes = 1 + k % 3;
-        for (int i = 0; i < changes; i++)
-            bad[gsl_rng_uniform_int(rng, k % 2 == 0 ? people : n)] ^= (unsigned char)(1 << gsl_rng_uniform_int(rng, 8));
-        assert_true(island_load(b, saved));
-        if (island_load(b, bad)) {
-            steps(b, 2);
-            taken++;
-        } else {
-            same_state(a, b);
-        }
-    }
-    assert_true(taken < 400);
-    gsl_rng_free(rng);
-    free(saved);
-    free(bad);
-    island_free(a);
-    island_free(b);
-}
-
 int main(void)
 {
-    const struct CMUnitTest files[] = {
+    const struct CMUnitTest tests[] = {
         cmocka_unit_test(read_is_what_was_written),        cmocka_unit_test(cut_or_flipped_is_refused),
         cmocka_unit_test(malformed_inside_is_refused),     cmocka_unit_test(a_failed_write_leaves_the_last),
         cmocka_unit_test(a_log_goes_on_where_its_mark_is),
     };
-    const struct CMUnitTest islands[] = {
-        cmocka_unit_test_setup_teardown(an_island_goes_on_from_its_state, setup, teardown),
-        cmocka_unit_test_setup_teardown(no_state_breaks_an_island, setup, teardown),
-    };
-    const int failed = cmocka_run_group_tests_name("checkpoint", files, setup_folder, teardown_folder);
-    return failed + cmocka_run_group_tests_name("island states", islands, NULL, NULL);
+    return cmocka_run_group_tests_name("checkpoint", tests, setup_folder, teardown_folder);
 }
