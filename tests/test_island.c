@@ -174,18 +174,22 @@ static void same_seed_same_result(void **state)
     }
 }
 
+/* With most seeds. */
 static void finds_a_known_target(void **state)
 {
     const struct fixture *f = *state;
     for (int k = 0; k < 4; k++) {
-        int *report;
-        size_t size;
-        struct plan plan = plan_of((enum breeding)(k / 2), 1, 200);
-        plan.selection = (enum selection)(k % 2);
-        const double error = evolved(f, &plan, 0, 60, &report, &size);
-        free(report);
-        if (!(error < 1e-15))
-            fail_msg("breeding %d, selection %d: x y + 0.5 is missed by %a", k / 2, k % 2, error);
+        int found = 0;
+        for (uint64_t seed = 1; seed <= 5; seed++) {
+            int *report;
+            size_t size;
+            struct plan plan = plan_of((enum breeding)(k / 2), seed, 200);
+            plan.selection = (enum selection)(k % 2);
+            found += evolved(f, &plan, 0, 60, &report, &size) < 1e-15;
+            free(report);
+        }
+        if (found < 4)
+            fail_msg("breeding %d, selection %d: x y + 0.5 is found with %d seeds of 5", k / 2, k % 2, found);
     }
 }
 
