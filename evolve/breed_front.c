@@ -122,11 +122,16 @@ static void rank_population(struct island *is)
     is->bound = is->now[n - 1].demerit;
 }
 
-static void fit_root_terms(struct island *is, struct tree *t)
+static void fit_constants(struct island *is, struct tree *t)
 {
     const struct fitting *f = is->goal.fit;
-    if (f && f->root_terms && gsl_rng_uniform(is->rng) < is->plan->fit &&
-        f->root_terms(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch))
+    if (!f)
+        return;
+    const bool tune = gsl_rng_uniform(is->rng) < is->plan->tune;
+    const bool root_terms = !tune && gsl_rng_uniform(is->rng) < is->plan->fit;
+    if ((tune && f->tune && f->tune(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)) ||
+        (root_terms && f->root_terms &&
+         f->root_terms(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)))
         tree_copy(&is->scratch, t);
 }
 
@@ -135,7 +140,7 @@ static void fill_with_random_trees(struct island *is, size_t first)
     is->bound = INFINITY;
     for (size_t i = first; i < is->plan->population; i++) {
         island_random_tree(is, i, &is->now[i].tree);
-        fit_root_terms(is, &is->now[i].tree);
+        fit_constants(is, &is->now[i].tree);
         island_count(is, &is->now[i]);
         evaluate(is, &is->now[i]);
     }
@@ -213,7 +218,7 @@ static void make_child(struct island *is, struct individual *x)
         island_count(is, x);
         done = is_new(is, x);
     }
-    fit_root_terms(is, &x->tree);
+    fit_constants(is, &x->tree);
     island_count(is, x);
 }
 

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-enum { ROWS = 2048, ITERATIONS = 6 };
+enum { ROWS = 2048, ITERATIONS = 6, TUNING = 1 };
 
 struct fits {
     struct judge *judge;   /* not owned */
@@ -16,6 +16,15 @@ struct fits {
 static bool root_terms(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
 {
     return fit_root_terms(f->fitter, in, target, max_length, out);
+}
+
+static bool tune(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
+{
+    (void)max_length;
+    tape_load(f->fitter->tape, in);
+    fitter_descend_norm(f->fitter, target, f->judge->norm, TUNING);
+    tape_store(f->fitter->tape, out);
+    return true;
 }
 
 static bool constants(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
@@ -45,5 +54,5 @@ void fits_free(struct fits *f)
 
 struct fitting fits_hooks(struct fits *f)
 {
-    return (struct fitting){f, root_terms, constants};
+    return (struct fitting){f, root_terms, tune, constants};
 }

@@ -11,7 +11,9 @@ struct fitting {
     /** A tree of at most max_length genes whose root terms have the coefficients of least squares against table column
      *  `target`, into *out; false, with *out undefined, where there is none.  Deterministic in its arguments. */
     bool (*root_terms)(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out);
-    /** The same tree with its constants fitted, by iteration; for members of the front. */
+    /** The same tree with its constants fitted by a few iterations; for children. */
+    bool (*tune)(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out);
+    /** The same with more iterations, if that is better; for members of the front. */
     bool (*constants)(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out);
 };
 

@@ -265,12 +265,13 @@ static bool fit_by_magic(struct fits *fitter, const struct tree *in, size_t targ
 static void fits_are_called(void **state)
 {
     const struct fixture *f = *state;
-    const struct fitting fit[] = {{NULL, fit_by_magic, NULL}, {NULL, NULL, fit_by_magic}};
+    const struct fitting fit[] = {{.root_terms = fit_by_magic}, {.constants = fit_by_magic}, {.tune = fit_by_magic}};
     int seed_gene[] = {GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1};
     const struct tree seed = {seed_gene, 3};
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         struct plan plan = plan_of(BREED_FRONT, 1, 50);
         plan.fit = 1;
+        plan.tune = k == 2 ? 1 : 0;
         plan.polish_every = 1;
         struct goal goal = goal_of(f, 0);
         goal.fit = &fit[k];
