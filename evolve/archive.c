@@ -11,6 +11,8 @@
 
 enum { GRID = 100 }; /* constants -GRID..GRID times 0.05 */
 
+static const double worth = 0.99; /* what is not better by one in a hundred changes no header */
+
 const char *const origin_name[ORIGINS] = {"start file", "seed", "seeded island", "random island"};
 
 const struct genome *archive_start_genome(const struct archive *a, size_t tier)
@@ -291,22 +293,37 @@ static void crown(struct archive *a, struct champion *c, const struct member *m)
     c->bred = true;
 }
 
+/* What the choice among a tier's expressions minimises; INFINITY: out of the question. */
+static double merit(const struct plan *plan, double budget, double error, double cost)
+{
+    return budget > 0 ? cost <= budget ? error : INFINITY : plan_demerit(plan, error, cost);
+}
+
 static bool outdoes(const struct plan *plan, double budget, const struct member *m, const struct champion *c)
 {
-    if (budget > 0)
-        return m->cost <= budget && (c->tree.length == 0 || c->cost > budget || m->error < c->error);
-    return c->tree.length == 0 ||
-           (m->error <= c->error && plan_demerit(plan, m->error, m->cost) < plan_demerit(plan, c->error, c->cost));
+    const double now = c->tree.length > 0 ? merit(plan, budget, c->error, c->cost) : INFINITY;
+    return (budget > 0 || c->tree.length == 0 || m->error <= c->error) &&
+           merit(plan, budget, m->error, m->cost) < worth * now;
+}
+
+static void crown_best(struct archive *a, const struct plan *plan, size_t tier, int output)
+{
+    const struct front *f = a->front[tier][output];
+    const double budget = a->scene->tier[tier].budget;
+    const struct member *best = NULL;
+    for (size_t c = 0; c <= f->limit; c++) {
+        const struct member *m = &f->member[c];
+        if (m->tree.length > 0 && m->origin != ORIGIN_START && outdoes(plan, budget, m, &a->champion[tier][output]) &&
+            (!best || merit(plan, budget, m->error, m->cost) < merit(plan, budget, best->error, best->cost)))
+            best = m;
+    }
+    if (best)
+        crown(a, &a->champion[tier][output], best);
 }
 
 void archive_crown(struct archive *a, const struct plan *plan)
 {
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < 2; k++)
-            for (size_t c = 0; c <= a->front[i][k]->limit; c++) {
-                const struct member *m = &a->front[i][k]->member[c];
-                if (m->tree.length > 0 && m->origin != ORIGIN_START &&
-                    outdoes(plan, a->scene->tier[i].budget, m, &a->champion[i][k]))
-                    crown(a, &a->champion[i][k], m);
-            }
+            crown_best(a, plan, i, k);
 }
