@@ -4,6 +4,7 @@
 
 #include "decimal.h"
 #include "frame.h"
+#include "frame_cost.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -181,12 +182,16 @@ size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t ma
     return n;
 }
 
-static double cost_of(const struct plan *plan, const struct tree *t, const struct genome_constant *constant)
+static double cost_of(const struct archive *a, const struct plan *plan, const struct tree *t,
+                      const struct genome_constant *constant)
 {
+    struct frame_cost *frame = frame_cost_new(a->program, &plan->prices);
+    const double values = frame_cost_of(frame, t);
+    frame_cost_free(frame);
     struct counter *c = counter_new(t->length);
     const struct operations o = operations_count(c, t, constant);
     counter_free(c);
-    return operations_price(&o, &plan->prices);
+    return operations_price(&o, &plan->prices) + values;
 }
 
 static void judge_champion(struct archive *a, const struct plan *plan, struct judge *exact, size_t tier, int output)
@@ -194,7 +199,7 @@ static void judge_champion(struct archive *a, const struct plan *plan, struct ju
     struct champion *c = &a->champion[tier][output];
     if (c->tree.length > 0) {
         c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
-        c->cost = cost_of(plan, &c->tree, a->program->constant);
+        c->cost = cost_of(a, plan, &c->tree, a->program->constant);
     }
     c->error_before = c->error;
 }
@@ -267,7 +272,7 @@ struct gene_set archive_genes(const struct archive *a, size_t tier, bool rationa
 void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
                    double error, enum origin origin)
 {
-    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(plan, t, NULL));
+    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, t, NULL));
     if (m)
         m->origin = (int)origin;
 }

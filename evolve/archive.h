@@ -13,7 +13,7 @@
 struct champion {
     struct tree tree; /* genes owned, constants are the program's; length 0: none yet */
     double error;     /* on the training samples, in the scene's norm */
-    double cost;      /* by the plan's model */
+    double cost;      /* by the plan's model, with the values of the frame that it needs */
     bool bred;        /* found by this run */
     double error_before;
     size_t length_before; /* 0: there was none */

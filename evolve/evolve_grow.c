@@ -8,6 +8,8 @@
 
 #include <stdlib.h>
 
+enum { GROWN_COST = 128 }; /* operations of the largest, by the prices of growth */
+
 enum kind { POLYNOMIALS, QUOTIENTS };
 
 struct job {
@@ -63,8 +65,7 @@ static struct jobs all_jobs(const struct run *r)
 static int *do_job(const struct run *r, const struct job *job, size_t *numbers)
 {
     const struct gene_set *genes = &r->genes[job->tier];
-    const struct grow_plan plan =
-        grow_plan_new(genes->symbol, genes->symbols, (double)r->plan.front_limit, max_length(r, job->tier));
+    const struct grow_plan plan = grow_plan_new(genes->symbol, genes->symbols, GROWN_COST, max_length(r, job->tier));
     const size_t target = frame_target(r->archive->program, job->output);
     const struct tree *base = job->base.length > 0 ? &job->base : NULL;
     struct seeds found = {.prices = r->plan.prices};

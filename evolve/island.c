@@ -21,6 +21,7 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     const size_t n = plan->population, room = 2 * n + 2;
     is->rng = stream_new();
     is->counter = counter_new(goal->max_length);
+    is->frame = frame_cost_new(judge->program, &plan->prices);
     is->now = new_array(room, sizeof *is->now);
     is->order = new_array(room, sizeof *is->order);
     is->fate = new_array(room, sizeof *is->fate);
@@ -44,6 +45,7 @@ void island_free(struct island *is)
         return;
     gsl_rng_free(is->rng);
     counter_free(is->counter);
+    frame_cost_free(is->frame);
     front_free(is->all);
     front_free(is->stage);
     free(is->now);
@@ -66,7 +68,7 @@ struct remembered *island_memory(const struct island *is, uint64_t hash)
 void island_count(struct island *is, struct individual *x)
 {
     const struct operations o = operations_count(is->counter, &x->tree, NULL);
-    x->cost = operations_price(&o, &is->plan->prices);
+    x->cost = operations_price(&o, &is->plan->prices) + frame_cost_of(is->frame, &x->tree);
     x->hash = o.hash;
 }
 

@@ -22,7 +22,7 @@ struct individual {
     struct tree tree; /* genes not owned: in the island's pool; constants are decimal numbers */
     double demerit;   /* what selection minimises */
     double error;     /* INFINITY when not finite, or so bad that it was not evaluated to the end */
-    double cost;      /* by the plan's model */
+    double cost;      /* by the plan's model, with the values of the frame that it needs */
     uint64_t hash;    /* of its operations */
 };
 

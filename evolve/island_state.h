@@ -2,6 +2,7 @@
 #ifndef FOOTPOINT_ISLAND_STATE_H
 #define FOOTPOINT_ISLAND_STATE_H
 
+#include "frame_cost.h"
 #include "island.h"
 
 enum { CACHE_BITS = 13 };
@@ -31,6 +32,7 @@ struct island {
     /* Scratch, and what follows from the rest. */
     gsl_rng *rng;             /* owned */
     struct counter *counter;  /* owned */
+    struct frame_cost *frame; /* owned: of the judge's program */
     int *pool;                /* owned: genes of now[] and of scratch */
     struct individual *order; /* owned: as now[] */
     unsigned char *fate;      /* owned: as now[] */

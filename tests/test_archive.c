@@ -106,7 +106,7 @@ static void champions_yield_to_the_better_alone(void **state)
     struct archive *a = archive_of(&f->scene, START);
     archive_judge(a, &f->plan, f->judge, 0);
     const struct champion *c = &a->champion[0][0];
-    assert_true(fabs(c->error - 0.12345678901) < 1e-15 && c->cost == 2);
+    assert_true(fabs(c->error - 0.12345678901) < 1e-15 && c->cost == 4); /* p and q are differences */
     const int worse[] = {GENE_MUL, P, P}, better[] = {GENE_ADD, decimal_gene(0.125e-3), GENE_MUL, Q, P};
     offer(f, a, worse, 3);
     archive_crown(a, &f->plan);
@@ -126,15 +126,15 @@ static void budgets_decide(void **state)
 {
     struct fixture *f = *state;
     const int cheap[] = {GENE_ADD, Q, decimal_gene(-0.1)}, free_of_cost[] = {Q};
-    f->tier.budget = 1;
+    f->tier.budget = 2; /* q is a difference */
     struct archive *a = archive_of(&f->scene, START);
     archive_judge(a, &f->plan, f->judge, 0);
     offer(f, a, free_of_cost, 1);
     offer(f, a, cheap, 3);
     archive_crown(a, &f->plan);
     const struct champion *c = &a->champion[0][0];
-    assert_true(c->bred && c->cost <= 1);
-    assert_true(c->error == front_error(a->front[0][0], 1));
+    assert_true(c->bred && c->cost <= 2);
+    assert_true(c->error == front_error(a->front[0][0], 2));
     archive_free(a);
     f->tier.budget = 0;
 }

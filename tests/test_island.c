@@ -14,6 +14,7 @@
 enum { SAMPLES = 500, TARGET = 2, MAX_LENGTH = 25 };
 
 struct fixture {
+    struct genome_file *program;
     struct columns table; /* x, y, x y + 0.5 */
     struct judge *judge;
     struct gene_set genes;
@@ -34,8 +35,9 @@ static int setup(void **state)
     }
     for (int k = 0; k <= 20; k++)
         constant[k] = decimal_gene((k - 10) / 10.0);
+    f->program = genome_file_new("test");
     f->genes = (struct gene_set){symbol, 2, constant, 21, operation, 3};
-    f->judge = judge_new(NULL, &f->table, NORM_MEAN);
+    f->judge = judge_new(f->program, &f->table, NORM_MEAN);
     f->judge->decimal = true;
     gsl_rng_free(rng);
     *state = f;
@@ -47,6 +49,7 @@ static int teardown(void **state)
     struct fixture *f = *state;
     judge_free(f->judge);
     columns_free(&f->table);
+    genome_file_free(f->program);
     free(f);
     return 0;
 }
@@ -204,7 +207,7 @@ static void seeds_survive(void **state)
         struct plan plan = plan_of((enum breeding)breeding, 1, 20);
         plan.patience = 2;
         const struct goal goal = goal_of(f, 0);
-        struct judge *judge = judge_new(NULL, &f->table, NORM_MAX);
+        struct judge *judge = judge_new(f->program, &f->table, NORM_MAX);
         judge->decimal = true;
         struct island *is = island_new(&plan, &goal, judge);
         island_start(is, seed, 2);
@@ -250,8 +253,7 @@ static void guests_compete(void **state)
 }
 
 /* A fit that knows the answer: x y + 0.5. */
-static bool fit_by_magic(struct fits *fitter, const struct tree *in, size_t target, size_t max_length,
-                         struct tree *out)
+static bool fit_by_magic(struct fits *fitter, const struct tree *in, size_t target, size_t max_length, struct tree *out)
 {
     const int answer[] = {GENE_ADD, decimal_gene(0.5), GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1};
     (void)fitter;
