@@ -4,6 +4,7 @@
 #include "operations.h"
 
 #include "decimal.h"
+#include "kernel_code.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -111,33 +112,6 @@ static double signed_value(const struct counter *c, struct operand x)
     return x.negative ? -c->node[x.node].value : c->node[x.node].value;
 }
 
-/* As the kernel computes it. */
-static double folded(int gene, double a, double b)
-{
-    switch (gene) {
-    case GENE_ADD:
-        return a + b;
-    case GENE_SUB:
-        return a - b;
-    case GENE_MUL:
-        return a * b;
-    case GENE_DIV:
-        return a / b;
-    case GENE_PDIV:
-        return b == 0 ? 1 : a / b;
-    case GENE_MIN:
-        return a < b ? a : b;
-    case GENE_MAX:
-        return a > b ? a : b;
-    case GENE_SQRT:
-        return sqrt(a);
-    case GENE_ABS:
-        return fabs(a);
-    default:
-        return -a;
-    }
-}
-
 static void sort_operands(const struct counter *c, struct operand *a, struct operand *b)
 {
     if (c->node[a->node].hash > c->node[b->node].hash) {
@@ -207,7 +181,7 @@ static struct operand other(struct counter *c, int gene, struct operand a, struc
 static struct operand operation(struct counter *c, int gene, struct operand a, struct operand b)
 {
     if (is_constant(c, a) && is_constant(c, b))
-        return constant_of(c, folded(gene, signed_value(c, a), signed_value(c, b)));
+        return constant_of(c, kernel_apply(gene, signed_value(c, a), signed_value(c, b)));
     switch (gene) {
     case GENE_NEG:
         return (struct operand){a.node, !a.negative};
