@@ -34,6 +34,10 @@ static void add_factored(struct search *s)
             dag_free(g);
             g = made;
         }
+        if (rational_take_overflow()) {
+            dag_free(g);
+            g = NULL;
+        }
         if (g)
             search_add(s, g, combine ? "combined, multiplied out and factored" : "multiplied out and factored");
     }

@@ -223,7 +223,8 @@ static char *term_text(struct emitter *e, rational size, int node)
         char *text = scaled_text(e, size, &e->text[node]);
         name_value(e, 'u', ++e->helpers, text, t->name);
         free(text);
-    }
+    } else if (e->text[node].den)
+        e->out->ops.div--; /* a user that does not divide by itself after all */
     return join(t->name, "", "");
 }
 
@@ -443,6 +444,11 @@ static void mark_named(struct emitter *e)
             if (twice || divisor)
                 e->named[n->edge[k].node] = true;
         }
+    }
+    for (size_t i = 0; i < e->s->n; i++) {
+        const int n = e->s->order[i];
+        if (g->node[n].kind == NODE_INVERSE && divides_anew(e, n))
+            e->named[g->node[n].edge[0].node] = true;
     }
 }
 

@@ -27,7 +27,8 @@ static size_t n_known, known_room;
 static int *bucket; /* by hash of the residues: number + 1 */
 static size_t buckets;
 static struct result *memo; /* by hash of operation and operands; a new one replaces an old one */
-enum { MEMO = 1 << 16 };
+static bool overflow;
+enum { MEMO = 1 << 16, MOST_BITS = 1 << 16 };
 
 static uint64_t mix(uint64_t z)
 {
@@ -103,6 +104,33 @@ const fmpq *rational_value(rational r)
     return known[r].value;
 }
 
+/* Whether a result may have so many bits. */
+static bool fits(double bits)
+{
+    overflow |= bits > MOST_BITS;
+    return bits <= MOST_BITS;
+}
+
+static double bits_of(const fmpq *q)
+{
+    return (double)fmpq_height_bits(q);
+}
+
+bool rational_take_overflow(void)
+{
+    const bool taken = overflow;
+    overflow = false;
+    return taken;
+}
+
+void rational_scale(fmpq *q, const fmpq *by)
+{
+    if (fits(bits_of(q) + bits_of(by)))
+        fmpq_mul(q, q, by);
+    else
+        fmpq_one(q);
+}
+
 static rational combine(rational a, rational b, bool sum)
 {
     if (a > b) {
@@ -113,6 +141,8 @@ static rational combine(rational a, rational b, bool sum)
     struct result *m = &memo[mix((uint64_t)a << 33 ^ (uint64_t)b << 1 ^ sum) & (MEMO - 1)];
     if (m->r >= 0 && m->a == a && m->b == b && m->sum == sum)
         return m->r;
+    if (!fits(bits_of(known[a].value) + bits_of(known[b].value)))
+        return ONE;
     fmpq_t q;
     fmpq_init(q);
     (sum ? fmpq_add : fmpq_mul)(q, known[a].value, known[b].value);
@@ -165,6 +195,8 @@ rational rational_pow(rational a, int n)
 {
     if (a == ONE || n == 1)
         return a;
+    if (!fits(bits_of(known[a].value) * abs(n)))
+        return ONE;
     fmpq_t q;
     fmpq_init(q);
     fmpq_pow_si(q, known[a].value, n);

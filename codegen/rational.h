@@ -27,6 +27,11 @@ rational rational_inv(rational a); /* a != 0 */
 rational rational_abs(rational a);
 rational rational_pow(rational a, int n);
 int rational_sign(rational a);
+/** *q *= by */
+void rational_scale(fmpq *q, const fmpq *by);
+/** Whether, since the last call, there was a result of tens of thousands of bits: it was not made, and 1 took its
+ * place. Powers of powers would otherwise fill any memory. */
+bool rational_take_overflow(void);
 /** Residue modulo rational_prime[k]. */
 mp_limb_t rational_mod(rational a, int k);
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 enum { MOST_NODES = 1000, MOST_TERMS = 24, MOST_FACTORS = 32, SWEEPS = 3, DEPTH = 3 };
+enum { MOST_BITS = 1 << 12 }; /* of a scale: far beyond double's range, and powers of powers would go on growing */
 
 static const double NEGATION = 0.25; /* a leading minus: at most an operation, at best none */
 
@@ -27,6 +28,7 @@ struct search {
     rational factor[MOST_FACTORS]; /* to try on the sum at hand */
     size_t factors;
     bool improved;
+    double work; /* pairs of terms compared */
 };
 
 static rational coefficient(const struct dag *g, const rational *scale, int n, size_t i)
@@ -35,7 +37,12 @@ static rational coefficient(const struct dag *g, const rational *scale, int n, s
     return rational_mul(rational_mul(scale[n], e->coef), rational_inv(scale[e->node]));
 }
 
-/* Scale of a node that has no choice. */
+static bool is_wild(rational scale, int power)
+{
+    return scale == ZERO || (double)fmpq_height_bits(rational_value(scale)) * power > MOST_BITS;
+}
+
+/* Scale of a node that has no choice; ZERO if it is wild. */
 static rational derived_scale(const struct schedule *s, const struct node *node)
 {
     rational scale = ONE;
@@ -43,8 +50,12 @@ static rational derived_scale(const struct schedule *s, const struct node *node)
         scale = rational_abs(s->scale[node->edge[0].node]);
     if (node->kind == NODE_INVERSE)
         scale = rational_inv(s->scale[node->edge[0].node]);
-    for (size_t i = 0; node->kind == NODE_PRODUCT && i < node->edges; i++)
-        scale = rational_mul(scale, rational_pow(s->scale[node->edge[i].node], node->edge[i].power));
+    for (size_t i = 0; node->kind == NODE_PRODUCT && i < node->edges; i++) {
+        const struct edge *e = &node->edge[i];
+        if (is_wild(s->scale[e->node], e->power) || is_wild(scale, 1))
+            return ZERO;
+        scale = rational_mul(scale, rational_pow(s->scale[e->node], e->power));
+    }
     return scale;
 }
 
@@ -75,6 +86,7 @@ static double charge_sum(struct search *x, const rational *scale, int n, int sig
     rational coef[MOST_TERMS];
     double cost = 0;
     bool positive = false;
+    x->work += (double)(edges * edges);
     for (size_t i = 0; i < edges; i++) {
         const rational c = coefficient(x->s->dag, scale, n, i);
         positive |= rational_sign(c) > 0;
@@ -158,17 +170,22 @@ static void add_affected(struct search *x, size_t *n, int node)
 }
 
 /* Multiplies the scale of a sum, or of all sums like it (same level, same coefficients), by `factor`; what uses them
- * follows.  The move stands if the total falls. */
+ * follows.  The move stands if the total falls and no scale is wild. */
 static void try_factor(struct search *x, size_t position, rational factor, bool all)
 {
     struct schedule *s = x->s;
     const int n = s->order[position];
     size_t changed = 0, affected = 0;
     double difference = 0;
+    bool wild = false;
     if (2 * x->used > x->terms)
         fill_terms(x);
     for (size_t i = all ? 0 : position; i < s->n; i++) {
         const int m = s->order[i];
+        if (wild) {
+            x->dirty[m] = false;
+            continue;
+        }
         if (m == n || (all && alike(x, m, n)))
             s->scale[m] = rational_mul(s->scale[m], factor);
         else if (!x->dirty[m])
@@ -178,6 +195,9 @@ static void try_factor(struct search *x, size_t position, rational factor, bool 
         else
             s->scale[m] = derived_scale(s, &s->dag->node[m]);
         x->dirty[m] = false;
+        wild = is_wild(s->scale[m], 1);
+        if (wild)
+            s->scale[m] = x->best[m];
         if (s->scale[m] == x->best[m])
             continue;
         x->changed[changed++] = m;
@@ -191,7 +211,7 @@ static void try_factor(struct search *x, size_t position, rational factor, bool 
         difference += charge(x, x->best, x->affected[i], -1);
     for (size_t i = 0; i < affected; i++)
         difference += charge(x, s->scale, x->affected[i], 1);
-    const bool better = difference < -1e-9;
+    const bool better = !wild && difference < -1e-9;
     for (size_t i = 0; i < affected; i++) {
         x->listed[x->affected[i]] = false;
         if (!better)
@@ -287,12 +307,12 @@ static void find_levels(struct search *x)
     }
 }
 
-void scales_improve(struct schedule *s)
+double scales_improve(struct schedule *s)
 {
     const size_t all = s->dag->nodes + s->dag->outputs;
     size_t edges = 0;
     if (s->n > MOST_NODES)
-        return;
+        return 0;
     struct search x = {.s = s};
     for (size_t i = 0; i < s->n; i++)
         edges += s->dag->node[s->order[i]].edges;
@@ -325,4 +345,5 @@ void scales_improve(struct schedule *s)
     free(x.changed);
     free(x.affected);
     free(x.term);
+    return x.work;
 }

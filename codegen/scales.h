@@ -4,7 +4,8 @@
 
 #include "schedule.h"
 
-/** Changes the scales, all ONE so far, so that few multiplications by constants are left. */
-void scales_improve(struct schedule *s);
+/** Changes the scales, all ONE so far, so that few multiplications by constants are left; returns the work, in pairs of
+ *  terms compared. */
+double scales_improve(struct schedule *s);
 
 #endif

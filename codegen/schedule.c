@@ -105,7 +105,7 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     }
     order_nodes(s);
     if (search)
-        scales_improve(s);
+        s->work = scales_improve(s);
     for (s->terms = 16; s->terms < 2 * edges; s->terms *= 2)
         ;
     s->term = new_array(s->terms, sizeof *s->term);

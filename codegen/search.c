@@ -17,8 +17,11 @@ enum {
     BEAM = 4,
     FORMS = 24,
     RANDOM_TRIES = 200,
-    UNIT = 1500,     /* nodes and edges handled in about a millisecond */
+    UNIT = 1500, /* nodes and edges handled in about a millisecond */
+    PAIRS = 50,  /* pairs of operands looked at in the time of a node */
+    FREE_PAIRS = 20000000,
     SCALES = 12,     /* work of searching a node's scale, in nodes */
+    FIRST = 2000,    /* units for the starting points, whatever the effort */
     SLACK = 2,       /* multiplications that a search of scales may make up for */
     FREE_DEGREE = 64 /* common denominators may raise the degree up to this; of a segment's functions, whose scale is
                       * any length, never beyond the genome's own */
@@ -54,7 +57,7 @@ struct search {
     uint64_t random;
     int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
     double chain;                          /* longest one of the graph at hand, where the cost model asks for it */
-    struct cost_model latency; /* when operands are ready */
+    struct cost_model latency;             /* when operands are ready */
     double work, limit;
     bool explaining; /* the passes print what they made */
 };
@@ -142,6 +145,13 @@ static void count_work(struct search *s, const struct dag *g)
         s->work += 1 + (double)g->node[i].edges;
 }
 
+/* Comparisons of pairs are counted only where they are so many that they take longer than what is counted else. */
+static void count_dear(struct search *s, double pairs)
+{
+    if (pairs > FREE_PAIRS)
+        s->work += (pairs - FREE_PAIRS) / PAIRS;
+}
+
 /* One pass done: its result takes the place of the graph that it was made from. */
 static void step(struct search *s, struct dag **g, struct dag *made, const char *pass)
 {
@@ -172,13 +182,13 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     if (p->join && divides(g))
         step(s, &g, shape_join(g), "one division for several");
     if (p->early) {
-        share_pairs(g);
+        count_dear(s, (double)share_pairs(g));
         step(s, &g, walk_again(g), "early sharing");
     }
     step(s, &g, horner_factor(g, p, record), "Horner");
     s->removing = dag_removed(g);
     s->degree = dag_degree(g);
-    share_pairs(g);
+    count_dear(s, (double)share_pairs(g));
     if (s->explaining)
         explain_graph(s->options->explain, "sharing", g);
     if (s->options->cost.chain)
@@ -194,7 +204,9 @@ static double emit(struct search *s, const struct dag *g, const struct candidate
     struct schedule *schedule = schedule_new(g, &s->options->cost, scales);
     struct emission e;
     emit_statements(s->file, schedule, &e);
+    e.out_of_range |= rational_take_overflow();
     s->work += (scales ? SCALES : 2) * (double)schedule->n;
+    count_dear(s, schedule->work);
     schedule_free(schedule);
     const double sum = operations_cost(&e.ops, &s->options->cost);
     const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
@@ -213,9 +225,10 @@ static double emit(struct search *s, const struct dag *g, const struct candidate
  * looked at any further. */
 static void evaluate(struct search *s, struct candidate *c, struct record *record, double limit)
 {
+    rational_take_overflow();
     struct dag *g = run_passes(s, c, record);
     c->cost = c->estimate = HUGE_VAL;
-    if (s->degree > s->most_degree) {
+    if (rational_take_overflow() || s->degree > s->most_degree) {
         dag_free(g);
         return;
     }
@@ -265,6 +278,7 @@ static void try_policy(struct search *s, size_t shape, const struct policy *p)
 static void try_first(struct search *s)
 {
     static const double preference[] = {0.9, 3, 1000};
+    const double first = s->limit > FIRST * (double)UNIT ? s->limit : FIRST * (double)UNIT;
     for (size_t i = 0; i < s->shapes; i++) {
         const bool quotients = divides(s->shape[i].dag);
         bool dear = false;
@@ -275,7 +289,7 @@ static void try_first(struct search *s)
                                      .combine = form / 6 & 1,
                                      .join = form / 12 & 1};
             const double before = s->work;
-            if ((form >= 6 && !quotients) || (p.dissolve > 0 && dear))
+            if ((form >= 6 && !quotients) || (p.dissolve > 0 && dear) || (s->n > 0 && s->work > first))
                 continue;
             try_policy(s, i, &p);
             dear |= s->work - before > s->limit / 20;
@@ -368,8 +382,9 @@ size_t search_run(struct search *s, struct emission *e)
             best = i;
     if (s->n > 0 && s->work < s->limit)
         anneal(s, &s->beam[best], HOT, s->limit);
-    if (s->options->explain)
+    if (s->options->explain && s->best.text)
         explain(s);
     *e = s->best;
+    e->out_of_range |= !e->text; /* on the way there, in every form */
     return s->removed;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 enum { MOST_TERMS = 600, MOST_PRODUCTS = 6000 };
+enum { MOST_COMBINED = 20000 /* factors of one sum's terms */, MOST_JOINED = 64 /* divisions that become one */ };
 
 /* ---- multiplying out ---- */
 
@@ -125,8 +126,8 @@ struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, str
         else
             product_terms(&w, node, open, &terms);
         const bool plain = node->kind == NODE_PRODUCT && terms.n == 1 && !node->kept;
-        const bool dissolves =
-            plain || (terms.n <= MOST_TERMS && policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0], kin_of(g, node)));
+        const bool dissolves = plain || (terms.n <= MOST_TERMS &&
+                                         policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0], kin_of(g, node)));
         if (dissolves && terms.n > 0)
             add_scaled(&open[n], ONE, &terms);
         w.image[n] = dag_sum(w.to, &terms);
@@ -193,12 +194,22 @@ static void widen(struct edges *list, const struct edges *other)
     }
 }
 
+/* A common denominator of too many factors is not made. */
 static struct fraction add_fractions(struct walk *w, const struct node *n, const struct fraction *f)
 {
     struct fraction sum = {{ZERO, 0}, {0}};
     struct edges terms = {0};
-    for (size_t i = 0; i < n->edges; i++)
+    for (size_t i = 0; i < n->edges && sum.den.n * n->edges <= MOST_COMBINED; i++)
         widen(&sum.den, &f[n->edge[i].node].den);
+    if (sum.den.n * n->edges > MOST_COMBINED) {
+        edges_clear(&sum.den);
+        for (size_t i = 0; i < n->edges; i++) {
+            const struct value v = whole_value(w, &f[n->edge[i].node]);
+            edges_add(&terms, rational_mul(n->edge[i].coef, v.coef), v.node, 1);
+        }
+        sum.num = dag_sum(w->to, &terms);
+        return sum;
+    }
     for (size_t i = 0; i < n->edges; i++) {
         const struct fraction *part = &f[n->edge[i].node];
         struct edges factors = {0};
@@ -322,14 +333,10 @@ static int *division_levels(const struct dag *g)
     return level;
 }
 
-/* The images of all inverses of one level. */
-static void join_level(struct walk *w, const int *level, int at)
+/* The images of some inverses, by one division. */
+static void join_inverses(struct walk *w, struct edges all)
 {
     const struct dag *g = w->from;
-    struct edges all = {0};
-    for (size_t n = 0; n < g->nodes; n++)
-        if (w->uses[n] && level[n] == at && g->node[n].kind == NODE_INVERSE)
-            edges_add(&all, ONE, (int)n, 1);
     struct edges below = {0};
     for (size_t i = 0; i < all.n; i++)
         edges_add(&below, ONE, w->image[g->node[all.edge[i].node].edge[0].node].node, 1);
@@ -344,6 +351,18 @@ static void join_level(struct walk *w, const int *level, int at)
                 edges_add(&factors, ONE, w->image[g->node[all.edge[k].node].edge[0].node].node, 1);
         w->image[all.edge[i].node] = dag_product(w->to, rational_inv(own.coef), &factors);
     }
+}
+
+/* The images of all inverses of one level. */
+static void join_level(struct walk *w, const int *level, int at)
+{
+    const struct dag *g = w->from;
+    struct edges all = {0};
+    for (size_t n = 0; n < g->nodes; n++)
+        if (w->uses[n] && level[n] == at && g->node[n].kind == NODE_INVERSE)
+            edges_add(&all, ONE, (int)n, 1);
+    for (size_t i = 0; i < all.n; i += MOST_JOINED)
+        join_inverses(w, (struct edges){all.edge + i, all.n - i < MOST_JOINED ? all.n - i : MOST_JOINED, 0});
     edges_clear(&all);
 }
 

@@ -1,6 +1,7 @@
 /* Greedy sharing of pairs, for products of factors and for sums of terms alike: the pair that saves most is given a
  * node of its own wherever it occurs, until none occurs twice.  A hash table counts all pairs; each round takes the
- * pairs of the nodes that it rewrites out and puts their new ones in. */
+ * pairs of the nodes that it rewrites out and puts their new ones in.  A heap holds every pair that saves something,
+ * with at least what it saves: what has fallen since is found out when it comes to the top. */
 #include "share.h"
 
 #include "policy.h"
@@ -9,13 +10,21 @@
 #include <string.h>
 
 /* Bounds that keep enormous input to some seconds; MOST_WORK counts pairs and places looked at. */
-enum { MOST_OPERANDS = 150, MOST_PAIRS = 1 << 20, MOST_WORK = 100000000 };
+enum { MOST_OPERANDS = 150, MOST_PAIRS = 1 << 20, MOST_WORK = 100000000, QUEUE_WORK = 10 };
 
 /* A pair of operands a <= b. */
 struct pair {
     int a, b;
     rational ratio; /* sums: coefficient of b over that of a; products: ONE */
     int count;      /* how often it occurs; may be 0 */
+    long queued;    /* greatest saving with which it stands in the heap; 0: it is not there */
+};
+
+/* A pair in the heap. */
+struct entry {
+    long saved;
+    int a, b;
+    rational ratio;
 };
 
 struct sharing {
@@ -25,6 +34,11 @@ struct sharing {
     enum node_kind kind;
     struct pair *pair; /* owned: hash table; a is -1 where it is empty */
     size_t room, n;
+    struct entry *heap; /* owned: the first one saves most */
+    size_t queue, heap_room;
+    bool queues; /* counts that rise go to the heap */
+    int *member; /* owned: the used nodes of that kind */
+    size_t members, member_room;
     size_t work;
 };
 
@@ -60,6 +74,51 @@ static void grow_table(struct sharing *s)
     free(old);
 }
 
+/* Saved by giving a pair a node of its own: in products one multiplication for each occurrence but the first; in sums
+ * one addition, and one multiplication if the ratio is not +-1. */
+static long saving(const struct sharing *s, const struct pair *p)
+{
+    const bool plain = s->kind == NODE_PRODUCT || p->ratio == ONE || p->ratio == MINUS_ONE;
+    return (p->count - 1L) * (plain ? 1 : 2);
+}
+
+static bool precedes(const struct entry *p, const struct entry *q)
+{
+    return p->saved != q->saved ? p->saved > q->saved
+           : p->a != q->a       ? p->a < q->a
+           : p->b != q->b       ? p->b < q->b
+                                : p->ratio < q->ratio;
+}
+
+static void queue_pair(struct sharing *s, struct pair *p)
+{
+    const struct entry e = {saving(s, p), p->a, p->b, p->ratio};
+    if (e.saved <= p->queued)
+        return;
+    p->queued = e.saved;
+    grow_array(&s->heap, s->queue, &s->heap_room, sizeof *s->heap);
+    size_t i = s->queue++;
+    for (; i > 0 && precedes(&e, &s->heap[(i - 1) / 2]); i = (i - 1) / 2)
+        s->heap[i] = s->heap[(i - 1) / 2];
+    s->heap[i] = e;
+}
+
+/* Takes the first entry off the heap. */
+static struct entry next_entry(struct sharing *s)
+{
+    const struct entry first = s->heap[0], last = s->heap[--s->queue];
+    size_t i = 0;
+    for (size_t k = 1; k < s->queue; k = 2 * i + 1) {
+        k += k + 1 < s->queue && precedes(&s->heap[k + 1], &s->heap[k]);
+        if (!precedes(&s->heap[k], &last))
+            break;
+        s->heap[i] = s->heap[k];
+        i = k;
+    }
+    s->heap[i] = last;
+    return first;
+}
+
 static void count_pair(struct sharing *s, const struct edge *x, const struct edge *y, int count)
 {
     const bool swap = x->node > y->node;
@@ -69,56 +128,56 @@ static void count_pair(struct sharing *s, const struct edge *x, const struct edg
         grow_table(s);
     struct pair *p = &s->pair[place_of(s, first->node, second->node, ratio)];
     if (p->a < 0) {
-        *p = (struct pair){first->node, second->node, ratio, 0};
+        *p = (struct pair){first->node, second->node, ratio, 0, 0};
         s->n++;
     }
     p->count += count;
+    if (s->queues && count > 0)
+        queue_pair(s, p);
 }
 
-/* The pairs of a node come (sign 1) or go (-1).  A factor may be paired with itself. */
-static void count_node(struct sharing *s, const struct node *node, int sign)
+/* The pairs of a node come (sign 1) or go (-1): those with one of the operands a, b, c, or all of them if a is -1.  A
+ * factor may be paired with itself. */
+static void count_node(struct sharing *s, const struct node *node, int a, int b, int c, int sign)
 {
     if (node->kind != s->kind || node->edges > MOST_OPERANDS)
         return;
-    s->work += node->edges * node->edges;
     for (size_t i = 0; i < node->edges; i++) {
         const struct edge *x = &node->edge[i];
-        if (s->kind == NODE_PRODUCT && x->power > 1)
+        const bool all = a < 0 || x->node == a || x->node == b || x->node == c;
+        s->work += all ? 2 * node->edges : node->edges / 4;
+        if (all && s->kind == NODE_PRODUCT && x->power > 1)
             count_pair(s, x, x, sign * (x->power / 2));
-        for (size_t j = i + 1; j < node->edges; j++)
-            count_pair(s, x, &node->edge[j], sign * (x->power < node->edge[j].power ? x->power : node->edge[j].power));
-    }
-}
-
-/* Saved by giving a pair a node of its own: in products one multiplication for each occurrence but the first; in sums
- * one addition, and one multiplication if the ratio is not +-1. */
-static long saving(const struct sharing *s, const struct pair *p)
-{
-    const bool plain = s->kind == NODE_PRODUCT || p->ratio == ONE || p->ratio == MINUS_ONE;
-    return (p->count - 1L) * (plain ? 1 : 2);
-}
-
-static bool precedes(const struct pair *p, const struct pair *q)
-{
-    return p->a != q->a ? p->a < q->a : p->b != q->b ? p->b < q->b : p->ratio < q->ratio;
-}
-
-static const struct pair *best_pair(struct sharing *s)
-{
-    const struct pair *best = NULL;
-    long most = 0;
-    s->work += s->room;
-    for (size_t i = 0; i < s->room; i++) {
-        const struct pair *p = &s->pair[i];
-        if (p->a < 0 || p->count < 2)
-            continue;
-        const long saved = saving(s, p);
-        if (saved > most || (saved == most && precedes(p, best))) {
-            most = saved;
-            best = p;
+        for (size_t j = i + 1; j < node->edges; j++) {
+            const struct edge *y = &node->edge[j];
+            if (all || y->node == a || y->node == b || y->node == c)
+                count_pair(s, x, y, sign * (x->power < y->power ? x->power : y->power));
         }
     }
-    return best;
+}
+
+/* The pair that saves most, off the heap; false if none saves anything. */
+static bool best_pair(struct sharing *s, struct pair *best)
+{
+    while (s->queue > 0) {
+        const struct entry e = next_entry(s);
+        struct pair *p = &s->pair[place_of(s, e.a, e.b, e.ratio)];
+        s->work += QUEUE_WORK;
+        if (p->a < 0 || e.saved != p->queued)
+            continue; /* it stands there again */
+        p->queued = 0;
+        *best = *p;
+        if (saving(s, p) == e.saved)
+            return true;
+        queue_pair(s, p);
+    }
+    return false;
+}
+
+static void add_member(struct sharing *s, int node)
+{
+    grow_array(&s->member, s->members, &s->member_room, sizeof *s->member);
+    s->member[s->members++] = node;
 }
 
 static int new_pair_node(struct sharing *s, const struct pair *p)
@@ -169,38 +228,48 @@ static void use_pair(struct sharing *s, int user, const struct pair *p, int coun
 
 static void share_pair(struct sharing *s, struct pair p)
 {
-    const size_t nodes = s->dag->nodes;
+    const size_t members = s->members;
     const int part = new_pair_node(s, &p);
-    for (size_t n = 0; n < nodes; n++) {
+    add_member(s, part);
+    for (size_t i = 0; i < members; i++) {
+        const int n = s->member[i];
         const struct node *node = &s->dag->node[n];
-        s->work += node->edges;
-        if (!s->used[n] || node->kind != s->kind || node->edges > MOST_OPERANDS)
-            continue;
-        const int count = fits(s, node, &p);
+        s->work += 1 + node->edges;
+        const int count = node->edges > MOST_OPERANDS ? 0 : fits(s, node, &p);
         if (count == 0)
             continue;
-        count_node(s, node, -1);
-        use_pair(s, (int)n, &p, count, part);
-        count_node(s, &s->dag->node[n], 1);
+        const int a = node->edges < MOST_OPERANDS ? p.a : -1; /* one more, and none of its pairs counts any more */
+        count_node(s, node, a, p.b, part, -1);
+        use_pair(s, n, &p, count, part);
+        count_node(s, &s->dag->node[n], a, p.b, part, 1);
     }
-    count_node(s, &s->dag->node[part], 1);
+    count_node(s, &s->dag->node[part], -1, -1, -1, 1);
 }
 
 static void share_kind(struct sharing *s, enum node_kind kind)
 {
-    const struct pair *best;
+    struct pair best;
     s->kind = kind;
-    s->work = 0;
+    s->work = s->queue = 0;
+    s->queues = false;
     clear_table(s, 256);
-    for (size_t n = 0; n < s->dag->nodes && s->n < MOST_PAIRS; n++)
-        if (s->used[n])
-            count_node(s, &s->dag->node[n], 1);
-    while (s->work < MOST_WORK && (best = best_pair(s)))
-        share_pair(s, *best);
+    s->members = 0;
+    for (size_t n = 0; n < s->dag->nodes; n++)
+        if (s->used[n] && s->dag->node[n].kind == kind)
+            add_member(s, (int)n);
+    for (size_t i = 0; i < s->members && s->n < MOST_PAIRS; i++)
+        count_node(s, &s->dag->node[s->member[i]], -1, -1, -1, 1);
+    for (size_t i = 0; i < s->room; i++)
+        if (s->pair[i].a >= 0)
+            queue_pair(s, &s->pair[i]);
+    s->queues = true;
+    while (s->work < MOST_WORK && best_pair(s, &best))
+        share_pair(s, best);
 }
 
-void share_pairs(struct dag *g)
+size_t share_pairs(struct dag *g)
 {
+    size_t work;
     struct sharing s = {.dag = g};
     int *uses = dag_uses(g);
     s.used = new_array(g->nodes, sizeof *s.used);
@@ -208,10 +277,15 @@ void share_pairs(struct dag *g)
     for (size_t n = 0; n < g->nodes; n++)
         s.used[n] = uses[n] > 0;
     share_kind(&s, NODE_PRODUCT);
+    work = s.work;
     share_kind(&s, NODE_SUM);
+    work += s.work;
     free(uses);
     free(s.used);
     free(s.pair);
+    free(s.heap);
+    free(s.member);
+    return work;
 }
 
 void share_multiples(struct dag *g)

@@ -159,7 +159,7 @@ static bool multiply(struct builder *b, bool divide)
         fmpq_inv(second->coef, second->coef);
         second->flip = !second->flip;
     }
-    fmpq_mul(second->coef, second->coef, first->coef);
+    rational_scale(second->coef, first->coef);
     merge(second, first);
     b->depth--;
     return true;
@@ -197,7 +197,8 @@ static bool fold(int gene, struct value x, struct value y, struct value *v)
     return true;
 }
 
-static void apply_function(struct builder *b, int gene)
+/* False for the square root of a negative constant. */
+static bool apply_function(struct builder *b, int gene)
 {
     static const enum node_kind kind[GENE_OPERATORS] = {[GENE_PDIV] = NODE_PDIV,
                                                         [GENE_MIN] = NODE_MIN,
@@ -210,6 +211,7 @@ static void apply_function(struct builder *b, int gene)
     if (!fold(gene, x, y, &v))
         v = dag_function(b->dag, kind[gene], x, y);
     push_value(b, v);
+    return gene != GENE_SQRT || x.node != 0 || rational_sign(x.coef) >= 0;
 }
 
 static bool build(struct builder *b, const struct genome_expr *e, struct value *v, struct diag *d)
@@ -231,8 +233,9 @@ static bool build(struct builder *b, const struct genome_expr *e, struct value *
         } else if (gene == GENE_DIV) {
             if (!multiply(b, true))
                 return diag_at(d, b->file->path, e->line, 1, "'%s' divides by a value that is always 0", e->name);
-        } else
-            apply_function(b, gene);
+        } else if (!apply_function(b, gene))
+            return diag_at(d, b->file->path, e->line, 1,
+                           "'%s' takes the square root of a value that is always negative", e->name);
     }
     *v = pop_value(b);
     return true;
@@ -296,6 +299,9 @@ struct dag *simplify_genome(const struct genome_file *f, const struct genome *ge
     free(b.symbol);
     free(b.stack);
     free(references);
+    if (rational_take_overflow() && good)
+        good = diag_at(d, f->path, genome->line, 1, "genome '%s' needs a constant out of the range of double",
+                       genome->name);
     if (good)
         return b.dag;
     dag_free(b.dag);

@@ -173,13 +173,17 @@ static bool exact_values(struct program *p, int op, const double *input, arb_ptr
     return good;
 }
 
-/* A box inside the ranges. */
+/* A box inside the ranges; often one that ends at 0, which may have a sign. */
 static void random_box(const struct region *r, uint64_t *seed, struct interval *box)
 {
     for (size_t k = 0; k < r->variables; k++) {
         const struct interval range = r->range[r->input[k]];
         const double a = inside(range, seed), b = inside(range, seed), shrink = random_next(seed) % 2 ? 1 : 1e-3;
         box[k] = (struct interval){fmin(a, a + shrink * (b - a)), fmax(a, a + shrink * (b - a))};
+        if (range.lo <= 0 && range.hi >= 0 && random_next(seed) % 3 == 0) {
+            const double zero = random_next(seed) % 2 ? 0.0 : -0.0;
+            box[k] = box[k].hi > 0 ? (struct interval){zero, box[k].hi} : (struct interval){box[k].lo, zero};
+        }
     }
 }
 

@@ -65,6 +65,29 @@ lets fibonacci-product '0 1' 2000 x y '* a b'
 lets fibonacci-quotient '0 1' 2000 x y '/ 1 + a b'
 lets fibonacci-minimum '0 1' 2000 x y 'min a + 1 b'
 lets chain '0 1' 100000 x y '+ y * a z'
+lets power-of-sum '0' 65 '+ x 1' '+ x 1' '* a a'
+
+# A full binary tree of quotients of both kinds, and many outputs over many inputs.
+awk 'function tree(d) { if (d == 0) return substr("x y z", 1 + 2 * (n++ * 7 % 3), 1)
+                        return (++n * 5 % 3 ? "% " : "/ ") tree(d - 1) " " tree(d - 1) }
+     BEGIN { print "genome g"; print "r = " tree(11) }' | genome tree-of-quotients
+ends tree-of-quotients '0 1'
+outputs() { # outputs NAME DEPTH OPERATORS: 200 trees of these operators over 200 inputs
+    awk -v depth="$2" -v operators="$3" '
+        function random(k) { seed = (seed * 16807) % 2147483647; return seed % k }
+        function tree(d) { return d ? operator[1 + random(n)] " " tree(d - 1) " " tree(d - 1) : "x" random(200) }
+        BEGIN { seed = 1; n = split(operators, operator, " "); printf "footpoint-genome 1\ninput"
+                for (i = 0; i < 200; i++) printf " x%d", i; print "\ngenome g"
+                for (i = 0; i < 200; i++) print "o" i " = " tree(depth); print "end" }' > "$work/$1.gen"
+    ends "$1" '0 1'
+}
+outputs outputs-polynomial 6 '+ * -'
+outputs outputs-rational 4 '+ * - /'
+outputs outputs-protected 4 '+ * %'
+awk 'BEGIN { printf "footpoint-genome 1\ninput"; for (i = 0; i < 200; i++) printf " x%d", i; print "\ngenome g"
+    for (i = 0; i < 200; i++) { printf "o%d =", i; for (k = 0; k < 199; k++) printf " + * %d x%d", (i * k) % 97 + 2, k; print " x199" }
+    print "end" }' > "$work/matrix.gen"
+ends matrix '0'
 
 # Many inputs, outputs and names.
 numbered() { awk -v from="$1" -v to="$2" -v f="$3" 'BEGIN { for (i = from; i < to; i++) printf f, i, i, i }'; }

@@ -1,0 +1,18 @@
+# Operations of the functions of scalars, or of a segment, in a generated header, counted from its text alone: a line
+# mul,div,add,sqrt,compare for each.  A minus that begins an expression is a sign, a quotient of two numbers a number.
+/^FOOTPOINT_FN/ { body = ""; reading = 0; detail = /footpoint_detail_/ }
+/^}/ { if (body != "") count(body); body = ""; reading = 0 }
+/^    (const (double|float) [tu][0-9]+ = |\*(out_[A-Za-z0-9_]+|xi|eta) = )/ { reading = 1; sub(/^[^=]*= /, "= ") }
+reading { body = body $0 " "; if (/;$/) reading = 0 }
+
+function count(text,  mul, div, add, root, compare) {
+    gsub(/ +/, " ", text)
+    gsub(/\([0-9.]+ \/ [0-9.]+\)/, "1.0", text)
+    root = gsub(/sqrtf?\(/, "(", text)
+    compare = gsub(/fabsf?\(/, "(", text) + gsub(/ (<|>|==) /, " ", text)
+    gsub(/[=(?:] *-/, "=", text)
+    mul = gsub(/ \* /, " ", text)
+    div = gsub(/ \/ /, " ", text)
+    add = gsub(/ [-+] /, " ", text)
+    print mul "," div "," add "," root "," compare
+}
