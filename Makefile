@@ -44,6 +44,7 @@ CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA
 codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
 evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c keeper.c loop.c resume.c run.c)
 evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c))
+pga_mpi     := evolve/pga_main.c evolve/migrate.c
 genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c
 runtime_lib := $(wildcard runtime/*.c)
 test_main   := $(wildcard tests/test_*.c)
@@ -70,7 +71,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -MMD -MP -c $< -o $@
 
-$(call object,evolve/evolve_main.c $(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
+$(call object,evolve/evolve_main.c evolve/pga_main.c $(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
 
 # New flags rebuild everything.
 $(OBJ)/flags: FORCE
@@ -87,7 +88,7 @@ GENERATED := $(sort $(wildcard generated/*.h))
 
 all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
-evolve: $(BIN)/footpoint-evolve
+evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga
 runtime: $(LIB).a $(LIB).so
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
@@ -101,6 +102,10 @@ $(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_calibrate)
 
 $(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evolve_lib) $(genome_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
+
+$(BIN)/footpoint-pga: $(call object,$(pga_mpi) $(evolve_lib) $(genome_lib))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
 
@@ -176,13 +181,8 @@ calibrate: calibrate-program ## measure this machine's operation costs, build/ma
 report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report.sh build/report
 
-paper: codegen evolve $(BIN)/tests/test_calibration ## the paper's data set and pd-LinearGP on its own inputs: GENERATIONS= (the paper: 3000)
-	$(Q)mkdir -p build/paper
-	$(Q)CMOCKA_MESSAGE_OUTPUT=TAP $(BIN)/tests/test_calibration
-	$(Q)$(MPIRUN) $(BIN)/footpoint-evolve --preset paper --scene tests/scenes/similarity.scene --generations $(GENERATIONS) \
-	    --seed $(SEED) --from-scratch -o build/paper/similarity.gen
-	$(Q)grep -E '^(genome|note heldout)' build/paper/similarity.gen
-	$(Q)$(BIN)/footpoint-codegen --count build/paper/similarity.gen
+paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's tables and figures, build/paper/index.html (half an hour; goes on if interrupted): RANKS= FULL=1 (the paper's size)
+	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN)' FULL=$(FULL) sh tests/paper.sh build/paper
 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
@@ -207,7 +207,7 @@ install: runtime codegen evolve ## install library, headers and tools under PREF
 	install -m 644 runtime/footpoint.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(GENERATED) $(DESTDIR)$(PREFIX)/include/footpoint
 	install -m 644 $(LIB).a $(LIB).so $(DESTDIR)$(PREFIX)/lib
-	install -m 755 $(BIN)/footpoint-codegen $(BIN)/footpoint-evolve $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(BIN)/footpoint-codegen $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(DESTDIR)$(PREFIX)/bin
 
 clean: ## remove everything that was built
 	rm -rf build

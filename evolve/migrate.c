@@ -67,6 +67,15 @@ int *team_pass(const struct team *t, int from, const int *number, size_t *n)
     return copy;
 }
 
+void team_collect(const struct team *t, double *number, size_t n)
+{
+    double *own = new_array(n, sizeof *own);
+    for (size_t i = (size_t)t->rank; i < n; i += (size_t)t->size)
+        own[i] = number[i];
+    CHECK(MPI_Reduce(own, number, (int)n, MPI_DOUBLE, MPI_SUM, 0, t->comm));
+    free(own);
+}
+
 size_t sea_islands(const struct sea *s)
 {
     return s->rings * s->places;

@@ -27,6 +27,9 @@ char *team_tell(const struct team *t, const char *text, size_t bytes);
 /** Collective: copy of rank `from`'s n numbers on all ranks, owned by the caller; *n and number count on that rank. */
 int *team_pass(const struct team *t, int from, const int *number, size_t *n);
 
+/** Collective: number[i], i < n, as rank i mod size has it, on rank 0; the others' arrays stay.  None is -0. */
+void team_collect(const struct team *t, double *number, size_t n);
+
 /** All islands of a run.  Ring r holds the islands r * places .. r * places + places - 1. */
 struct sea {
     size_t rings, places;
