@@ -6,7 +6,7 @@ export OMPI_MCA_btl_base_warn_component_unused=0
 mpirun="mpirun -q --oversubscribe"
 [ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
 cp tests/scenes/small.scene "$work/"
-generations=2000
+generations=1000
 options="--scene $work/small.scene --seed 5 --from-scratch --islands 3 --population 60 --quiet --generations $generations"
 $mpirun -n 2 "$evolve" $options -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
 [ -s "$work/whole.gen" ]; report $((! $?)) 'a run without interruption'
@@ -40,6 +40,10 @@ while [ $kills -lt 20 ] && [ $((tries += 1)) -le 60 ]; do
     fi
     $mpirun -n $ranks "$evolve" "$@" > /dev/null 2>&1 &
     pid=$!
+    for wait in $(seq 600); do # seeds grow before the first checkpoint
+        [ -e "$work/ck" ] && break
+        sleep 0.1
+    done
     sleep "$(random $tries 1500 | awk '{ print 0.4 + $1 / 1000 }')"
     victims=$(ranks_of $pid)
     if [ $((kills % 2)) = 0 ]; then
