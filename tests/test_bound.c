@@ -467,6 +467,8 @@ static void check_genome(const struct genome_file *f, size_t k)
     struct evidence *e = evidence_new(f, &f->genome[k], p, &(struct evidence_options){.samples = 100, .boxes = 2000});
     struct subject s = subject_new(text, p);
     for (size_t i = 0; i < p->outputs; i++) {
+        if (e->error[i].bound == INFINITY)
+            continue; /* nothing is claimed */
         const double worst = worst_error(&s, i);
         print_message("%s %s: bound %g, worst error %g\n", f->path, f->genome[k].name, e->error[i].bound, worst);
         assert_true(!(worst > e->error[i].bound));
