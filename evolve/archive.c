@@ -4,7 +4,6 @@
 
 #include "decimal.h"
 #include "frame.h"
-#include "frame_cost.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -106,6 +105,7 @@ void archive_free(struct archive *a)
     free(a->front);
     free(a->old);
     free(a->bare);
+    frame_cost_free(a->frame);
     genome_file_free(a->start);
     genome_file_free(a->program);
     free(a);
@@ -185,13 +185,10 @@ size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t ma
 static double cost_of(const struct archive *a, const struct plan *plan, const struct tree *t,
                       const struct genome_constant *constant)
 {
-    struct frame_cost *frame = frame_cost_new(a->program, &plan->prices);
-    const double values = frame_cost_of(frame, t);
-    frame_cost_free(frame);
     struct counter *c = counter_new(t->length);
     const struct operations o = operations_count(c, t, constant);
     counter_free(c);
-    return operations_price(&o, &plan->prices) + values;
+    return operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
 }
 
 static void judge_champion(struct archive *a, const struct plan *plan, struct judge *exact, size_t tier, int output)
@@ -224,6 +221,7 @@ static void found_fronts(struct archive *a, const struct plan *plan, struct judg
 void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length)
 {
     struct judge *exact = judge_new(a->program, j->table, j->norm);
+    a->frame = frame_cost_new(a->program, &plan->prices);
     a->front = new_array(a->scene->tiers, sizeof *a->front);
     a->old = new_array(a->scene->tiers, sizeof *a->old);
     for (size_t i = 0; i < a->scene->tiers; i++)

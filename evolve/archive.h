@@ -4,6 +4,7 @@
 #define FOOTPOINT_ARCHIVE_H
 
 #include "errors.h"
+#include "frame_cost.h"
 #include "front.h"
 #include "judge.h"
 #include "plan.h"
@@ -45,6 +46,7 @@ struct archive {
     struct champion (*champion)[2]; /* owned: for each tier xi and eta */
     struct seedling *seed;          /* owned */
     size_t seeds, seed_room;
+    struct frame_cost *frame;  /* owned; NULL before archive_judge */
     struct front *(*front)[2]; /* owned: for each tier xi and eta; NULL before archive_judge */
     struct front *(*old)[2];   /* owned: the start file and the seeds alone */
 };

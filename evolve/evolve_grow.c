@@ -3,14 +3,20 @@
 #include "evolve_grow.h"
 
 #include "frame.h"
+#include "greedy.h"
 #include "grow.h"
 #include "progress.h"
 
 #include <stdlib.h>
 
-enum { GROWN_COST = 128 }; /* operations of the largest, by the prices of growth */
+enum {
+    GROWN_COST = 128, /* operations of the largest, by the prices of growth */
+    GREEDY_DEGREE = 3,
+    GREEDY_TERMS = 60
+};
 
-enum kind { POLYNOMIALS, QUOTIENTS };
+/* GREEDY: monomials selected one by one, the plain fit that all else must beat; the others grow terms anywhere. */
+enum kind { GREEDY, POLYNOMIALS, QUOTIENTS };
 
 struct job {
     size_t tier;
@@ -32,11 +38,6 @@ static bool has_quotients(const struct gene_set *s)
     return false;
 }
 
-static size_t max_length(const struct run *r, size_t tier)
-{
-    return r->options->max_length ? r->options->max_length : r->scene->tier[tier].max_length;
-}
-
 static void add_job(struct jobs *jobs, struct job job)
 {
     grow_array(&jobs->job, jobs->n, &jobs->room, sizeof *jobs->job);
@@ -49,11 +50,11 @@ static struct jobs all_jobs(const struct run *r)
     for (size_t tier = 0; tier < r->scene->tiers; tier++)
         for (int output = 0; output < 2; output++) {
             struct tree *seed;
-            const size_t seeds = archive_seeds(r->archive, tier, output, max_length(r, tier), &seed);
-            const int kinds = has_quotients(&r->genes[tier]) ? 2 : 1;
-            for (int kind = 0; kind < kinds; kind++) {
+            const size_t seeds = archive_seeds(r->archive, tier, output, run_max_length(r, tier), &seed);
+            const int last = has_quotients(&r->genes[tier]) ? QUOTIENTS : POLYNOMIALS;
+            for (int kind = GREEDY; kind <= last; kind++) {
                 add_job(&jobs, (struct job){tier, output, (enum kind)kind, {NULL, 0}});
-                if (seeds > 0)
+                if (seeds > 0 && kind != GREEDY)
                     add_job(&jobs, (struct job){tier, output, (enum kind)kind, seed[0]});
             }
             free(seed);
@@ -65,11 +66,15 @@ static struct jobs all_jobs(const struct run *r)
 static int *do_job(const struct run *r, const struct job *job, size_t *numbers)
 {
     const struct gene_set *genes = &r->genes[job->tier];
-    const struct grow_plan plan = grow_plan_new(genes->symbol, genes->symbols, GROWN_COST, max_length(r, job->tier));
+    const size_t longest = run_max_length(r, job->tier);
+    const struct grow_plan plan = grow_plan_new(genes->symbol, genes->symbols, GROWN_COST, longest);
+    const struct greedy_plan greedy = {genes->symbol, genes->symbols, GREEDY_DEGREE, GREEDY_TERMS, longest};
     const size_t target = frame_target(r->archive->program, job->output);
     const struct tree *base = job->base.length > 0 ? &job->base : NULL;
     struct seeds found = {.prices = r->plan.prices};
-    if (job->kind == QUOTIENTS)
+    if (job->kind == GREEDY)
+        greedy_polynomials(&greedy, r->judge, target, &found);
+    else if (job->kind == QUOTIENTS)
         grow_quotients(&plan, r->judge, target, base, &found);
     else
         grow_polynomials(&plan, r->judge, target, base, &found);
@@ -91,7 +96,7 @@ static void keep(struct run *r, const struct job *job, int *number, size_t numbe
 {
     for (int *at = number; at < number + numbers; at += 1 + at[0]) {
         const struct tree t = {at + 1, (size_t)at[0]};
-        if (t.length <= max_length(r, job->tier))
+        if (t.length <= run_max_length(r, job->tier))
             archive_add_seed(r->archive, (long)job->tier, job->output, &t);
     }
 }

@@ -4,7 +4,7 @@
 
 #include "evolve_run.h"
 
-/** Collective: polynomials, and quotients where the genes have them, from nothing and from the champion, become seeds
+/** Collective: greedy polynomials, grown polynomials and, where the genes have them, grown quotients become seeds
  *  of the archive; the same on any number of ranks. */
 void evolve_grow(struct run *r);
 

@@ -164,7 +164,7 @@ static void found_rings(struct run *r)
     for (size_t i = 0; i < outputs; i++)
         if (o->generations > 0 || r->archive->champion[i / 2][i % 2].tree.length == 0) {
             r->quest[s->rings] = (struct quest){i / 2, (int)(i % 2)};
-            s->max_length[s->rings++] = o->max_length ? o->max_length : r->scene->tier[i / 2].max_length;
+            s->max_length[s->rings++] = run_max_length(r, i / 2);
         }
     s->owner = new_array(s->rings * s->places, sizeof *s->owner);
     s->island = new_array(s->rings * s->places, sizeof(struct island *));
@@ -176,6 +176,11 @@ static void found_rings(struct run *r)
 static bool starts_at_random(const struct run *r, size_t place)
 {
     return r->sea.places > 1 && place == r->sea.places - 1;
+}
+
+size_t run_max_length(const struct run *r, size_t tier)
+{
+    return r->options->max_length ? r->options->max_length : r->scene->tier[tier].max_length;
 }
 
 size_t run_ring(const struct run *r, size_t ring)

@@ -44,6 +44,9 @@ struct run {
 bool run_evolution(const struct evolve_options *o, const struct team *team, const struct resume *resume, double begun,
                    int *status, struct diag *d);
 
+/** Genes of the longest expression of a tier. */
+size_t run_max_length(const struct run *r, size_t tier);
+
 /** The ring's key in random streams. */
 size_t run_ring(const struct run *r, size_t ring);
 
