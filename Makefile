@@ -202,12 +202,12 @@ deps deps-long: ## install the packages that are missing (Debian; deps-long: for
 	    $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo apt-get install -y -qq $$missing; \
 	fi
 
-install: runtime codegen evolve ## install library, headers and tools under PREFIX=
+install: runtime codegen evolve calibrate-program ## install library, headers and tools under PREFIX=
 	install -d $(DESTDIR)$(PREFIX)/include/footpoint $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/bin
 	install -m 644 runtime/footpoint.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(GENERATED) $(DESTDIR)$(PREFIX)/include/footpoint
 	install -m 644 $(LIB).a $(LIB).so $(DESTDIR)$(PREFIX)/lib
-	install -m 755 $(BIN)/footpoint-codegen $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga) $(DESTDIR)$(PREFIX)/bin
 
 clean: ## remove everything that was built
 	rm -rf build

@@ -1,6 +1,7 @@
-/* Diagnostics, memory and whole-file output; see base.h. */
+/* Diagnostics, values of options, memory and whole-file output; see base.h. */
 #include "base.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <sha256.h>
 #include <stdint.h>
@@ -24,6 +25,22 @@ bool diag_at(struct diag *d, const char *file, int line, int column, const char 
     d->code = EXIT_INPUT;
     snprintf(d->text, sizeof d->text, "%.210s: error: %.280s", where, what);
     return false;
+}
+
+bool text_whole(const char *text, unsigned long long *value)
+{
+    char *rest;
+    errno = 0;
+    *value = strtoull(text, &rest, 10);
+    return isdigit((unsigned char)text[0]) && !*rest && errno == 0;
+}
+
+int text_word(const char *text, const char *const *words)
+{
+    for (int i = 0; words[i]; i++)
+        if (strcmp(text, words[i]) == 0)
+            return i;
+    return -1;
 }
 
 bool diag_system(struct diag *d, const char *file, const char *what)

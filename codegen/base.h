@@ -1,5 +1,5 @@
-/* What every tool of the project shares: one-line diagnostics, the memory gateway, and files that are written whole or
- * not at all.  A leaf: C library only. */
+/* What every tool of the project shares: one-line diagnostics, values of options, the memory gateway, and files that
+ * are written whole or not at all.  A leaf: C library only. */
 #ifndef FOOTPOINT_BASE_H
 #define FOOTPOINT_BASE_H
 
@@ -26,6 +26,12 @@ bool diag_at(struct diag *d, const char *file, int line, int column, const char 
 
 /** The same for a failed system call on a file: "file: error: what: strerror(errno)", code EXIT_SYSTEM. */
 bool diag_system(struct diag *d, const char *file, const char *what);
+
+/** The value of a text of digits; false if it is anything else, or 2^64 and more. */
+bool text_whole(const char *text, unsigned long long *value);
+
+/** Index of a word among `words`, which NULL ends; -1: it is none of them. */
+int text_word(const char *text, const char *const *words);
 
 /** Zeroed array of n elements; on lack of memory prints one line and exits with EXIT_SYSTEM. Free with free(). */
 void *new_array(size_t n, size_t size);

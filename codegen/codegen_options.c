@@ -2,9 +2,7 @@
 #include "codegen_options.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <getopt.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,24 +62,6 @@ static bool is_identifier(const char *name)
     return true;
 }
 
-/* A decimal number from 0 to `most`. */
-static bool read_number(const char *text, unsigned long most, unsigned long *n)
-{
-    char *rest;
-    errno = 0;
-    *n = isdigit((unsigned char)*text) ? strtoul(text, &rest, 10) : 0;
-    return isdigit((unsigned char)*text) && !*rest && errno == 0 && *n <= most;
-}
-
-/* Index of a word among n, or -1. */
-static int find_word(const char *word, const char *const *words, int n)
-{
-    for (int i = 0; i < n; i++)
-        if (strcmp(word, words[i]) == 0)
-            return i;
-    return -1;
-}
-
 enum { COUNT = 256, PREFIX, VERSION, LANGUAGE, PRECISION, POLES, COST, EFFORT, SEED, EXPLAIN };
 
 static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
@@ -101,11 +81,11 @@ static const struct option long_options[] = {{"output", required_argument, NULL,
 /* One option with its argument. */
 static bool read_option(int option, const char *argument, struct codegen_options *o, int *status)
 {
-    static const char *const languages[] = {"c", "fortran", "infix", "latex"}, *const precisions[] = {"double",
-                                                                                                      "float"};
+    static const char *const languages[] = {"c", "fortran", "infix", "latex", NULL};
+    static const char *const precisions[] = {"double", "float", NULL};
     struct compile_options *compile = &o->unit.compile;
     struct diag d;
-    unsigned long number;
+    unsigned long long number;
     int word;
     switch (option) {
     case 'o':
@@ -117,12 +97,12 @@ static bool read_option(int option, const char *argument, struct codegen_options
         snprintf(o->prefix, sizeof o->prefix, "%s", argument);
         return true;
     case LANGUAGE:
-        if ((word = find_word(argument, languages, 4)) < 0)
+        if ((word = text_word(argument, languages)) < 0)
             return refuse("unknown language: ", argument, status);
         o->language = (enum language)word;
         return true;
     case PRECISION:
-        if ((word = find_word(argument, precisions, 2)) < 0)
+        if ((word = text_word(argument, precisions)) < 0)
             return refuse("unknown precision: ", argument, status);
         o->unit.precision = (enum precision)word;
         return true;
@@ -136,13 +116,15 @@ static bool read_option(int option, const char *argument, struct codegen_options
         *status = (int)d.code;
         return false;
     case EFFORT:
-        if (!read_number(argument, 1000000000, &number))
+        if (!text_whole(argument, &number) || number > 1000000000)
             return refuse("effort is a number from 0 to 1000000000, not ", argument, status);
         compile->effort = (long)number;
         return true;
     case SEED:
-        return read_number(argument, ULONG_MAX, &compile->seed) ||
-               refuse("the seed is a number from 0 to 18446744073709551615, not ", argument, status);
+        if (!text_whole(argument, &number))
+            return refuse("the seed is a number from 0 to 18446744073709551615, not ", argument, status);
+        compile->seed = number;
+        return true;
     case EXPLAIN:
         compile->explain = stderr;
         return true;

@@ -7,6 +7,7 @@
 #include "grow.h"
 #include "progress.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -101,18 +102,33 @@ static void keep(struct run *r, const struct job *job, int *number, size_t numbe
     }
 }
 
+/* Why no other job should begin: a signal, or less time left than one of `job` seconds and the end may take, which is
+ * reckoned as long as the beginning until growth `started`. */
+static enum stop_reason must_end(const struct run *r, double started, double job)
+{
+    const double needed = seconds_now() - r->begun + job + (started - r->begun);
+    if (stop_noted() != STOP_DONE)
+        return stop_noted();
+    return r->options->time_limit > 0 && needed >= r->options->time_limit ? STOP_TIME : STOP_DONE;
+}
+
 void evolve_grow(struct run *r)
 {
     struct jobs jobs = all_jobs(r);
     const size_t ranks = (size_t)r->team->size, rank = (size_t)r->team->rank;
+    const double started = seconds_now();
+    double longest = 0;
     int **found = new_array(jobs.n, sizeof *found);
     size_t *numbers = new_array(jobs.n, sizeof *numbers);
-    for (size_t i = rank; i < jobs.n; i += ranks) {
+    for (size_t i = rank; i < jobs.n && (r->reason = must_end(r, started, longest)) == STOP_DONE; i += ranks) {
+        const double begun = seconds_now();
         char text[64];
         snprintf(text, sizeof text, "growing seeds, %zu of %zu ...", i + 1, jobs.n);
         progress_phase(rank == 0 && !r->options->quiet, text);
         found[i] = do_job(r, &jobs.job[i], &numbers[i]);
+        longest = fmax(longest, seconds_now() - begun);
     }
+    r->reason = (enum stop_reason)team_most(r->team, (int)r->reason);
     for (size_t i = 0; i < jobs.n; i++) {
         int *number = team_pass(r->team, (int)(i % ranks), found[i], &numbers[i]);
         keep(r, &jobs.job[i], number, numbers[i]);

@@ -5,7 +5,8 @@
 #include "evolve_run.h"
 
 /** Collective: greedy polynomials, grown polynomials and, where the genes have them, grown quotients become seeds
- *  of the archive; the same on any number of ranks. */
+ *  of the archive; the same on any number of ranks.  If a signal or the time limit ends growth before all are there,
+ *  r->reason says so. */
 void evolve_grow(struct run *r);
 
 #endif

@@ -232,7 +232,8 @@ static void board(struct loop *l)
 
 bool evolve_islands(struct run *r, struct diag *d)
 {
-    struct loop l = {.run = r, .base = r->generation, .done = r->generation, .end = r->options->generations};
+    const size_t end = r->reason == STOP_DONE ? r->options->generations : r->generation;
+    struct loop l = {.run = r, .base = r->generation, .done = r->generation, .end = end};
     const bool good = keeper_open(&l.keeper, r, d);
     if (!team_agree(r->team, good, d)) {
         run_log_close(&l.keeper.log);

@@ -3,7 +3,6 @@
 #include "evolve_options.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,14 +93,12 @@ static const void *member_of(const struct evolve_options *o, const struct entry 
 
 static bool read_whole(const struct entry *e, const char *text, void *value, struct diag *d)
 {
-    char *rest;
-    errno = 0;
-    const uint64_t v = strtoull(text, &rest, 10);
-    const size_t size = (size_t)v;
-    if (!isdigit((unsigned char)text[0]) || *rest || errno)
+    unsigned long long v;
+    if (!text_whole(text, &v))
         return usage(d, "--%s needs a whole number, not '%s'", e->name, text);
+    const size_t size = (size_t)v;
     if (e->kind == SEED)
-        memcpy(value, &v, sizeof v);
+        *(uint64_t *)value = v;
     else if (v >= e->low && v <= e->high)
         memcpy(value, &size, sizeof size);
     else
@@ -143,12 +140,8 @@ static bool read_time(const struct entry *e, const char *text, double *value, st
 /* Index of text in choice[], or an error. */
 static bool read_choice(const struct entry *e, const char *text, int *index, struct diag *d)
 {
-    for (int i = 0; e->choice[i]; i++)
-        if (strcmp(text, e->choice[i]) == 0) {
-            *index = i;
-            return true;
-        }
-    return usage(d, "--%s knows no '%s'", e->name, text);
+    *index = text_word(text, e->choice);
+    return *index >= 0 || usage(d, "--%s knows no '%s'", e->name, text);
 }
 
 static bool read_text_option(const struct entry *e, const char *text, const char **value, struct diag *d)

@@ -282,10 +282,10 @@ static bool finish(struct run *r, struct diag *d)
     const struct run_facts facts = {o->seed, r->generation, o->islands};
     if (r->team->rank > 0)
         return true;
+    const bool saved = o->checkpoint && !r->unsaved && r->generation > 0; /* growth has no checkpoints */
     if (r->reason != STOP_DONE)
         fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(r->reason), r->generation, o->generations,
-                o->checkpoint && !r->unsaved ? "; go on with --resume " : "",
-                o->checkpoint && !r->unsaved ? o->checkpoint : "");
+                saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
     say(r, "measuring on samples held out ...");
     const bool written = archive_write(r->archive, r->output, &facts, r->heldout, d);
     const bool fronts = written && (!o->front || archive_write_front(r->archive, o->front, r->heldout, d));

@@ -2,7 +2,6 @@
 #include "pga_options.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,10 +49,8 @@ static bool usage(struct diag *d, const char *format, const char *option, const 
 
 static bool read_whole(const char *name, const char *text, size_t low, size_t high, size_t *value, struct diag *d)
 {
-    char *rest;
-    errno = 0;
-    const unsigned long long v = strtoull(text, &rest, 10);
-    if (!isdigit((unsigned char)text[0]) || *rest || errno)
+    unsigned long long v;
+    if (!text_whole(text, &v))
         return usage(d, "--%s needs a whole number, not '%s'", name, text);
     *value = (size_t)v;
     return (v >= low && v <= high) || usage(d, "--%s %s is out of range", name, text);
@@ -85,13 +82,10 @@ static bool read_limits(const char *text, struct pga_options *o, struct diag *d)
 
 static bool read_coefficients(const char *text, enum coefficients *value, struct diag *d)
 {
-    static const char *const name[] = {"squares", "mean", "worst"};
-    for (int i = 0; i < 3; i++)
-        if (strcmp(text, name[i]) == 0) {
-            *value = (enum coefficients)i;
-            return true;
-        }
-    return usage(d, "--%s knows no '%s'", "coefficients", text);
+    static const char *const name[] = {"squares", "mean", "worst", NULL};
+    const int word = text_word(text, name);
+    *value = (enum coefficients)word;
+    return word >= 0 || usage(d, "--%s knows no '%s'", "coefficients", text);
 }
 
 /* As genome text has it. */

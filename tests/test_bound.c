@@ -6,18 +6,11 @@
 #include "../codegen/form.h"
 #include "../codegen/point.h"
 #include "../codegen/rounding.h"
+#include "genome_text.h"
 
 #include <dirent.h>
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 enum { INPUTS = 3, OPS = 24, PROGRAMS = 400, BOXES = 6, POINTS = 8, INTERVALS = 100000 };
 
@@ -29,15 +22,6 @@ static long sample_count(void)
 static double fraction(uint64_t *seed)
 {
     return (double)(random_next(seed) >> 11) * 0x1p-53;
-}
-
-static struct genome_file *parse(const char *text)
-{
-    struct diag d = {0};
-    struct genome_file *f = genome_parse("test", text, strlen(text), &d);
-    if (!f)
-        fail_msg("%s", d.text);
-    return f;
 }
 
 /* ---- intervals ---- */
@@ -375,12 +359,10 @@ static void test_known_programs(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         char text[1000];
-        struct diag d = {0};
         snprintf(text, sizeof text, "footpoint-genome 1\ninput a b c d e f\n%s\ngenome g\nr = 0\nend\n",
                  known[i].ranges);
         struct genome_file *f = parse(text);
-        struct program *p = program_read(f, &f->genome[0], known[i].code, &d);
-        assert_non_null(p);
+        struct program *p = read_program(f, 0, known[i].code);
         struct subject s = subject_new(text, p);
         const double bound = bound_error(s.region, region_op(s.region, p->output[0]), 20000);
         const double worst = worst_error(&s, 0);
@@ -428,8 +410,7 @@ static void test_rows(void **state)
         snprintf(whole, sizeof whole, text, with ? "range z 0 0.25\n" : "");
         struct genome_file *f = parse(whole);
         assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
-        struct program *p = program_read(f, &f->genome[0], c.emission.text, &d);
-        assert_non_null(p);
+        struct program *p = read_program(f, 0, c.emission.text);
         struct subject s = subject_new(whole, p);
         struct evidence *e =
             evidence_new(s.file, &s.file->genome[0], p, &(struct evidence_options){.samples = 100, .boxes = 100});
@@ -462,8 +443,7 @@ static void check_genome(const struct genome_file *f, size_t k)
     genome_print(f, copy);
     fclose(copy);
     assert_true(compile_genome(f, &f->genome[k], &o, &c, &d));
-    struct program *p = program_read(f, &f->genome[k], c.emission.text, &d);
-    assert_non_null(p);
+    struct program *p = read_program(f, k, c.emission.text);
     struct evidence *e = evidence_new(f, &f->genome[k], p, &(struct evidence_options){.samples = 100, .boxes = 2000});
     struct subject s = subject_new(text, p);
     for (size_t i = 0; i < p->outputs; i++) {

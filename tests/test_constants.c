@@ -1,56 +1,13 @@
 /* Fits of constants and of root terms: derivatives against differences, known answers, promises kept for random trees.
  */
-#include "../evolve/constants.h"
-#include "../evolve/decimal.h"
 #include "../evolve/root_terms.h"
-#include "../evolve/stream.h"
-
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "search_fixture.h"
 
 enum { SYMBOLS = 3, GOAL = SYMBOLS, LONGEST = 60, SAMPLES = 1000 };
-enum { X = GENE_SYMBOL, Y, Z };
-
-struct fixture {
-    gsl_rng *rng;
-    struct genome_file *program;
-    struct columns table;
-    struct judge *judge[3];
-    struct fitter *fitter;
-};
 
 static int setup(void **state)
 {
-    struct fixture *f = new_array(1, sizeof *f);
-    f->rng = stream_new();
-    stream_key(f->rng, 11, 0, 0, 0);
-    f->program = genome_file_new("test");
-    f->table = columns_new(SAMPLES, SYMBOLS + 1);
-    for (size_t j = 0; j < f->table.count; j++)
-        for (size_t i = 0; i < SAMPLES; i++)
-            columns_at(&f->table, j)[i] = 4 * gsl_rng_uniform(f->rng) - 2;
-    for (int norm = NORM_MEAN; norm <= NORM_MAX; norm++)
-        f->judge[norm] = judge_new(f->program, &f->table, (enum scene_norm)norm);
-    f->fitter = fitter_new(&f->table);
-    *state = f;
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    struct fixture *f = *state;
-    fitter_free(f->fitter);
-    for (int norm = NORM_MEAN; norm <= NORM_MAX; norm++)
-        judge_free(f->judge[norm]);
-    columns_free(&f->table);
-    genome_file_free(f->program);
-    gsl_rng_free(f->rng);
-    free(f);
+    *state = fixture_new(11, SAMPLES, SYMBOLS, 2);
     return 0;
 }
 

@@ -1,54 +1,17 @@
 /* Greedy polynomials: sparse ones are found term by term, Horner's form computes the same, hostile columns do no harm.
  */
-#include "../evolve/decimal.h"
 #include "../evolve/greedy.h"
 #include "../evolve/monomials.h"
-#include "../evolve/stream.h"
-
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "search_fixture.h"
 
 enum { SYMBOLS = 4, GOAL = SYMBOLS, SAMPLES = 1000 };
-static const int symbol[SYMBOLS] = {GENE_SYMBOL, GENE_SYMBOL + 1, GENE_SYMBOL + 2, GENE_SYMBOL + 3};
-
-struct fixture {
-    gsl_rng *rng;
-    struct genome_file *program;
-    struct columns table;
-    struct judge *judge;
-    struct seeds front;
-};
+static const int symbol[SYMBOLS] = {X, Y, Z, W};
 
 static int setup(void **state)
 {
-    struct fixture *f = new_array(1, sizeof *f);
-    f->rng = stream_new();
-    stream_key(f->rng, 3, 0, 0, 0);
-    f->program = genome_file_new("test");
-    f->table = columns_new(SAMPLES, SYMBOLS + 1);
-    for (size_t j = 0; j < f->table.count; j++)
-        for (size_t i = 0; i < SAMPLES; i++)
-            columns_at(&f->table, j)[i] = 2 * gsl_rng_uniform(f->rng) - 1;
-    f->judge = judge_new(f->program, &f->table, NORM_MEAN);
+    struct fixture *f = fixture_new(3, SAMPLES, SYMBOLS, 1);
     f->front.prices = (struct prices){0.1, 1};
     *state = f;
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    struct fixture *f = *state;
-    seeds_free(&f->front);
-    judge_free(f->judge);
-    columns_free(&f->table);
-    genome_file_free(f->program);
-    gsl_rng_free(f->rng);
-    free(f);
     return 0;
 }
 
@@ -126,12 +89,12 @@ static void sparse_polynomial_is_found(void **state)
         columns_at(&f->table, GOAL)[i] =
             0.25 - x[0] + 2 * x[1] * x[2] - 1.5 * x[0] * x[3] * x[3] + 3 * x[2] * x[2] * x[2];
     }
-    greedy_polynomials(&plan, f->judge, GOAL, &f->front);
+    greedy_polynomials(&plan, f->judge[NORM_MEAN], GOAL, &f->front);
     assert_true(f->front.n >= 4);
     const struct seed *last = &f->front.seed[f->front.n - 1];
     assert_true(last->error < 1e-6 && last->operations.add == 4 && last->operations.div == 0);
     for (size_t i = 0; i < f->front.n; i++)
-        assert_true(judge_error(f->judge, &f->front.seed[i].tree, GOAL, INFINITY) == f->front.seed[i].error);
+        assert_true(judge_error(f->judge[NORM_MEAN], &f->front.seed[i].tree, GOAL, INFINITY) == f->front.seed[i].error);
 }
 
 /* Too many monomials: a lower degree; short trees alone where only these fit. */
@@ -165,7 +128,7 @@ static void useless_columns(void **state)
         columns_at(&f->table, 3)[i] = i == 5 ? INFINITY : 1;
         columns_at(&f->table, GOAL)[i] = exp(columns_at(&f->table, 0)[i]);
     }
-    greedy_polynomials(&(struct greedy_plan){symbol, SYMBOLS, 3, 20, 200}, f->judge, GOAL, &f->front);
+    greedy_polynomials(&(struct greedy_plan){symbol, SYMBOLS, 3, 20, 200}, f->judge[NORM_MEAN], GOAL, &f->front);
     assert_true(f->front.n == 4);
     assert_true(f->front.seed[3].error < 0.02 && f->front.seed[3].operations.add == 3);
 }

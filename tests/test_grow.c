@@ -1,57 +1,17 @@
 /* Growth of seeds: functions that are there are found, budgets hold, fronts are fronts, the same seeds every time. */
-#include "../evolve/decimal.h"
-#include "../evolve/grow.h"
-#include "../evolve/stream.h"
 #include "../evolve/term.h"
-
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "search_fixture.h"
 
 enum { SYMBOLS = 3, GOAL = SYMBOLS, SAMPLES = 1500, LONGEST = 60 };
-enum { X = GENE_SYMBOL, Y, Z };
 static const int symbol[] = {X, Y, Z};
-
-struct fixture {
-    gsl_rng *rng;
-    struct genome_file *program;
-    struct columns table;
-    struct judge *judge;
-    struct grow_plan plan;
-    struct seeds front;
-};
 
 static int setup(void **state)
 {
-    struct fixture *f = new_array(1, sizeof *f);
-    f->rng = stream_new();
-    stream_key(f->rng, 5, 0, 0, 0);
-    f->program = genome_file_new("test");
-    f->table = columns_new(SAMPLES, SYMBOLS + 1);
-    for (size_t j = 0; j < SYMBOLS; j++)
-        for (size_t i = 0; i < SAMPLES; i++)
-            columns_at(&f->table, j)[i] = 2 * gsl_rng_uniform(f->rng) - 1;
-    f->judge = judge_new(f->program, &f->table, NORM_MEAN);
+    struct fixture *f = fixture_new(5, SAMPLES, SYMBOLS, 1);
     f->plan = grow_plan_new(symbol, SYMBOLS, 6, LONGEST);
     f->plan.rows = 500;
     f->front.prices = f->plan.prices;
     *state = f;
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    struct fixture *f = *state;
-    seeds_free(&f->front);
-    judge_free(f->judge);
-    columns_free(&f->table);
-    genome_file_free(f->program);
-    gsl_rng_free(f->rng);
-    free(f);
     return 0;
 }
 
@@ -92,7 +52,7 @@ static void check_front(const struct fixture *f)
         assert_int_equal(gene_span(x->tree.gene, x->tree.length), x->tree.length);
         assert_true(x->tree.length <= f->plan.max_length);
         assert_true(x->cost <= f->plan.max_cost + 1e-9 && x->cost == price_of(&f->plan.prices, &x->tree));
-        assert_true(judge_error(f->judge, &x->tree, GOAL, INFINITY) == x->error);
+        assert_true(judge_error(f->judge[NORM_MEAN], &x->tree, GOAL, INFINITY) == x->error);
         if (i > 0)
             assert_true(x->cost > s->seed[i - 1].cost && x->error < s->seed[i - 1].error);
     }
@@ -102,7 +62,7 @@ static void product_is_found(void **state)
 {
     struct fixture *f = *state;
     set_goal(f, product);
-    grow_polynomials(&f->plan, f->judge, GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
     assert_true(f->front.seed[f->front.n - 1].error < 1e-5);
     for (size_t i = 0; i < f->front.n; i++)
@@ -113,7 +73,7 @@ static void quotient_is_found(void **state)
 {
     struct fixture *f = *state;
     set_goal(f, quotient);
-    grow_quotients(&f->plan, f->judge, GOAL, NULL, &f->front);
+    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
     assert_true(f->front.seed[f->front.n - 1].error < 1e-5);
 }
@@ -130,7 +90,7 @@ static void base_is_corrected(void **state)
         columns_at(&f->table, GOAL)[i] += columns_at(&f->table, 0)[i] * columns_at(&f->table, 1)[i];
     const struct tree base = {gene, 3};
     f->plan.max_cost = 12;
-    grow_quotients(&f->plan, f->judge, GOAL, &base, &f->front);
+    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, &base, &f->front);
     check_front(f);
     assert_true(f->front.seed[f->front.n - 1].error < 1e-5);
 }
@@ -148,7 +108,7 @@ static void clamp_is_found(void **state)
     f->plan.clamped = true;
     f->plan.low = -0.5;
     f->plan.high = 0.5;
-    grow_polynomials(&f->plan, f->judge, GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
     const struct seed *last = &f->front.seed[f->front.n - 1];
     assert_true(last->error < 1e-5 && last->tree.gene[0] == GENE_MAX && last->tree.gene[2] == GENE_MIN);
@@ -163,8 +123,8 @@ static void same_every_time(void **state)
     struct seeds again = {.prices = f->plan.prices};
     set_goal(f, smooth);
     f->plan.max_length = 41;
-    grow_quotients(&f->plan, f->judge, GOAL, NULL, &f->front);
-    grow_quotients(&f->plan, f->judge, GOAL, NULL, &again);
+    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &again);
     check_front(f);
     assert_int_equal(f->front.n, again.n);
     for (size_t i = 0; i < again.n; i++)
@@ -177,12 +137,12 @@ static void hopeless_goals(void **state)
 {
     struct fixture *f = *state;
     set_goal(f, zero);
-    grow_polynomials(&f->plan, f->judge, GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
     assert_true(f->front.n == 1 && f->front.seed[0].error == 0 && f->front.seed[0].tree.length == 1);
     seeds_free(&f->front);
     columns_at(&f->table, GOAL)[3] = NAN;
-    grow_polynomials(&f->plan, f->judge, GOAL, NULL, &f->front);
-    grow_quotients(&f->plan, f->judge, GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
     assert_int_equal(f->front.n, 0);
 }
 
@@ -194,7 +154,7 @@ static void useless_columns(void **state)
     memcpy(columns_at(&f->table, 1), columns_at(&f->table, 2), SAMPLES * sizeof(double));
     for (size_t i = 0; i < SAMPLES; i++)
         columns_at(&f->table, 2)[i] = i == 7 ? NAN : 1;
-    grow_polynomials(&f->plan, f->judge, GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
     assert_true(f->front.n > 3);
 }

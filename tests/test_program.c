@@ -1,24 +1,6 @@
 /* Reading the emitted statements back: operations in order, every form the text can have, and refusals. */
 #include "../codegen/compile.h"
-#include "../codegen/program.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
-static struct genome_file *parse(const char *text)
-{
-    struct diag d = {0};
-    struct genome_file *f = genome_parse("test", text, strlen(text), &d);
-    if (!f)
-        fail_msg("%s", d.text);
-    return f;
-}
+#include "genome_text.h"
 
 static const char two_outputs[] = "footpoint-genome 1\ninput x y\ngenome g\nr = x\ns = y\nend\n";
 static const char one_output[] = "footpoint-genome 1\ninput x y\nlet z = x\ngenome g\nr = x\nend\n";
@@ -50,10 +32,8 @@ static void test_operations(void **state)
         int op, first;
         long output;
     } statement[] = {{"t1", 4, 2, -1}, {"u1", 7, 5, -1}, {"r", 10, 8, 0}, {"s", 7, 11, 1}};
-    struct diag d = {0};
     struct genome_file *f = parse(two_outputs);
-    struct program *p = program_read(f, &f->genome[0], text, &d);
-    assert_non_null(p);
+    struct program *p = read_program(f, 0, text);
     assert_int_equal(p->ops, sizeof expected / sizeof *expected);
     for (size_t i = 0; i < p->ops; i++) {
         const struct op *a = &p->op[i], *b = &expected[i];
@@ -127,11 +107,8 @@ static void test_forms(void **state)
     struct genome_file *f = parse(one_output);
     for (size_t i = 0; i < sizeof form / sizeof *form; i++) {
         char text[200], got[200] = "";
-        struct diag d = {0};
         snprintf(text, sizeof text, "*out_r = %s;\n", form[i][0]);
-        struct program *p = program_read(f, &f->genome[0], text, &d);
-        if (!p)
-            fail_msg("%s", d.text);
+        struct program *p = read_program(f, 0, text);
         print_op(p, p->output[0], got);
         assert_string_equal(got, form[i][1]);
         program_free(p);
@@ -221,10 +198,8 @@ static void test_refusals(void **state)
 static void test_segment(void **state)
 {
     (void)state;
-    struct diag d = {0};
     struct genome_file *f = parse(segment);
-    struct program *p = program_read(f, &f->genome[0], "*xi = xA[2];\n*eta = xS[1] + xD[0];\n", &d);
-    assert_non_null(p);
+    struct program *p = read_program(f, 0, "*xi = xA[2];\n*eta = xS[1] + xD[0];\n");
     assert_int_equal(p->output[0], 2);
     assert_int_equal(p->op[p->output[1]].a, 13);
     assert_int_equal(p->op[p->output[1]].b, 9);
@@ -249,9 +224,7 @@ static void test_sizes(void **state)
         for (int i = 0; i < N; i++)
             at += sprintf(at, "%s", part[k][2]);
         sprintf(at, ";\n");
-        struct diag d = {0};
-        struct program *p = program_read(f, &f->genome[0], text, &d);
-        assert_non_null(p);
+        struct program *p = read_program(f, 0, text);
         assert_int_equal(p->ops, operations[k] + 2);
         program_free(p);
         free(text);
@@ -272,8 +245,7 @@ static void test_counts(void **state)
         struct compiled c;
         long n[OP_PDIV + 1] = {0};
         assert_true(compile_genome(f, &f->genome[g], &options, &c, &d));
-        struct program *p = program_read(f, &f->genome[g], c.emission.text, &d);
-        assert_non_null(p);
+        struct program *p = read_program(f, g, c.emission.text);
         for (size_t i = 0; i < p->ops; i++)
             n[p->op[i].kind]++;
         assert_int_equal(n[OP_MUL], c.emission.ops.mul);

@@ -65,6 +65,7 @@ interrupted() { # interrupted NAME SIGNAL STATUS [OPTIONS...]: then resumed to i
 interrupted 'kill -9' KILL 137
 interrupted SIGTERM TERM 143
 interrupted SIGUSR1 USR1 0
+options="$options --growth no"
 interrupted 'time limit' none 0 --time-limit 2
 
 # What must not be resumed; nothing is touched.

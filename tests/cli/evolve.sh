@@ -70,6 +70,21 @@ mkdir "$work/closed"
 expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No such file or directory" \
     "$evolve" --scene "$work/small.scene" --from-scratch -o "$work/none/o.gen" --generations 100000000
 
+# Growth of seeds ends early, too: what is there is written, and no checkpoint.
+expect 'no time for growth' 0 '*' 'time limit: ended at generation 0 of 50' \
+    run 2 --from-scratch --generations 50 --time-limit 0.01 --checkpoint "$work/ck" -o "$work/none.gen"
+interrupted() { # by SIGTERM, a second after it is listened to (bit 15 of those caught)
+    "$evolve" --scene quad4 --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
+    pid=$! tries=200
+    until grep -q '^SigCgt:.*[4-7c-f]...$' "/proc/$pid/status" || [ $((tries -= 1)) = 0 ]; do sleep 0.05; done
+    sleep 1
+    kill -TERM $pid
+    wait $pid
+}
+expect 'growth interrupted' 143 '*' 'SIGTERM: ended at generation 0 of 100000000' interrupted
+"$BIN/footpoint-codegen" --effort 0 --allow-poles --count "$work/part.gen" > /dev/null 2>&1 && [ -s "$work/none.gen" ] && [ ! -e "$work/ck" ] &&
+    ! ls "$work" | grep -q tmp; report $((! $?)) 'genomes are there, nothing else'
+
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
     script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --generations 60 -o $work/t.gen" /dev/null > "$work/tty"
