@@ -85,7 +85,7 @@ static bool draw_segment(gsl_rng *stream, const struct shapes *shapes, double x[
         if ((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]) <= 0)
             return false;
     }
-    return warp_of(x) <= shapes->warp;
+    return shapes->warp == 0 || warp_of(x) <= shapes->warp; /* acos knows a plane to 1e-8 only */
 }
 
 bool place_slave(gsl_rng *stream, double reach, double gap, struct sample *s)
