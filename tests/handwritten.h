@@ -1,8 +1,8 @@
 /* The formulas of the shipped genomes (evolve/frames/parallelogram.gen) as a finite element programmer writes them by
  * hand: vectors, scalar products, and one function for each idea.  The reference for the speed of the emitted code.
  *
- * A method is a truncated iteration about the point (xi0, eta0): start with the taper to second order, clamped to the
- * box or not, then Newton steps, clamped likewise.  FOOTPOINT_FN is that of the generated headers. */
+ * A method is a truncated iteration about the point (xi0, eta0): start with the taper to first or second order, clamped
+ * to a box or not, then Newton steps, clamped likewise.  FOOTPOINT_FN is that of the generated headers. */
 #ifndef FOOTPOINT_HANDWRITTEN_H
 #define FOOTPOINT_HANDWRITTEN_H
 
@@ -95,43 +95,70 @@ FOOTPOINT_FN void hand_accurate(HAND_NODES, double *xi, double *eta)
     hand_search(xA, xB, xC, xD, xS, 2, xi, eta);
 }
 
-/* Centre of A's quarter, the box of the segment's contact points in it: -1 <= xi, eta <= 0. */
-FOOTPOINT_FN void hand_search_quarter(HAND_NODES, int steps, double *u, double *v)
+/* One Gauss-Newton step, from the centre. */
+FOOTPOINT_FN void hand_fast(HAND_NODES, double *xi, double *eta)
 {
-    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, -0.5, -0.5);
-    const struct hand_box box = {-0.5, 0.5};
-    hand_taper(&g, u, v);
-    *u = hand_clamp(*u, box);
-    *v = hand_clamp(*v, box);
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
+    const double inverse = 1 / (g.e11 * g.e22 - g.e12 * g.e12);
+    *xi = (g.e22 * g.d1 - g.e12 * g.d2) * inverse;
+    *eta = (g.e11 * g.d2 - g.e12 * g.d1) * inverse;
+}
+
+/* Taper to first order, then a Gauss-Newton step. */
+FOOTPOINT_FN void hand_medium(HAND_NODES, double *xi, double *eta)
+{
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
+    const double inverse = 1 / (g.e11 * g.e22 - g.e12 * g.e12);
+    const double p = (g.e22 * g.d1 - g.e12 * g.d2) * inverse, q = (g.e11 * g.d2 - g.e12 * g.d1) * inverse;
+    const double a = (g.e22 * g.c1 - g.e12 * g.c2) * inverse, b = (g.e11 * g.c2 - g.e12 * g.c1) * inverse;
+    const double u = p - a * (p * q), v = q - b * (p * q);
+    const double t = g.c1 + v * g.cc, s = g.c2 + u * g.cc, y = u * g.c1 + v * s, w = u * v;
+    const double k11 = g.e11 + v * (g.c1 + t), k22 = g.e22 + u * (g.c2 + s), k12 = g.e12 + y;
+    const double f1 = g.d1 + v * g.cd + w * t, f2 = g.d2 + u * g.cd + w * s;
+    const double again = 1 / (k11 * k22 - k12 * k12);
+    *xi = (k22 * f1 - k12 * f2) * again;
+    *eta = (k11 * f2 - k12 * f1) * again;
+}
+
+FOOTPOINT_FN void hand_precise(HAND_NODES, double *xi, double *eta)
+{
+    hand_search(xA, xB, xC, xD, xS, 2, xi, eta);
+}
+
+FOOTPOINT_FN void hand_most_accurate(HAND_NODES, double *xi, double *eta)
+{
+    hand_search(xA, xB, xC, xD, xS, 3, xi, eta);
+}
+
+/* About the point (x0,x0), for contact points within `half` of it in xi and eta: taper to first order, Newton steps. */
+FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, double half, int steps, double *xi, double *eta)
+{
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);
+    const struct hand_box box = {-half, half};
+    const double inverse = 1 / (g.e11 * g.e22 - g.e12 * g.e12);
+    const double p = (g.e22 * g.d1 - g.e12 * g.d2) * inverse, q = (g.e11 * g.d2 - g.e12 * g.d1) * inverse;
+    const double a = (g.e22 * g.c1 - g.e12 * g.c2) * inverse, b = (g.e11 * g.c2 - g.e12 * g.c1) * inverse;
+    const double linear = 1 - (a * q + b * p), w = p * q * (linear < 0.6 ? 0.6 : linear);
+    double u = hand_clamp(p - a * w, box), v = hand_clamp(q - b * w, box);
     for (int i = 0; i < steps; i++) {
-        hand_newton(&g, u, v);
-        *u = hand_clamp(*u, box);
-        *v = hand_clamp(*v, box);
+        hand_newton(&g, &u, &v);
+        u = hand_clamp(u, box);
+        v = hand_clamp(v, box);
     }
+    *xi = x0 + u;
+    *eta = x0 + v;
 }
 
-FOOTPOINT_FN void hand_paper_coarse(HAND_NODES, double *xi, double *eta)
-{
-    double u, v;
-    hand_search_quarter(xA, xB, xC, xD, xS, 0, &u, &v);
-    *xi = -0.5 + u + 0.06 * v * v * (v - 0.5);
-    *eta = -0.5 + v;
-}
-
-FOOTPOINT_FN void hand_paper_balanced(HAND_NODES, double *xi, double *eta)
-{
-    double u, v;
-    hand_search_quarter(xA, xB, xC, xD, xS, 1, &u, &v);
-    *xi = -0.5 + u;
-    *eta = -0.5 + v;
-}
-
-FOOTPOINT_FN void hand_paper_accurate(HAND_NODES, double *xi, double *eta)
-{
-    double u, v;
-    hand_search_quarter(xA, xB, xC, xD, xS, 2, &u, &v);
-    *xi = -0.5 + u;
-    *eta = -0.5 + v;
-}
+#define HAND_GUARDED(name, x0, half, steps)                                                                            \
+    FOOTPOINT_FN void hand_##name(HAND_NODES, double *xi, double *eta)                                                 \
+    {                                                                                                                  \
+        hand_guarded(xA, xB, xC, xD, xS, x0, half, steps, xi, eta);                                                    \
+    }
+HAND_GUARDED(paper_taper, -0.5, 0.5, 0)
+HAND_GUARDED(paper_newton1, -0.5, 0.5, 1)
+HAND_GUARDED(paper_newton2, -0.5, 0.5, 2)
+HAND_GUARDED(whole_taper, 0.0, 1.0, 0)
+HAND_GUARDED(whole_newton1, 0.0, 1.0, 1)
+HAND_GUARDED(whole_newton2, 0.0, 1.0, 2)
 
 #endif

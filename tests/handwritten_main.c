@@ -12,6 +12,7 @@
 #include "../generated/footpoint_paper_quad4.h"
 #include "../generated/footpoint_punch_quad4.h"
 #include "../generated/footpoint_quad4.h"
+#include "../generated/footpoint_whole_quad4.h"
 #include "as_written.h"
 #include "handwritten.h"
 #include "ordinary_quad.h"
@@ -52,28 +53,45 @@ struct search {
             function(xA, xB, xC, xD, xS, &s->found[0][i], &s->found[1][i]);                                            \
         }                                                                                                              \
     }
-DEFINE(hand_coarse)
-DEFINE(hand_balanced)
-DEFINE(hand_accurate)
-DEFINE(hand_paper_coarse)
-DEFINE(hand_paper_balanced)
-DEFINE(hand_paper_accurate)
-
+/* What nobody would write by hand is compared with its genome as written alone. */
 #define METHODS(M)                                                                                                     \
     M(blocks_quad4_coarse, hand_coarse)                                                                                \
     M(blocks_quad4_balanced, hand_balanced)                                                                            \
     M(blocks_quad4_accurate, hand_accurate)                                                                            \
-    M(paper_quad4_coarse, hand_paper_coarse)                                                                           \
-    M(paper_quad4_balanced, hand_paper_balanced)                                                                       \
-    M(paper_quad4_accurate, hand_paper_accurate)                                                                       \
+    M(paper_quad4_fast, written_paper_quad4_fast)                                                                      \
+    M(paper_quad4_taper, hand_paper_taper)                                                                             \
+    M(paper_quad4_newton1, hand_paper_newton1)                                                                         \
+    M(paper_quad4_newton2, hand_paper_newton2)                                                                         \
+    M(paper_quad4_coarse, written_paper_quad4_coarse)                                                                  \
+    M(paper_quad4_balanced, written_paper_quad4_balanced)                                                              \
+    M(paper_quad4_accurate, written_paper_quad4_accurate)                                                              \
     M(punch_quad4_coarse, hand_coarse)                                                                                 \
     M(punch_quad4_balanced, hand_balanced)                                                                             \
     M(punch_quad4_accurate, hand_accurate)                                                                             \
+    M(quad4_fast, hand_fast)                                                                                           \
     M(quad4_coarse, hand_coarse)                                                                                       \
+    M(quad4_medium, hand_medium)                                                                                       \
     M(quad4_balanced, hand_balanced)                                                                                   \
-    M(quad4_accurate, hand_accurate)
+    M(quad4_fine, written_quad4_fine)                                                                                  \
+    M(quad4_precise, hand_precise)                                                                                     \
+    M(quad4_accurate, hand_most_accurate)                                                                              \
+    M(whole_quad4_fast, written_whole_quad4_fast)                                                                      \
+    M(whole_quad4_taper, hand_whole_taper)                                                                             \
+    M(whole_quad4_newton1, hand_whole_newton1)                                                                         \
+    M(whole_quad4_newton2, hand_whole_newton2)                                                                         \
+    M(whole_quad4_coarse, written_whole_quad4_coarse)                                                                  \
+    M(whole_quad4_balanced, written_whole_quad4_balanced)                                                              \
+    M(whole_quad4_accurate, written_whole_quad4_accurate)
 
-#define DEFINE_METHOD(name, hand) DEFINE(footpoint_##name##_at) DEFINE(written_##name)
+/* A name of its own for the hand-written one of each method, which several may share. */
+#define DEFINE_HAND(name, hand)                                                                                        \
+    FOOTPOINT_FN void by_hand_##name(HAND_NODES, double *xi, double *eta)                                              \
+    {                                                                                                                  \
+        hand(xA, xB, xC, xD, xS, xi, eta);                                                                             \
+    }
+METHODS(DEFINE_HAND)
+
+#define DEFINE_METHOD(name, hand) DEFINE(footpoint_##name##_at) DEFINE(by_hand_##name) DEFINE(written_##name)
 METHODS(DEFINE_METHOD)
 
 enum { OURS, HAND, WRITTEN, RIVALS };
@@ -88,7 +106,7 @@ static const struct method {
     {                                                                                                                  \
         one_##function, batch_##function                                                                               \
     }
-#define METHOD(name, hand) {#name, {SEARCH(footpoint_##name##_at), SEARCH(hand), SEARCH(written_##name)}},
+#define METHOD(name, hand) {#name, {SEARCH(footpoint_##name##_at), SEARCH(by_hand_##name), SEARCH(written_##name)}},
     METHODS(METHOD)};
 
 static double now(void)
