@@ -91,7 +91,8 @@ DEFINE_CONVERGED(newton, rival_newton(NODES, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLER
 DEFINE_CONVERGED(newton_loose, rival_newton(NODES, RIVAL_STEPS_MAX, RIVAL_NEWTON_LOOSE, xi, eta))
 DEFINE_CONVERGED(newton_previous, rival_newton_from(NODES, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, xi, eta))
 DEFINE_CONVERGED(trust_region, rival_trust_region(NODES, &t->box, RIVAL_STEPS_MAX, TRUST_REGION_TOLERANCE, xi, eta))
-DEFINE_LANES(newton, 0, RIVAL_NEWTON_TOLERANCE)
+DEFINE_BATCH(newton, found_newton(NODES, t, &xi, &eta))
+DEFINE_LANES(newton_lanes, 0, RIVAL_NEWTON_TOLERANCE)
 DEFINE_LANES(newton_loose, 0, RIVAL_NEWTON_LOOSE)
 DEFINE_LANES(newton_previous, 1, RIVAL_NEWTON_TOLERANCE)
 
@@ -124,11 +125,16 @@ RIVAL_POLYNOMIALS(POLYNOMIAL)
 #define METHOD(scene_, name_, mul, div, add, sqrt)                                                                     \
     {.name = #name_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #define batch_trust_region NULL
+/* "newton" is the iteration as codes have it, in batches a loop of searches; "newton_lanes" steps a batch together. */
+#define scalar_newton_lanes scalar_newton
+#define steps_newton_lanes steps_newton
+#define OPS_newton_lanes OPS_newton
+#define STEP_newton_lanes STEP_newton
 
-static const struct bench_method methods[] = {CONVERGED(newton) CONVERGED(newton_loose) CONVERGED(newton_previous)
-                                                  CONVERGED(trust_region) RIVAL_ITERATIONS(ITERATION)
-                                                      RIVAL_TUNED_ITERATIONS(TUNED_ITERATION)
-                                                          RIVAL_CLOSED_FORMS(CLOSED_FORM) RIVAL_POLYNOMIALS(POLYNOMIAL)
+static const struct bench_method methods[] = {
+    CONVERGED(newton) CONVERGED(newton_lanes) CONVERGED(newton_loose) CONVERGED(newton_previous) CONVERGED(trust_region)
+        RIVAL_ITERATIONS(ITERATION) RIVAL_TUNED_ITERATIONS(TUNED_ITERATION) RIVAL_CLOSED_FORMS(CLOSED_FORM)
+            RIVAL_POLYNOMIALS(POLYNOMIAL)
 #include "methods.inc"
 };
 
