@@ -88,7 +88,7 @@ GENERATED := $(sort $(wildcard generated/*.h))
 
 all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
-evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga
+evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
 runtime: $(LIB).a $(LIB).so
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
@@ -108,6 +108,10 @@ $(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evol
 $(BIN)/footpoint-pga: $(call object,$(pga_mpi) $(evolve_lib) $(genome_lib))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
+
+$(BIN)/footpoint-perceptron: $(call object,evolve/perceptron_main.c $(evolve_lib) $(genome_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
 
 $(BIN)/footpoint-bench: $(call object,tests/bench_main.c $(test_lib) $(evolve_lib) $(genome_lib) $(runtime_lib))
 	@mkdir -p $(@D)
@@ -134,13 +138,20 @@ $(OBJ)/methods.inc: $(GENERATED) tests/methods.awk Makefile
 	@mkdir -p $(@D)
 	$(Q)awk -f tests/methods.awk $(GENERATED) > $@
 
-$(OBJ)/rival_counts.inc: tests/count_rivals.cpp tests/rivals.h
+# The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.
+$(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
+	$(Q)$(BIN)/footpoint-codegen --allow-poles $< -o $@
+
+$(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/methods.awk
+	$(Q)awk -f tests/methods.awk $< > $@
+
+$(OBJ)/rival_counts.inc: tests/count_rivals.cpp tests/rivals.h tests/pinball.h
 	@mkdir -p $(@D)
 	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
 $(OBJ)/tests/bench_main.o $(OBJ)/tests/test_headers.o: CFLAGS += -I$(OBJ)
 $(OBJ)/tests/bench_main.o $(OBJ)/tests/test_headers.o: $(OBJ)/methods.h $(OBJ)/methods.inc
-$(OBJ)/tests/bench_main.o: $(OBJ)/rival_counts.inc
+$(OBJ)/tests/bench_main.o: $(OBJ)/rival_counts.inc $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc
 
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
@@ -175,6 +186,11 @@ check-long: all $(TESTS) ## the tests and the long ones
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
 
+PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --iterations 100
+
+perceptrons: evolve ## train the perceptrons of the bench again, tests/paper/perceptron.gen
+	$(Q)$(BIN)/footpoint-perceptron $(PERCEPTRONS) -o tests/paper/perceptron.gen
+
 calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs
 	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && cat $(BIN)/machine.costs
 
@@ -182,7 +198,8 @@ report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report.sh build/report
 
 paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's tables and figures, build/paper/index.html (half an hour; goes on if interrupted): RANKS= FULL=1 (the paper's size)
-	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN)' FULL=$(FULL) sh tests/paper.sh build/paper
+	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN)' FULL=$(FULL) \
+	    PERCEPTRONS='$(PERCEPTRONS)' sh tests/paper.sh build/paper
 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
@@ -207,7 +224,7 @@ install: runtime codegen evolve ## install library, headers and tools under PREF
 	install -m 644 runtime/footpoint.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(GENERATED) $(DESTDIR)$(PREFIX)/include/footpoint
 	install -m 644 $(LIB).a $(LIB).so $(DESTDIR)$(PREFIX)/lib
-	install -m 755 $(BIN)/footpoint-codegen $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(addprefix $(BIN)/footpoint-,codegen evolve pga perceptron) $(DESTDIR)$(PREFIX)/bin
 
 clean: ## remove everything that was built
 	rm -rf build
@@ -216,4 +233,4 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        paper deps deps-long install clean help FORCE
+        perceptrons paper deps deps-long install clean help FORCE

@@ -7,6 +7,7 @@
 #include "../codegen/base.h"
 #include "../evolve/scene.h"
 #include "bench_methods.h"
+#include "contact_table.h"
 #include "error_stats.h"
 
 #include <getopt.h>
@@ -48,10 +49,11 @@ struct timed {
 
 static void print_usage(FILE *out)
 {
-    fputs("usage: footpoint-bench [--scene NAME] [--csv]\n"
+    fputs("usage: footpoint-bench [--scene NAME] [--csv] [--contact]\n"
           "Speed against error of every search, on held-out samples.\n"
           "  --scene NAME  a scene of evolve/scenes, or a path; default: all of evolve/scenes\n"
           "  --csv         comma-separated values\n"
+          "  --contact     instead: contact or not, and how deep, by the pinball test; comma-separated values\n"
           "  --help        this text\n"
           "  --version     version\n",
           out);
@@ -106,6 +108,10 @@ static double time_turn(const struct bench_method *m, enum mode mode, struct tim
 static void measure_errors(const struct bench_method *m, const struct sample_set *set, struct result *r)
 {
     const size_t n = set->n < ERROR_SAMPLES ? set->n : ERROR_SAMPLES;
+    if (m->depth_only) {
+        r->xi = r->eta = (struct error_stats){(double)NAN, (double)NAN, (double)NAN, 0};
+        return;
+    }
     double *error_xi = new_array(n, sizeof *error_xi), *error_eta = new_array(n, sizeof *error_eta);
     for (size_t i = 0; i < n; i++) {
         const struct sample *s = spread(set, i, n);
@@ -168,7 +174,7 @@ static void print_head(bool csv)
     }
     printf("footpoint-bench " FOOTPOINT_VERSION ", compiled by " COMPILER "\n"
            "*: ours; ns: of one search, least and median; ratio: converged Newton's median in the same mode over this "
-           "one's\n\n");
+           "one's;\npinball finds no xi, eta: --contact\n\n");
     printf("%-14s %-6s   %-34s %-6s %4s %3s %4s %4s %7s %7s %6s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "sample",
            "method", "mode", "mul", "div", "add", "sqrt", "ns_min", "ns", "ratio", "mean_xi", "p99_xi", "max_xi",
            "mean_eta", "p99_eta", "max_eta", "failures");
@@ -208,7 +214,7 @@ static bool bench_part(const struct scene *scene, enum sample_part part, const c
     print_head(csv);
     for (int i = 0; i < BENCH_METHODS; i++)
         for (int mode = 0; mode < MODES && runs_on(&bench_methods[i], scene); mode++)
-            (csv ? print_csv : print_table)(scene, sample, &result[i], bench_methods[i].scene != NULL, mode,
+            (csv ? print_csv : print_table)(scene, sample, &result[i], !bench_methods[i].rival, mode,
                                             result[0].ns[mode][ROUNDS / 2] / result[i].ns[mode][ROUNDS / 2]);
     free(result);
     timed_free(&timed);
@@ -216,11 +222,16 @@ static bool bench_part(const struct scene *scene, enum sample_part part, const c
     return true;
 }
 
-static bool bench_scene(const char *name, bool csv, struct diag *d)
+static bool bench_scene(const char *name, bool csv, bool contact, struct diag *d)
 {
     struct scene *scene = scene_read(".", name, d);
     if (!scene)
         return false;
+    if (contact) {
+        const bool decided = contact_table(scene, d);
+        scene_free(scene);
+        return decided;
+    }
     /* Of a scene that is random anyway, what is held out is off any grid. */
     const bool done = scene->source == SOURCE_RANDOM ? bench_part(scene, PART_HELDOUT, "random", csv, d)
                                                      : bench_part(scene, PART_HELDOUT, "grid", csv, d) &&
@@ -229,27 +240,25 @@ static bool bench_scene(const char *name, bool csv, struct diag *d)
     return done;
 }
 
-static bool bench_all(bool csv, struct diag *d)
+static bool bench_all(bool csv, bool contact, struct diag *d)
 {
     glob_t found;
     bool done = true;
     if (glob("evolve/scenes/*.scene", 0, NULL, &found) != 0)
         return diag_at(d, "evolve/scenes", 0, 0, "no scene here; run from the root of the source, or name one");
     for (size_t i = 0; done && i < found.gl_pathc; i++)
-        done = bench_scene(found.gl_pathv[i], csv, d);
+        done = bench_scene(found.gl_pathv[i], csv, contact, d);
     globfree(&found);
     return done;
 }
 
 int main(int argc, char **argv)
 {
-    static const struct option options[] = {{"scene", required_argument, NULL, 's'},
-                                            {"csv", no_argument, NULL, 'c'},
-                                            {"help", no_argument, NULL, 'h'},
-                                            {"version", no_argument, NULL, 'v'},
-                                            {NULL, 0, NULL, 0}};
+    static const struct option options[] = {{"scene", required_argument, NULL, 's'}, {"csv", no_argument, NULL, 'c'},
+                                            {"contact", no_argument, NULL, 'p'},     {"help", no_argument, NULL, 'h'},
+                                            {"version", no_argument, NULL, 'v'},     {NULL, 0, NULL, 0}};
     const char *scene = NULL;
-    bool csv = false;
+    bool csv = false, contact = false;
     struct diag d;
     for (int option; (option = getopt_long(argc, argv, "", options, NULL)) != -1;)
         switch (option) {
@@ -258,6 +267,9 @@ int main(int argc, char **argv)
             break;
         case 'c':
             csv = true;
+            break;
+        case 'p':
+            contact = true;
             break;
         case 'h':
             print_usage(stdout);
@@ -272,7 +284,9 @@ int main(int argc, char **argv)
         fprintf(stderr, "footpoint-bench: unexpected argument '%s'\n", argv[optind]);
         return EXIT_USAGE;
     }
-    if (!(scene ? bench_scene(scene, csv, &d) : bench_all(csv, &d))) {
+    if (contact)
+        puts(contact_table_head);
+    if (!(scene ? bench_scene(scene, csv, contact, &d) : bench_all(csv, contact, &d))) {
         fprintf(stderr, "%s\n", d.text);
         return (int)d.code;
     }

@@ -1,11 +1,14 @@
 /* Every search that footpoint-bench compares, in one table: converged Newton, the rivals, and the generated functions.
  * Each is compiled twice, with the search inlined: as a function of one sample, and as a loop over columns of samples.
- * For bench_main.c alone, which finds methods.h, methods.inc and rival_counts.inc in the build folder. */
+ * For bench_main.c alone, which finds methods.h, methods.inc, the perceptrons' footpoint_perceptron.h and .inc, and
+ * rival_counts.inc in the build folder. */
 #ifndef FOOTPOINT_BENCH_METHODS_H
 #define FOOTPOINT_BENCH_METHODS_H
 
 #include "../evolve/sample.h"
+#include "footpoint_perceptron.h"
 #include "methods.h"
+#include "pinball.h"
 #include "rivals.h"
 
 #include <stddef.h>
@@ -30,6 +33,8 @@ struct bench_method {
     struct bench_counts ops;
     void (*one)(const struct sample *s, double found[2]);
     void (*batch)(struct bench_block *b);
+    bool rival;      /* made for a scene, but none of ours */
+    bool depth_only; /* finds no xi, eta */
 };
 
 #define BENCH_ONE(function, search)                                                                                    \
@@ -65,6 +70,8 @@ static inline int bench_newton_iterations(const double xA[3], const double xB[3]
 BENCH_FUNCTIONS(newton, bench_newton_iterations)
 RIVAL_ITERATIONS(BENCH_ITERATION)
 RIVAL_CLOSED_FORMS(BENCH_CLOSED_FORM)
+BENCH_CLOSED_FORM(pinball)
+#include "footpoint_perceptron.inc"
 #include "methods.inc"
 #undef METHOD
 #undef BENCH_ITERATION
@@ -84,14 +91,21 @@ static inline struct bench_counts bench_counts_of(const char *name)
 }
 
 /* Newton stands first.  Its operations and those of the rivals are looked up by name. */
-#define BENCH_RIVAL(name, start) {NULL, start, {#name, 0, 0, 0, 0}, one_##name, batch_##name},
+#define BENCH_RIVAL(name, start) {NULL, start, {#name, 0, 0, 0, 0}, one_##name, batch_##name, true, false},
 #define BENCH_ITERATION(name, start, gauss_newton, newton, clamped) BENCH_RIVAL(name, start)
 #define BENCH_CLOSED_FORM(name) BENCH_RIVAL(name, RIVAL_CENTRE)
 #define METHOD(scene, function, mul, div, add, sqrt)                                                                   \
-    {scene, RIVAL_CENTRE, {#function, mul, div, add, sqrt}, one_##function, batch_##function},
-static const struct bench_method bench_methods[] = {BENCH_CLOSED_FORM(newton) RIVAL_ITERATIONS(BENCH_ITERATION)
-                                                        RIVAL_CLOSED_FORMS(BENCH_CLOSED_FORM)
+    {scene, RIVAL_CENTRE, {#function, mul, div, add, sqrt}, one_##function, batch_##function, false, false},
+static const struct bench_method bench_methods[] = {
+    BENCH_CLOSED_FORM(newton) RIVAL_ITERATIONS(BENCH_ITERATION) RIVAL_CLOSED_FORMS(BENCH_CLOSED_FORM){
+        NULL, RIVAL_CENTRE, {"pinball", 0, 0, 0, 0}, one_pinball, batch_pinball, true, true},
 #include "methods.inc"
+#undef METHOD
+/* They go by perceptron_hidden_8 and so on. */
+#define METHOD(scene, function, mul, div, add, sqrt)                                                                   \
+    {scene, RIVAL_CENTRE, {&#function[sizeof "footpoint"], mul, div, add, sqrt}, one_##function, batch_##function,     \
+     true,  false},
+#include "footpoint_perceptron.inc"
 };
 #undef METHOD
 

@@ -61,6 +61,7 @@ static bool operator<=(Real a, Real b)
 }
 
 #define FOOTPOINT_REAL Real
+#include "pinball.h"
 #include "rivals.h"
 
 // A warped segment and a slave node off it; no iteration converges at once.
@@ -94,6 +95,7 @@ int main()
 #define COUNT_CLOSED_FORM(name) count(#name, rival_##name);
     RIVAL_ITERATIONS(COUNT_ITERATION)
     RIVAL_CLOSED_FORMS(COUNT_CLOSED_FORM)
+    COUNT_CLOSED_FORM(pinball)
     const Counts one = newton_steps(1), two = newton_steps(2);
     print("newton_first", one);
     print("newton_step", {two.mul - one.mul, two.div - one.div, two.add - one.add, two.sqrt - one.sqrt});
