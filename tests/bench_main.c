@@ -7,6 +7,7 @@
 #include "../evolve/scene.h"
 #include "bench_map.h"
 #include "bench_measure.h"
+#include "contact_table.h"
 
 #include <getopt.h>
 #include <glob.h>
@@ -20,18 +21,19 @@
 
 struct bench_options {
     const char *scene, *isa, *map;
-    bool csv;
+    bool csv, contact;
 };
 
 static void print_usage(FILE *out)
 {
-    fputs("usage: footpoint-bench [--scene NAME] [--csv] [--isa NAME] [--map FOLDER]\n"
+    fputs("usage: footpoint-bench [--scene NAME] [--csv] [--isa NAME] [--map FOLDER] [--contact]\n"
           "Speed against error of every search, on held-out samples.\n"
           "  --scene NAME   a scene of evolve/scenes, or a path; default: all of evolve/scenes\n"
           "  --csv          comma-separated values\n"
           "  --isa NAME     run the methods as compiled for x86-64, x86-64-v3 (AVX2, FMA) or x86-64-v4 (AVX-512);\n"
           "                 default: the best that this machine has\n"
           "  --map FOLDER   errors of our functions over the segment, FOLDER/SCENE-FUNCTION.vtk\n"
+          "  --contact      instead: contact or not, and how deep, by the pinball test; comma-separated values\n"
           "  --help         this text\n"
           "  --version      version\n",
           out);
@@ -74,7 +76,7 @@ static void print_head(bool csv, const struct bench_table *table)
         "footpoint-bench " FOOTPOINT_VERSION ", all methods compiled by " COMPILER " %s\n"
         "*: ours; ns: of one search, least and median; ratio: converged Newton's median in the same mode over this "
         "one's;\nnoise: per cent, half of the interquartile range of the ratio over the rounds; gap: over the square "
-        "root of the segment's area\n\n",
+        "root of the segment's area;\npinball finds no xi, eta: --contact\n\n",
         table->flags);
     printf("%-14s %-6s   %-34s %-6s %4s %3s %4s %4s %7s %7s %6s %5s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n", "scene",
            "sample", "method", "mode", "mul", "div", "add", "sqrt", "ns_min", "ns", "ratio", "noise", "mean_xi",
@@ -114,6 +116,11 @@ static bool bench_scene(const struct bench_options *o, const struct bench_table 
     struct sample_set training = {0};
     if (!scene)
         return false;
+    if (o->contact) {
+        const bool decided = contact_table(scene, d);
+        scene_free(scene);
+        return decided;
+    }
     bool done = scene_samples(scene, PART_TRAINING, &training, d);
     if (scene->source != SOURCE_RANDOM)
         done = done && bench_part(o, table, scene, &training, PART_HELDOUT, NULL, d) &&
@@ -139,13 +146,11 @@ static bool bench_all(const struct bench_options *o, const struct bench_table *t
 
 int main(int argc, char **argv)
 {
-    static const struct option options[] = {{"scene", required_argument, NULL, 's'},
-                                            {"csv", no_argument, NULL, 'c'},
-                                            {"isa", required_argument, NULL, 'i'},
-                                            {"map", required_argument, NULL, 'm'},
-                                            {"help", no_argument, NULL, 'h'},
-                                            {"version", no_argument, NULL, 'v'},
-                                            {NULL, 0, NULL, 0}};
+    static const struct option options[] = {
+        {"scene", required_argument, NULL, 's'}, {"csv", no_argument, NULL, 'c'},
+        {"contact", no_argument, NULL, 'p'},     {"isa", required_argument, NULL, 'i'},
+        {"map", required_argument, NULL, 'm'},   {"help", no_argument, NULL, 'h'},
+        {"version", no_argument, NULL, 'v'},     {NULL, 0, NULL, 0}};
     struct bench_options o = {0};
     struct diag d;
     for (int option; (option = getopt_long(argc, argv, "", options, NULL)) != -1;)
@@ -155,6 +160,9 @@ int main(int argc, char **argv)
             break;
         case 'c':
             o.csv = true;
+            break;
+        case 'p':
+            o.contact = true;
             break;
         case 'i':
             o.isa = optarg;
@@ -180,6 +188,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "footpoint-bench: error: no methods for '%s' here\n", o.isa);
         return EXIT_USAGE;
     }
+    if (o.contact)
+        puts(contact_table_head);
     if (!(o.scene ? bench_scene(&o, table, o.scene, &d) : bench_all(&o, table, &d))) {
         fprintf(stderr, "%s\n", d.text);
         return (int)d.code;

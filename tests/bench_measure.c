@@ -124,6 +124,10 @@ static double gap_error(const struct sample *s, const double at[2])
 
 static void measure_errors(struct bench_result *r, const struct sample *const *s, size_t n)
 {
+    if (r->method->depth_only) {
+        r->xi = r->eta = r->gap = (struct error_stats){(double)NAN, (double)NAN, (double)NAN, 0};
+        return;
+    }
     double(*found)[2] = new_array(n, sizeof *found), *error[3];
     for (int k = 0; k < 3; k++)
         error[k] = new_array(n, sizeof *error[k]);

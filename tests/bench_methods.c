@@ -6,8 +6,10 @@
  * METHODS below and in count_rivals.cpp. */
 #include "bench_methods.h"
 
+#include "footpoint_perceptron.h"
 #include "methods.h"
 #include "newton_lanes.h"
+#include "pinball.h"
 #include "rivals_closed.h"
 #include "trust_region.h"
 
@@ -105,6 +107,8 @@ RIVAL_ITERATIONS(ITERATION)
 RIVAL_TUNED_ITERATIONS(TUNED_ITERATION)
 RIVAL_CLOSED_FORMS(CLOSED_FORM)
 RIVAL_POLYNOMIALS(POLYNOMIAL)
+CLOSED_FORM(pinball)
+#include "footpoint_perceptron.inc"
 #include "methods.inc"
 #undef ITERATION
 #undef CLOSED_FORM
@@ -134,8 +138,13 @@ RIVAL_POLYNOMIALS(POLYNOMIAL)
 static const struct bench_method methods[] = {
     CONVERGED(newton) CONVERGED(newton_lanes) CONVERGED(newton_loose) CONVERGED(newton_previous) CONVERGED(trust_region)
         RIVAL_ITERATIONS(ITERATION) RIVAL_TUNED_ITERATIONS(TUNED_ITERATION) RIVAL_CLOSED_FORMS(CLOSED_FORM)
-            RIVAL_POLYNOMIALS(POLYNOMIAL)
+            RIVAL_POLYNOMIALS(POLYNOMIAL){RIVAL(pinball), .depth_only = 1},
 #include "methods.inc"
+#undef METHOD
+/* They go by perceptron_hidden_8 and so on. */
+#define METHOD(scene_, name_, mul, div, add, sqrt)                                                                     \
+    {.name = &#name_[sizeof "footpoint"], .scene = scene_, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
+#include "footpoint_perceptron.inc"
 };
 
 #define NAME_OF(isa) bench_table_##isa

@@ -34,6 +34,7 @@ struct bench_method {
     const char *name;
     const char *scene; /* the one it was made for, or NULL: any */
     int ours;
+    int depth_only; /* finds no xi, eta */
     enum rival_start start;
     enum bench_tune tune;
     int coefficients;         /* of each output */

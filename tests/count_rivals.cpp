@@ -61,6 +61,7 @@ static bool operator<=(Real a, Real b)
 }
 
 #define FOOTPOINT_REAL Real
+#include "pinball.h"
 #include "rivals_closed.h"
 #include "rivals_converged.h"
 #include "rivals_tuned.h"
@@ -102,6 +103,7 @@ int main()
     print("OPS", #name, count([](Real *xi, Real *eta) { rival_##name(xA, xB, xC, xD, xS, &t, xi, eta); }));
     RIVAL_ITERATIONS(COUNT)
     RIVAL_CLOSED_FORMS(COUNT)
+    COUNT(pinball)
     RIVAL_TUNED_ITERATIONS(COUNT_TUNED)
     RIVAL_POLYNOMIALS(COUNT_TUNED)
     const auto newton = [](int most, Real *xi, Real *eta) { rival_newton(xA, xB, xC, xD, xS, most, 0.0, xi, eta); };

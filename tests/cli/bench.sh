@@ -18,7 +18,7 @@ awk -F, '
     $3 ~ /^(newton|trust_region)/ && $18 == 0 { bad += $14 > 1e-7; converged[$3]++ }
     $3 == "newton" { bad += $11 != 1 }
     END { for (m in converged) n++
-          exit !(bad == 0 && n == 4 && modes["scalar"] > 70 && modes["batch"] == modes["scalar"] - 1) }
+          exit !(bad == 0 && n == 5 && modes["scalar"] > 70 && modes["batch"] == modes["scalar"] - 1) }
 ' "$work/small.csv"
 report $((! $?)) 'every line is whole, and what converges is right'
 

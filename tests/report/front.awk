@@ -1,6 +1,6 @@
 # Rivals below our front.  Reads what `footpoint-bench --csv` prints; for each scene, sample, mode and for the mean and
 # the 99 % error lists the rivals that no function of ours matches: none of ours is as accurate and, but for the noise,
-# as fast.  Ends with "N rivals below the front".
+# as fast.  Of those it prints the ones that no other rival leaves behind, and ends with "N rivals below the front".
 #
 # An error is the larger of those of xi and eta; below `rounding` all are alike, and 1 or more is no answer.  The noise
 # of two methods is the sum of theirs, 1 % at least.  A function of ours that fails on a sample does not count.
@@ -17,6 +17,7 @@ NR == 1 {
     next
 }
 function larger(a, b) { return a + 0 > b + 0 ? a + 0 : b + 0 }
+$column["mean_xi"] ~ /nan/ { next }
 {
     key = $column["scene"] " " $column["sample"] " " $column["mode"]
     if (!(key in n)) order[++keys] = key
@@ -37,15 +38,24 @@ function matched(key, i, k,    j) {
             return 1
     return 0
 }
+# Is another rival as accurate and faster, or as fast and more accurate?
+function behind(key, i, k,    j) {
+    for (j = 1; j <= n[key]; j++)
+        if (rival[key, j] && error[key, j, k] <= error[key, i, k] && ns[key, j] <= ns[key, i] &&
+            (error[key, j, k] < error[key, i, k] || ns[key, j] < ns[key, i]))
+            return 1
+    return 0
+}
 END {
     for (q = 1; q <= keys; q++) {
         key = order[q]
         for (k = 1; k <= norms; k++)
             for (i = 1; i <= n[key]; i++)
                 if (rival[key, i] && error[key, i, k] < 1 && !matched(key, i, k)) {
-                    printf "%s, %s: %s, %.2f ns, %.1e\n", key, norm[k] == "p99" ? "99 %" : norm[k], name[key, i], \
-                        ns[key, i], error[key, i, k]
                     below++
+                    if (!behind(key, i, k))
+                        printf "%s, %s: %s, %.2f ns, %.1e\n", key, norm[k] == "p99" ? "99 %" : norm[k], name[key, i], \
+                            ns[key, i], error[key, i, k]
                 }
     }
     print below + 0 " rivals below the front"
