@@ -48,7 +48,11 @@ pga_mpi     := evolve/pga_main.c evolve/migrate.c
 genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c
 runtime_lib := $(wildcard runtime/*.c)
 test_main   := $(wildcard tests/test_*.c)
-test_lib    := $(filter-out $(test_main) %_main.c,$(wildcard tests/*.c))
+bench_parts := tests/bench_main.c $(addprefix tests/bench_,isa.c map.c measure.c tune.c)
+test_lib    := $(filter-out $(test_main) tests/bench_%.c %_main.c,$(wildcard tests/*.c))
+
+# Instruction sets that the methods of the bench are compiled for; the bench takes the best that its machine has.
+ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
 
 object = $(patsubst %.c,$(OBJ)/%.o,$(1))
 pkg     = $(shell pkg-config $(1) 2>/dev/null)
@@ -56,7 +60,6 @@ include_dirs = $(filter -I%,$(1))
 
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
 CFLAGS_locate     := -fno-math-errno -fno-trapping-math
-CFLAGS_bench_main := -fno-math-errno -fno-trapping-math
 # Costs of operations are those of optimised code, in any configuration.
 CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 
@@ -88,7 +91,7 @@ GENERATED := $(sort $(wildcard generated/*.h))
 
 all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
-evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga
+evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
 runtime: $(LIB).a $(LIB).so
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
@@ -109,7 +112,12 @@ $(BIN)/footpoint-pga: $(call object,$(pga_mpi) $(evolve_lib) $(genome_lib))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
 
-$(BIN)/footpoint-bench: $(call object,tests/bench_main.c $(test_lib) $(evolve_lib) $(genome_lib) $(runtime_lib))
+$(BIN)/footpoint-perceptron: $(call object,evolve/perceptron_main.c $(evolve_lib) $(genome_lib))
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
+
+$(BIN)/footpoint-bench: $(call object,$(bench_parts) $(test_lib) $(evolve_lib) $(genome_lib)) \
+                        $(foreach isa,$(ISAS),$(OBJ)/tests/bench_methods-$(isa).o)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
 
@@ -134,13 +142,35 @@ $(OBJ)/methods.inc: $(GENERATED) tests/methods.awk Makefile
 	@mkdir -p $(@D)
 	$(Q)awk -f tests/methods.awk $(GENERATED) > $@
 
-$(OBJ)/rival_counts.inc: tests/count_rivals.cpp tests/rivals.h
+# The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.
+$(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
+	$(Q)$(BIN)/footpoint-codegen --allow-poles $< -o $@
+
+$(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/methods.awk
+	$(Q)awk -f tests/methods.awk $< > $@
+
+$(OBJ)/rival_counts.inc: tests/count_rivals.cpp $(wildcard tests/rivals*.h) tests/trust_region.h tests/pinball.h
 	@mkdir -p $(@D)
 	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
-$(OBJ)/tests/bench_main.o $(OBJ)/tests/test_headers.o: CFLAGS += -I$(OBJ)
-$(OBJ)/tests/bench_main.o $(OBJ)/tests/test_headers.o: $(OBJ)/methods.h $(OBJ)/methods.inc
-$(OBJ)/tests/bench_main.o: $(OBJ)/rival_counts.inc
+$(OBJ)/tests/test_headers.o: CFLAGS += -I$(OBJ)
+$(OBJ)/tests/test_headers.o: $(OBJ)/methods.h $(OBJ)/methods.inc
+
+# The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
+# optimised in any configuration.
+# Without signed zeros and not-a-numbers, minima and maxima are instructions.
+FAST := -ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only
+ISA_x86-64    := -march=x86-64
+ISA_x86-64-v3 := -march=x86-64-v3
+ISA_x86-64-v4 := -march=x86-64-v4 -mprefer-vector-width=512
+isa_id = $(subst -,_,$(1))
+
+$(OBJ)/tests/bench_methods-%.o: tests/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
+                                $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(OPT_release) $(FAST) $(ISA_$*) -I$(OBJ) \
+	    -DBENCH_ISA=$(call isa_id,$*) -DBENCH_ISA_NAME='"$*"' \
+	    -DBENCH_FLAGS='"$(strip $(OPT_release) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
 
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
@@ -175,6 +205,11 @@ check-long: all $(TESTS) ## the tests and the long ones
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
 
+PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --iterations 100
+
+perceptrons: evolve ## train the perceptrons of the bench again, tests/paper/perceptron.gen
+	$(Q)$(BIN)/footpoint-perceptron $(PERCEPTRONS) -o tests/paper/perceptron.gen
+
 calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs
 	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && cat $(BIN)/machine.costs
 
@@ -182,7 +217,8 @@ report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report.sh build/report
 
 paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's tables and figures, build/paper/index.html (half an hour; goes on if interrupted): RANKS= FULL=1 (the paper's size)
-	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN)' FULL=$(FULL) sh tests/paper.sh build/paper
+	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN)' FULL=$(FULL) \
+	    PERCEPTRONS='$(PERCEPTRONS)' sh tests/paper.sh build/paper
 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
@@ -207,7 +243,7 @@ install: runtime codegen evolve calibrate-program ## install library, headers an
 	install -m 644 runtime/footpoint.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(GENERATED) $(DESTDIR)$(PREFIX)/include/footpoint
 	install -m 644 $(LIB).a $(LIB).so $(DESTDIR)$(PREFIX)/lib
-	install -m 755 $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga) $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron) $(DESTDIR)$(PREFIX)/bin
 
 clean: ## remove everything that was built
 	rm -rf build
@@ -216,4 +252,4 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        paper deps deps-long install clean help FORCE
+        perceptrons paper deps deps-long install clean help FORCE

@@ -110,6 +110,52 @@ static void add_slaves(const struct lattice *l, const struct grid *g, int corner
             }
 }
 
+/* The sample seen in the x-y plane as a mirror: the same xi and eta. */
+static struct sample mirrored(const struct sample *s)
+{
+    struct sample m = *s;
+    for (int i = 0; i < 4; i++)
+        m.x[i][2] = 0 - s->x[i][2];
+    m.xs[2] = 0 - s->xs[2];
+    m.gap = 0 - s->gap;
+    return m;
+}
+
+/* The mirror images of one C's samples, in the order in which they would have been enumerated. */
+static void add_mirrored(const struct sample_set *from, struct sample_set *set)
+{
+    for (size_t first = 0, end; first < from->n; first = end) {
+        const double *xs = from->s[first].xs;
+        for (end = first + 1; end < from->n && from->s[end].xs[0] == xs[0] && from->s[end].xs[1] == xs[1];)
+            end++;
+        for (size_t i = end; i-- > first;) {
+            const struct sample image = mirrored(&from->s[i]);
+            sample_set_add(set, &image);
+        }
+    }
+}
+
+/* All heights of C, from the lowest; those below the plane are mirror images of those above it. */
+static void add_heights(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)
+{
+    const int heights = g->z / g->z_step;
+    struct sample_set *above = new_array((size_t)heights + 1, sizeof *above);
+    for (int i = 1; i <= heights; i++) {
+        corner[2][2] = i * g->z_step;
+        add_slaves(l, g, corner, &above[i]);
+    }
+    for (int i = heights; i >= 1; i--)
+        add_mirrored(&above[i], set);
+    corner[2][2] = 0;
+    add_slaves(l, g, corner, set);
+    for (int i = 1; i <= heights; i++) {
+        for (size_t k = 0; k < above[i].n; k++)
+            sample_set_add(set, &above[i].s[k]);
+        sample_set_free(&above[i]);
+    }
+    free(above);
+}
+
 static void enumerate(const struct lattice *l, const struct grid *g, struct sample_set *set)
 {
     int corner[4][3] = {{0, 0, 0}, {g->n, 0, 0}};
@@ -122,8 +168,7 @@ static void enumerate(const struct lattice *l, const struct grid *g, struct samp
                 for (c[1] = -g->xy; c[1] <= g->xy; c[1] += g->xy_step) {
                     if (turn(corner[0], corner[1], c) <= 0 || turn(corner[1], c, d) <= 0 || turn(c, d, corner[0]) <= 0)
                         continue;
-                    for (c[2] = -g->z; c[2] <= g->z; c[2] += g->z_step)
-                        add_slaves(l, g, corner, set);
+                    add_heights(l, g, corner, set);
                 }
         }
 }
@@ -199,16 +244,6 @@ static int by_place(const void *a, const void *b)
         if (p->xs[i] != q->xs[i])
             return p->xs[i] < q->xs[i] ? -1 : 1;
     return 0;
-}
-
-/* The sample seen in the x-y plane as a mirror: the same xi and eta. */
-static struct sample mirrored(const struct sample *s)
-{
-    struct sample m = *s;
-    for (int i = 0; i < 4; i++)
-        m.x[i][2] = -s->x[i][2];
-    m.xs[2] = -s->xs[2];
-    return m;
 }
 
 /* Appends those of the n samples that are no mirror images of the m training samples. */

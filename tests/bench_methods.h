@@ -1,100 +1,62 @@
-/* Every search that footpoint-bench compares, in one table: converged Newton, the rivals, and the generated functions.
- * Each is compiled twice, with the search inlined: as a function of one sample, and as a loop over columns of samples.
- * For bench_main.c alone, which finds methods.h, methods.inc and rival_counts.inc in the build folder. */
+/* Every search that footpoint-bench compares, in tables: one for each instruction set that the methods are compiled
+ * for. See bench_methods.c. */
 #ifndef FOOTPOINT_BENCH_METHODS_H
 #define FOOTPOINT_BENCH_METHODS_H
 
-#include "../evolve/sample.h"
-#include "methods.h"
-#include "rivals.h"
+#include "rivals_tuned.h"
 
 #include <stddef.h>
-#include <string.h>
 
-enum { BENCH_BLOCK = 256 };
+enum { BENCH_BLOCK = 128, BENCH_COLUMN = BENCH_BLOCK + 8 };
 
-/** Samples by columns: coordinates of A, B, C, D, S. */
+/** What an iteration writes that did not converge. */
+#define BENCH_NO_ANSWER 1e300
+
+/** One search: nodes A, B, C, D, S, and xi, eta of the step before, which some methods start from. */
+struct bench_input {
+    double x[5][3], before[2];
+};
+
+/** Searches by columns, and what was found.  Columns begin on cache lines, of different sets. */
 struct bench_block {
-    double x[15][BENCH_BLOCK];
-    double xi[BENCH_BLOCK], eta[BENCH_BLOCK]; /* what a search found */
+    _Alignas(64) double x[15][BENCH_COLUMN];
+    double before[2][BENCH_COLUMN], xi[BENCH_COLUMN], eta[BENCH_COLUMN];
 };
 
 struct bench_counts {
-    const char *name;
     long mul, div, add, sqrt;
 };
 
+/** What is chosen for a scene before a method runs: nothing, where it starts, or coefficients that it is linear in. */
+enum bench_tune { TUNE_NOTHING, TUNE_POINT, TUNE_COEFFICIENTS };
+
 struct bench_method {
+    const char *name;
     const char *scene; /* the one it was made for, or NULL: any */
+    int ours;
+    int depth_only; /* finds no xi, eta */
     enum rival_start start;
-    struct bench_counts ops;
-    void (*one)(const struct sample *s, double found[2]);
-    void (*batch)(struct bench_block *b);
+    enum bench_tune tune;
+    int coefficients;         /* of each output */
+    struct bench_counts ops;  /* of a whole search; of iterations until they stand, of the first step ... */
+    struct bench_counts step; /* ... and of a later one */
+    /* One search for each of n inputs, not vectorised over them. */
+    void (*scalar)(const struct bench_input *restrict in, size_t n, const struct rival_tuning *restrict t,
+                   double (*restrict found)[2]);
+    /* BENCH_BLOCK searches, vectorised if the compiler can; NULL: the method has no such form. */
+    void (*batch)(struct bench_block *restrict b, const struct rival_tuning *restrict t);
+    /* Steps that an iteration takes until it stands; NULL: its steps are fixed. */
+    int (*steps)(const struct bench_input *in, const struct rival_tuning *t);
 };
 
-#define BENCH_ONE(function, search)                                                                                    \
-    __attribute__((noinline)) static void one_##function(const struct sample *s, double found[2])                      \
-    {                                                                                                                  \
-        search(s->x[0], s->x[1], s->x[2], s->x[3], s->xs, &found[0], &found[1]);                                       \
-    }
-#define BENCH_BATCH(function, search)                                                                                  \
-    __attribute__((noinline)) static void batch_##function(struct bench_block *b)                                      \
-    {                                                                                                                  \
-        for (int i = 0; i < BENCH_BLOCK; i++) {                                                                        \
-            const double xA[3] = {b->x[0][i], b->x[1][i], b->x[2][i]}, xB[3] = {b->x[3][i], b->x[4][i], b->x[5][i]};   \
-            const double xC[3] = {b->x[6][i], b->x[7][i], b->x[8][i]}, xD[3] = {b->x[9][i], b->x[10][i], b->x[11][i]}; \
-            const double xS[3] = {b->x[12][i], b->x[13][i], b->x[14][i]};                                              \
-            search(xA, xB, xC, xD, xS, &b->xi[i], &b->eta[i]);                                                         \
-        }                                                                                                              \
-    }
-#define BENCH_FUNCTIONS(function, search) BENCH_ONE(function, search) BENCH_BATCH(function, search)
-
-/* Without convergence there is no answer. */
-static inline int bench_newton_iterations(const double xA[3], const double xB[3], const double xC[3],
-                                          const double xD[3], const double xS[3], double *xi, double *eta)
-{
-    const int n = rival_newton(xA, xB, xC, xD, xS, RIVAL_NEWTON_MAX, RIVAL_NEWTON_TOLERANCE, xi, eta);
-    if (n == 0)
-        *xi = *eta = (double)NAN;
-    return n;
-}
-
-#define BENCH_ITERATION(name, start, gauss_newton, newton, clamped) BENCH_FUNCTIONS(name, rival_##name)
-#define BENCH_CLOSED_FORM(name) BENCH_FUNCTIONS(name, rival_##name)
-#define METHOD(scene, function, mul, div, add, sqrt) BENCH_FUNCTIONS(function, function##_at)
-BENCH_FUNCTIONS(newton, bench_newton_iterations)
-RIVAL_ITERATIONS(BENCH_ITERATION)
-RIVAL_CLOSED_FORMS(BENCH_CLOSED_FORM)
-#include "methods.inc"
-#undef METHOD
-#undef BENCH_ITERATION
-#undef BENCH_CLOSED_FORM
-
-static const struct bench_counts bench_counts[] = {
-#include "rival_counts.inc"
+/** Converged Newton stands first. */
+struct bench_table {
+    const char *isa, *flags;
+    const struct bench_method *method;
+    int count;
 };
 
-static inline struct bench_counts bench_counts_of(const char *name)
-{
-    struct bench_counts none = {name, 0, 0, 0, 0};
-    for (size_t i = 0; i < sizeof bench_counts / sizeof *bench_counts; i++)
-        if (strcmp(bench_counts[i].name, name) == 0)
-            return bench_counts[i];
-    return none;
-}
-
-/* Newton stands first.  Its operations and those of the rivals are looked up by name. */
-#define BENCH_RIVAL(name, start) {NULL, start, {#name, 0, 0, 0, 0}, one_##name, batch_##name},
-#define BENCH_ITERATION(name, start, gauss_newton, newton, clamped) BENCH_RIVAL(name, start)
-#define BENCH_CLOSED_FORM(name) BENCH_RIVAL(name, RIVAL_CENTRE)
-#define METHOD(scene, function, mul, div, add, sqrt)                                                                   \
-    {scene, RIVAL_CENTRE, {#function, mul, div, add, sqrt}, one_##function, batch_##function},
-static const struct bench_method bench_methods[] = {BENCH_CLOSED_FORM(newton) RIVAL_ITERATIONS(BENCH_ITERATION)
-                                                        RIVAL_CLOSED_FORMS(BENCH_CLOSED_FORM)
-#include "methods.inc"
-};
-#undef METHOD
-
-enum { BENCH_METHODS = sizeof bench_methods / sizeof *bench_methods };
+/** The table for an instruction set, NULL for the best that this machine has.  NULL if it is unknown or not there. */
+const struct bench_table *bench_table_for(const char *isa);
 
 #endif

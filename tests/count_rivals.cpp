@@ -1,6 +1,6 @@
-// Counts the operations of every rival by running it with a scalar that counts, and prints them as rows of a C table:
-//     {"name", mul, div, add, sqrt},
-// newton_first and newton_step are the converged iteration's set-up with its first step, and each later step.
+// Counts the operations of every rival by running it with a scalar that counts, and prints them for C:
+//     #define OPS_name {mul, div, add, sqrt}
+// Of an iteration until it stands OPS are its set-up with the first step, and STEP_name those of each later step.
 // Comparisons and changes of sign are free.
 #include <cmath>
 #include <cstdio>
@@ -61,41 +61,58 @@ static bool operator<=(Real a, Real b)
 }
 
 #define FOOTPOINT_REAL Real
-#include "rivals.h"
+#include "pinball.h"
+#include "rivals_closed.h"
+#include "rivals_converged.h"
+#include "rivals_tuned.h"
+#include "trust_region.h"
 
 // A warped segment and a slave node off it; no iteration converges at once.
 static const Real xA[3] = {0.0, 0.0, 0.0}, xB[3] = {1.0, 0.1, 0.0}, xC[3] = {1.2, 0.9, 0.2}, xD[3] = {-0.1, 1.0, 0.0};
 static const Real xS[3] = {0.3, 0.6, 0.4};
 
-static void print(const char *name, const Counts &c)
+static void print(const char *kind, const char *name, const Counts &c)
 {
-    std::printf("{\"%s\", %ld, %ld, %ld, %ld},\n", name, c.mul, c.div, c.add, c.sqrt);
+    std::printf("#define %s_%s {%ld, %ld, %ld, %ld}\n", kind, name, c.mul, c.div, c.add, c.sqrt);
 }
 
-template <typename Search> static void count(const char *name, Search search)
+template <typename Search> static Counts count(Search search)
 {
     Real xi, eta;
     counts = Counts();
-    search(xA, xB, xC, xD, xS, &xi, &eta);
-    print(name, counts);
-}
-
-static Counts newton_steps(int most)
-{
-    Real xi, eta;
-    counts = Counts();
-    rival_newton(xA, xB, xC, xD, xS, most, 0.0, &xi, &eta);
+    search(&xi, &eta);
     return counts;
+}
+
+// An iteration that never stands: search(steps, &xi, &eta).
+template <typename Search> static void count_steps(const char *name, Search search)
+{
+    const Counts one = count([&](Real *xi, Real *eta) { search(1, xi, eta); });
+    const Counts two = count([&](Real *xi, Real *eta) { search(2, xi, eta); });
+    print("OPS", name, one);
+    print("STEP", name, {two.mul - one.mul, two.div - one.div, two.add - one.add, two.sqrt - one.sqrt});
 }
 
 int main()
 {
-#define COUNT_ITERATION(name, start, gauss_newton, newton, clamped) count(#name, rival_##name);
-#define COUNT_CLOSED_FORM(name) count(#name, rival_##name);
-    RIVAL_ITERATIONS(COUNT_ITERATION)
-    RIVAL_CLOSED_FORMS(COUNT_CLOSED_FORM)
-    const Counts one = newton_steps(1), two = newton_steps(2);
-    print("newton_first", one);
-    print("newton_step", {two.mul - one.mul, two.div - one.div, two.add - one.add, two.sqrt - one.sqrt});
+    static rival_tuning t;
+    t.box = {{-1.0, -1.0}, {1.0, 1.0}};
+#define COUNT(name, ...)                                                                                               \
+    print("OPS", #name, count([](Real *xi, Real *eta) { rival_##name(xA, xB, xC, xD, xS, xi, eta); }));
+#define COUNT_TUNED(name, ...)                                                                                         \
+    print("OPS", #name, count([](Real *xi, Real *eta) { rival_##name(xA, xB, xC, xD, xS, &t, xi, eta); }));
+    RIVAL_ITERATIONS(COUNT)
+    RIVAL_CLOSED_FORMS(COUNT)
+    COUNT(pinball)
+    RIVAL_TUNED_ITERATIONS(COUNT_TUNED)
+    RIVAL_POLYNOMIALS(COUNT_TUNED)
+    const auto newton = [](int most, Real *xi, Real *eta) { rival_newton(xA, xB, xC, xD, xS, most, 0.0, xi, eta); };
+    count_steps("newton", newton);
+    count_steps("newton_loose", newton);
+    count_steps("newton_previous",
+                [](int most, Real *xi, Real *eta) { rival_newton_from(xA, xB, xC, xD, xS, most, 0.0, xi, eta); });
+    count_steps("trust_region", [](int most, Real *xi, Real *eta) {
+        rival_trust_region(xA, xB, xC, xD, xS, &t.box, most, 0.0, xi, eta);
+    });
     return 0;
 }

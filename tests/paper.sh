@@ -11,16 +11,25 @@ if [ "$FULL" = 1 ]; then
     seeds='1 2 3 4 5 6 7 8 9 10' pga_generations=3000 gp_generations=3000 group_generations=3000
     timed_generations=500
 else
-    seeds=${SEEDS:-1 2 3} pga_generations=${PGA_GENERATIONS:-500} gp_generations=${GP_GENERATIONS:-120}
+    seeds=${SEEDS:-1 2 3 4} pga_generations=${PGA_GENERATIONS:-500} gp_generations=${GP_GENERATIONS:-120}
     group_generations=${GROUP_GENERATIONS:-40} timed_generations=${TIMED_GENERATIONS:-100}
 fi
 runs=$folder/runs
+networks=${PERCEPTRONS:?the options of footpoint-perceptron; make paper gives them}
 sizes=10,20,40,60,80 lengths='50 100 150 200 250' groups='5 10 15 20' group_lengths='50 100 150'
 mkdir -p "$runs" || exit 3
-scene=tests/scenes/similarity.scene timing=$runs/timing.scene
+scene=${STUDY_SCENE:-tests/scenes/similarity.scene} timing=$runs/timing.scene
 
 say() { echo "$(date +%H:%M:%S) $*"; }
 now() { date +%s.%N; }
+
+# Runs that are there must be of the size that is wanted now; seeds may come on top.
+settings="p-GA $pga_generations, pd-LinearGP $gp_generations and $group_generations generations, perceptrons $networks"
+if [ -e "$runs/settings" ] && [ "$settings" != "$(cat "$runs/settings")" ]; then
+    echo "paper: $runs holds runs of another size ($(cat "$runs/settings")); take another folder, or remove it" >&2
+    exit 1
+fi
+echo "$settings" > "$runs/settings"
 
 # make_once FILE COMMAND...: the command's standard output becomes the file, which is whole or not there.
 make_once() {
@@ -75,6 +84,15 @@ pga_once() {
     say "p-GA: $(basename "$name")"
     $MPIRUN "$BIN/footpoint-pga" --quiet --scene $scene --log "$name.csv" -o "$name.part.gen" "$@" \
         > "$name.out" 2> "$name.err" && mv "$name.part.gen" "$name.gen" || { cat "$name.err" >&2; exit 3; }
+}
+
+# The perceptrons of the bench, trained anew; the bench itself has those that are committed.
+perceptron_once() {
+    [ ! -e "$runs/perceptron.gen" ] || return 0
+    say "perceptrons"
+    # shellcheck disable=SC2086
+    "$BIN/footpoint-perceptron" $networks -o "$runs/perceptron.gen" > "$runs/perceptron.out" 2>&1 ||
+        { cat "$runs/perceptron.out" >&2; exit 3; }
 }
 
 # ---- times: on ordinary segments drawn at random, which are made fast; as many samples as the paper's ---------------
@@ -147,7 +165,7 @@ estimate() {
         -v q="$group_generations" -v ranks="$RANKS" '
         FILENAME ~ /pga/ && $1 == ranks { pga = $2 }
         FILENAME ~ /lengths/ && FNR > 1 { all += $3; if ($1 == "polynomial" && $2 <= 150) short += $3 }
-        END { s = seeds * (3.5 * pga * p + 5 * all * g / ranks + 50 * short * q / ranks + 8 * 17) + 120
+        END { s = seeds * (3.5 * pga * p + 6.3 * all * g / ranks + 50 * short * q / ranks + 8 * 10 + 20) + 360
               printf "%.0f", s / 60 }' "$runs/time-pga.csv" "$runs/time-lengths.csv"
 }
 
@@ -162,7 +180,10 @@ say "this will take about $(estimate) minutes on $RANKS ranks, less what is ther
 make_once "$runs/time-groups.csv" time_groups
 make_once "$runs/calibration.tap" env CMOCKA_MESSAGE_OUTPUT=TAP "$BIN/tests/test_calibration"
 pga_once ten --terms tests/paper/ten-terms.txt --name ten_terms
+perceptron_once
+say "footpoint-bench"
 make_once "$runs/bench.csv" "$BIN/footpoint-bench" --scene paper-quad4 --csv
+make_once "$runs/contact.csv" "$BIN/footpoint-bench" --scene paper-quad4 --contact
 scene_of "$runs/lengths.scene" "$lengths" 'polynomial rational'
 scene_of "$runs/groups.scene" "$group_lengths" polynomial
 scene_of "$runs/front.scene" 100 polynomial

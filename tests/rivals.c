@@ -1,5 +1,5 @@
 /* The table of rivals; see rivals.h. */
-#include "rivals.h"
+#include "rivals_closed.h"
 
 #define ITERATION(name, start, gauss_newton, newton, clamped) {#name, rival_##name},
 #define CLOSED_FORM(name) {#name, rival_##name},

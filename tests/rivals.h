@@ -20,6 +20,7 @@
 #define FOOTPOINT_RIVALS_H
 
 #include <math.h>
+#include <stddef.h>
 
 #ifndef FOOTPOINT_REAL
 #define FOOTPOINT_REAL double
@@ -32,42 +33,59 @@
 
 enum rival_start { RIVAL_CENTRE, RIVAL_QUARTER };
 
+/** Iterations until they stand give up after so many steps. */
+enum { RIVAL_STEPS_MAX = 50 };
+
 /** Truncated iterations: R(name, start, Gauss-Newton steps, Newton steps, clamped). */
 #define RIVAL_ITERATIONS(R)                                                                                            \
     R(gn1_centre, RIVAL_CENTRE, 1, 0, 0)                                                                               \
     R(gn2_centre, RIVAL_CENTRE, 2, 0, 0)                                                                               \
     R(gn3_centre, RIVAL_CENTRE, 3, 0, 0)                                                                               \
     R(gn4_centre, RIVAL_CENTRE, 4, 0, 0)                                                                               \
+    R(n1_centre, RIVAL_CENTRE, 0, 1, 0)                                                                                \
+    R(n2_centre, RIVAL_CENTRE, 0, 2, 0)                                                                                \
+    R(n3_centre, RIVAL_CENTRE, 0, 3, 0)                                                                                \
+    R(n4_centre, RIVAL_CENTRE, 0, 4, 0)                                                                                \
     R(gn1n1_centre, RIVAL_CENTRE, 1, 1, 0)                                                                             \
     R(gn1n2_centre, RIVAL_CENTRE, 1, 2, 0)                                                                             \
+    R(gn1n3_centre, RIVAL_CENTRE, 1, 3, 0)                                                                             \
     R(gn2n1_centre, RIVAL_CENTRE, 2, 1, 0)                                                                             \
     R(gn1_centre_clamped, RIVAL_CENTRE, 1, 0, 1)                                                                       \
     R(gn2_centre_clamped, RIVAL_CENTRE, 2, 0, 1)                                                                       \
     R(gn3_centre_clamped, RIVAL_CENTRE, 3, 0, 1)                                                                       \
+    R(gn4_centre_clamped, RIVAL_CENTRE, 4, 0, 1)                                                                       \
+    R(n1_centre_clamped, RIVAL_CENTRE, 0, 1, 1)                                                                        \
+    R(n2_centre_clamped, RIVAL_CENTRE, 0, 2, 1)                                                                        \
+    R(n3_centre_clamped, RIVAL_CENTRE, 0, 3, 1)                                                                        \
+    R(n4_centre_clamped, RIVAL_CENTRE, 0, 4, 1)                                                                        \
     R(gn1n1_centre_clamped, RIVAL_CENTRE, 1, 1, 1)                                                                     \
+    R(gn1n2_centre_clamped, RIVAL_CENTRE, 1, 2, 1)                                                                     \
+    R(gn1n3_centre_clamped, RIVAL_CENTRE, 1, 3, 1)                                                                     \
     R(gn2n1_centre_clamped, RIVAL_CENTRE, 2, 1, 1)                                                                     \
     R(gn1_quarter, RIVAL_QUARTER, 1, 0, 0)                                                                             \
     R(gn2_quarter, RIVAL_QUARTER, 2, 0, 0)                                                                             \
     R(gn3_quarter, RIVAL_QUARTER, 3, 0, 0)                                                                             \
     R(gn4_quarter, RIVAL_QUARTER, 4, 0, 0)                                                                             \
+    R(n1_quarter, RIVAL_QUARTER, 0, 1, 0)                                                                              \
+    R(n2_quarter, RIVAL_QUARTER, 0, 2, 0)                                                                              \
+    R(n3_quarter, RIVAL_QUARTER, 0, 3, 0)                                                                              \
+    R(n4_quarter, RIVAL_QUARTER, 0, 4, 0)                                                                              \
     R(gn1n1_quarter, RIVAL_QUARTER, 1, 1, 0)                                                                           \
     R(gn1n2_quarter, RIVAL_QUARTER, 1, 2, 0)                                                                           \
+    R(gn1n3_quarter, RIVAL_QUARTER, 1, 3, 0)                                                                           \
     R(gn2n1_quarter, RIVAL_QUARTER, 2, 1, 0)                                                                           \
     R(gn1_quarter_clamped, RIVAL_QUARTER, 1, 0, 1)                                                                     \
     R(gn2_quarter_clamped, RIVAL_QUARTER, 2, 0, 1)                                                                     \
     R(gn3_quarter_clamped, RIVAL_QUARTER, 3, 0, 1)                                                                     \
+    R(gn4_quarter_clamped, RIVAL_QUARTER, 4, 0, 1)                                                                     \
+    R(n1_quarter_clamped, RIVAL_QUARTER, 0, 1, 1)                                                                      \
+    R(n2_quarter_clamped, RIVAL_QUARTER, 0, 2, 1)                                                                      \
+    R(n3_quarter_clamped, RIVAL_QUARTER, 0, 3, 1)                                                                      \
+    R(n4_quarter_clamped, RIVAL_QUARTER, 0, 4, 1)                                                                      \
     R(gn1n1_quarter_clamped, RIVAL_QUARTER, 1, 1, 1)                                                                   \
     R(gn1n2_quarter_clamped, RIVAL_QUARTER, 1, 2, 1)                                                                   \
+    R(gn1n3_quarter_clamped, RIVAL_QUARTER, 1, 3, 1)                                                                   \
     R(gn2n1_quarter_clamped, RIVAL_QUARTER, 2, 1, 1)
-
-/** Closed forms: R(name). */
-#define RIVAL_CLOSED_FORMS(R)                                                                                          \
-    R(area)                                                                                                            \
-    R(plane)
-
-/** Iterations of the converged Newton method: Gauss-Newton first, and the step at which it stops. */
-enum { RIVAL_NEWTON_GAUSS = 3, RIVAL_NEWTON_MAX = 50 };
-#define RIVAL_NEWTON_TOLERANCE 1e-10
 
 /** The methods as a table, in the order of the lists above. */
 typedef void rival_search(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta);
@@ -135,10 +153,10 @@ RIVAL_FN struct rival_point rival_solve(FOOTPOINT_REAL k11, FOOTPOINT_REAL k12, 
     return p;
 }
 
-/* Gauss-Newton from u = v = 0. */
-RIVAL_FN struct rival_point rival_first(const struct rival_products *g, FOOTPOINT_REAL scale)
+/* From u = v = 0. */
+RIVAL_FN struct rival_point rival_first(const struct rival_products *g, int newton, FOOTPOINT_REAL scale)
 {
-    return rival_solve(g->g11, g->g12, g->g22, g->g1, g->g2, scale);
+    return rival_solve(g->g11, newton ? g->g12 - g->g3 : g->g12, g->g22, g->g1, g->g2, scale);
 }
 
 RIVAL_FN struct rival_point rival_step(const struct rival_products *g, int newton, struct rival_point p,
@@ -152,15 +170,33 @@ RIVAL_FN struct rival_point rival_step(const struct rival_products *g, int newto
     return rival_solve(k11, g->g12 + y, k22, g->g1 + p.v * g->g3 + w * t, g->g2 + p.u * g->g3 + w * s, scale);
 }
 
-RIVAL_FN FOOTPOINT_REAL rival_clamp(FOOTPOINT_REAL x, FOOTPOINT_REAL limit)
+/* What a step may yield: u and v from low to high. */
+struct rival_box {
+    FOOTPOINT_REAL low[2], high[2];
+};
+
+struct rival_clamp {
+    struct rival_box plain, scaled; /* of the steps, and of the last one */
+};
+
+/* The comparisons are those of the machine's maximum and minimum. */
+RIVAL_FN FOOTPOINT_REAL rival_between(FOOTPOINT_REAL low, FOOTPOINT_REAL x, FOOTPOINT_REAL high)
 {
-    const FOOTPOINT_REAL least = -limit;
-    const FOOTPOINT_REAL above = x < least ? least : x;
-    return limit < above ? limit : above;
+    const FOOTPOINT_REAL above = x < low ? low : x;
+    return high < above ? high : above;
 }
 
-/* All nine scalar products, or the five that the first step needs. */
-RIVAL_FN struct rival_products rival_products_of(const struct rival_basis *b, int first_only)
+RIVAL_FN struct rival_point rival_clamped(struct rival_point p, const struct rival_box *box)
+{
+    p.u = rival_between(box->low[0], p.u, box->high[0]);
+    p.v = rival_between(box->low[1], p.v, box->high[1]);
+    return p;
+}
+
+enum rival_needs { RIVAL_ONE_GAUSS_NEWTON, RIVAL_ONE_NEWTON, RIVAL_MANY };
+
+/* All nine scalar products, or those that a single step needs. */
+RIVAL_FN struct rival_products rival_products_of(const struct rival_basis *b, enum rival_needs needs)
 {
     struct rival_products g;
     g.g11 = rival_dot(b->e1, b->e1);
@@ -168,40 +204,67 @@ RIVAL_FN struct rival_products rival_products_of(const struct rival_basis *b, in
     g.g22 = rival_dot(b->e2, b->e2);
     g.g1 = rival_dot(b->e1, b->d);
     g.g2 = rival_dot(b->e2, b->d);
-    if (first_only) {
-        g.g13 = g.g23 = g.g33 = g.g3 = 0;
-        return g;
+    g.g13 = g.g23 = g.g33 = g.g3 = 0;
+    if (needs != RIVAL_ONE_GAUSS_NEWTON)
+        g.g3 = rival_dot(b->c3, b->d);
+    if (needs == RIVAL_MANY) {
+        g.g13 = rival_dot(b->e1, b->c3);
+        g.g23 = rival_dot(b->e2, b->c3);
+        g.g33 = rival_dot(b->c3, b->c3);
     }
-    g.g13 = rival_dot(b->e1, b->c3);
-    g.g23 = rival_dot(b->e2, b->c3);
-    g.g33 = rival_dot(b->c3, b->c3);
-    g.g3 = rival_dot(b->c3, b->d);
     return g;
 }
 
-/* A truncated iteration.  The counts are constants where this is called, so that nothing of the loop is left.  The last
- * step of a "quarter" yields u/2 and v/2: the scale goes into the division. */
+/* What steps make up an iteration from u = v = 0: constants where it is called, so that no choice is left.  What the
+ * last step yields is scaled, within its division. */
+struct rival_plan {
+    int gauss_newton, newton;
+    FOOTPOINT_REAL scale;
+    const struct rival_clamp *clamp; /* or NULL */
+};
+
+/* Step k, from 0, if there is one. */
+RIVAL_FN struct rival_point rival_advance(const struct rival_products *g, const struct rival_plan *plan, int k,
+                                          struct rival_point p)
+{
+    const int last = plan->gauss_newton + plan->newton - 1, newton = k >= plan->gauss_newton;
+    const FOOTPOINT_REAL one = 1.0, scale = k == last ? plan->scale : one;
+    if (k > last)
+        return p;
+    p = k == 0 ? rival_first(g, newton, scale) : rival_step(g, newton, p, scale);
+    return plan->clamp ? rival_clamped(p, k == last ? &plan->clamp->scaled : &plan->clamp->plain) : p;
+}
+
+RIVAL_FN struct rival_point rival_steps(const struct rival_basis *b, const struct rival_plan *plan)
+{
+    const int many = plan->gauss_newton + plan->newton > 1;
+    const struct rival_products g = rival_products_of(b, many           ? RIVAL_MANY
+                                                         : plan->newton ? RIVAL_ONE_NEWTON
+                                                                        : RIVAL_ONE_GAUSS_NEWTON);
+    struct rival_point p = {0, 0};
+    p = rival_advance(&g, plan, 0, p);
+    p = rival_advance(&g, plan, 1, p);
+    p = rival_advance(&g, plan, 2, p);
+    return rival_advance(&g, plan, 3, p);
+}
+
+/* A truncated iteration.  A "quarter" is halved by its last step. */
 RIVAL_FN void rival_iterate(RIVAL_NODES, enum rival_start start, int gauss_newton, int newton, int clamped,
                             FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
 {
-    const int steps = gauss_newton + newton;
+    const FOOTPOINT_REAL one = 1.0, half = 0.5;
+    const struct rival_box unit = {{-one, -one}, {one, one}}, quarter = {{-half, -half}, {half, half}};
+    const struct rival_clamp centre_clamp = {unit, unit}, quarter_clamp = {unit, quarter};
     struct rival_basis b;
     if (start == RIVAL_CENTRE)
         rival_basis_centre(xA, xB, xC, xD, xS, &b);
     else
         rival_basis_quarter(xA, xB, xC, xD, xS, &b);
-    const struct rival_products g = rival_products_of(&b, steps == 1);
-    struct rival_point p;
-    for (int k = 0; k < steps; k++) {
-        const FOOTPOINT_REAL scale = start == RIVAL_QUARTER && k == steps - 1 ? 0.5 : 1.0;
-        p = k == 0 ? rival_first(&g, scale) : rival_step(&g, k >= gauss_newton, p, scale);
-        if (clamped) {
-            p.u = rival_clamp(p.u, scale);
-            p.v = rival_clamp(p.v, scale);
-        }
-    }
-    *xi = start == RIVAL_CENTRE ? p.u : p.u - 0.5;
-    *eta = start == RIVAL_CENTRE ? p.v : p.v - 0.5;
+    const struct rival_clamp *clamp = start == RIVAL_CENTRE ? &centre_clamp : &quarter_clamp;
+    const struct rival_plan plan = {gauss_newton, newton, start == RIVAL_CENTRE ? one : half, clamped ? clamp : NULL};
+    const struct rival_point p = rival_steps(&b, &plan);
+    *xi = start == RIVAL_CENTRE ? p.u : p.u - half;
+    *eta = start == RIVAL_CENTRE ? p.v : p.v - half;
 }
 
 #define RIVAL_DEFINE(name, start, gauss_newton, newton, clamped)                                                       \
@@ -211,74 +274,5 @@ RIVAL_FN void rival_iterate(RIVAL_NODES, enum rival_start start, int gauss_newto
     }
 RIVAL_ITERATIONS(RIVAL_DEFINE)
 #undef RIVAL_DEFINE
-
-/** Newton's iteration from the centre, three Gauss-Newton steps first, until a step moves neither xi nor eta by more
- * than the tolerance.  Returns the steps taken, or 0 if `most` of them were not enough (xi, eta are then where it
- * stands). */
-RIVAL_FN int rival_newton(RIVAL_NODES, int most, double tolerance, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
-{
-    const FOOTPOINT_REAL one = 1.0, limit = tolerance;
-    struct rival_basis b;
-    rival_basis_centre(xA, xB, xC, xD, xS, &b);
-    const struct rival_products g = rival_products_of(&b, 0);
-    struct rival_point p = rival_first(&g, one);
-    int n = 1;
-    for (; n < most; n++) {
-        const struct rival_point next = rival_step(&g, n >= RIVAL_NEWTON_GAUSS, p, one);
-        const FOOTPOINT_REAL du = next.u - p.u, dv = next.v - p.v;
-        p = next;
-        if (fabs(du) <= limit && fabs(dv) <= limit)
-            break;
-    }
-    *xi = p.u;
-    *eta = p.v;
-    return n < most ? n + 1 : 0;
-}
-
-/* Twice the area of the triangle of the origin, a and b. */
-RIVAL_FN FOOTPOINT_REAL rival_triangle(const FOOTPOINT_REAL a[3], const FOOTPOINT_REAL b[3])
-{
-    const FOOTPOINT_REAL x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
-    return sqrt(x * x + y * y + z * z);
-}
-
-/** Area coordinates (12)-(16) with the triangles of S itself.  With D1 = SAB, D2 = SBC, D3 = SCD, D4 = SDA the shape
- *  functions of A, B, C, D are D2 D3, D3 D4, D4 D1, D1 D2 over (D1 + D3)(D2 + D4), and so
- *  xi = phi_B + phi_C - phi_A - phi_D = (D4 - D2)/(D4 + D2), eta = (D1 - D3)/(D1 + D3). */
-RIVAL_FN void rival_area(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
-{
-    FOOTPOINT_REAL a[3], b[3], c[3], d[3];
-    for (int i = 0; i < 3; i++) {
-        a[i] = xA[i] - xS[i];
-        b[i] = xB[i] - xS[i];
-        c[i] = xC[i] - xS[i];
-        d[i] = xD[i] - xS[i];
-    }
-    const FOOTPOINT_REAL d1 = rival_triangle(a, b), d2 = rival_triangle(b, c), d3 = rival_triangle(c, d),
-                         d4 = rival_triangle(d, a);
-    *xi = (d4 - d2) / (d4 + d2);
-    *eta = (d1 - d3) / (d1 + d3);
-}
-
-/** The exact answer of a plane segment: with d = p e1 + q e2 and c3 = a e1 + b e2 in its plane, u = p - a u v and
- *  v = q - b u v give b u^2 + (1 - k) u - p = 0, k = b p - a q.  A warped segment is projected onto the plane of its
- *  mid-lines; a negative discriminant counts as 0. */
-RIVAL_FN void rival_plane(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
-{
-    const FOOTPOINT_REAL one = 1.0, none = 0.0;
-    struct rival_basis e;
-    rival_basis_centre(xA, xB, xC, xD, xS, &e);
-    const FOOTPOINT_REAL g11 = rival_dot(e.e1, e.e1), g12 = rival_dot(e.e1, e.e2), g22 = rival_dot(e.e2, e.e2);
-    const FOOTPOINT_REAL g13 = rival_dot(e.e1, e.c3), g23 = rival_dot(e.e2, e.c3);
-    const FOOTPOINT_REAL g1 = rival_dot(e.e1, e.d), g2 = rival_dot(e.e2, e.d);
-    const FOOTPOINT_REAL inverse = one / (g11 * g22 - g12 * g12);
-    const FOOTPOINT_REAL p = (g22 * g1 - g12 * g2) * inverse, q = (g11 * g2 - g12 * g1) * inverse;
-    const FOOTPOINT_REAL a = (g22 * g13 - g12 * g23) * inverse, b = (g11 * g23 - g12 * g13) * inverse;
-    const FOOTPOINT_REAL bp = b * p, linear = one - (bp - a * q), bp2 = bp + bp;
-    const FOOTPOINT_REAL square = linear * linear + (bp2 + bp2);
-    const FOOTPOINT_REAL u = (p + p) / (linear + sqrt(square < none ? none : square));
-    *xi = u;
-    *eta = q / (one + b * u);
-}
 
 #endif

@@ -1,6 +1,9 @@
 /* The hand-written methods: exact where theory says so, equal to textbook iterations, and within their range. */
 #include "ordinary_quad.h"
-#include "rivals.h"
+#include "rivals_closed.h"
+#include "rivals_converged.h"
+#include "rivals_tuned.h"
+#include "trust_region.h"
 
 #include <float.h>
 #include <setjmp.h>
@@ -101,6 +104,7 @@ static void test_parallelogram(void **state)
         for (int i = 0; i < rival_count; i++) {
             double xi, eta;
             where = rivals[i].name;
+            /* Newton's first step is not exact off the segment; a gap spoils areas. */
             if (strcmp(where, "area") == 0 || (named("quarter_clamped") && (q.xi > 0 || q.eta > 0)))
                 continue;
             rivals[i].search(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, &xi, &eta);
@@ -148,7 +152,7 @@ static void test_newton(void **state)
     for (number = 0; number < SEGMENTS; number++) {
         const struct quad q = quad_draw(&quad_ordinary, number);
         const int steps =
-            rival_newton(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, RIVAL_NEWTON_MAX, RIVAL_NEWTON_TOLERANCE, &xi, &eta);
+            rival_newton(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, &xi, &eta);
         assert_in_range(steps, 2, 8);
         close_to(&q, xi, eta, q.xi, q.eta, tolerance);
         assert_int_equal(rival_newton(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, 3, 0, &xi, &eta), 0);

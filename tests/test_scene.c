@@ -322,6 +322,31 @@ static void parts_share_nothing(void **state)
     }
 }
 
+/* To the last bit, though half of the lattice is taken from its mirror image. */
+static void lattice_labels_are_certain(void **state)
+{
+    const double lo[2] = {-1, -1}, hi[2] = {0, 0};
+    struct diag d;
+    struct scene *s = read_from_text(HEAD LATTICE TAIL, &d);
+    size_t low = 0, high = 0;
+    (void)state;
+    assert_non_null(s);
+    for (int part = PART_TRAINING; part <= PART_HELDOUT; part++) {
+        struct sample_set set = samples_of(s, (enum sample_part)part);
+        for (size_t i = 0; i < set.n; i++) {
+            struct sample fresh = set.s[i];
+            fresh.xi = fresh.eta = fresh.gap = 9;
+            assert_true(reference_foot(&fresh, lo, hi));
+            assert_true(fresh.xi == set.s[i].xi && fresh.eta == set.s[i].eta && fresh.gap == set.s[i].gap);
+            low += set.s[i].x[2][2] < 0;
+            high += set.s[i].x[2][2] > 0;
+        }
+        sample_set_free(&set);
+    }
+    assert_true(low > 100 && high > 100);
+    scene_free(s);
+}
+
 static void seeds_draw_other_samples(void **state)
 {
     struct diag d;
@@ -477,9 +502,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shipped_scenes_read),          cmocka_unit_test(every_value_arrives),
         cmocka_unit_test(malformed_scenes_are_refused), cmocka_unit_test(missing_scenes_are_refused),
-        cmocka_unit_test(parts_share_nothing),          cmocka_unit_test(seeds_draw_other_samples),
-        cmocka_unit_test(labels_are_foot_points),       cmocka_unit_test(shapes_keep_their_limits),
-        cmocka_unit_test(order_renumbers_the_corners),  cmocka_unit_test(empty_sets_are_refused),
+        cmocka_unit_test(parts_share_nothing),          cmocka_unit_test(lattice_labels_are_certain),
+        cmocka_unit_test(seeds_draw_other_samples),     cmocka_unit_test(labels_are_foot_points),
+        cmocka_unit_test(shapes_keep_their_limits),     cmocka_unit_test(order_renumbers_the_corners),
+        cmocka_unit_test(empty_sets_are_refused),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);
 }

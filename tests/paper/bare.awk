@@ -1,7 +1,8 @@
-# Genomes in the eight inputs alone, without the preprocessing that computes them from the nodes.
-# -v only=xi: that output alone.
+# Genomes in the eight inputs alone, without the preprocessing that computes them from the nodes; a network's values,
+# lets named hidden_..., stay.  -v only=xi: that output alone.
 /^footpoint-genome/ { print; print "input xc yc zc xd yd xs ys zs"; next }
+/^(note|input|segment|range|require|let) / { if (!inside) kept = /^let hidden_/ }
 /^genome / { inside = 1 }
 /^(xi|eta) = / { skip = only != "" && $1 != only }
 /^end/ { skip = 0 }
-inside && !skip
+inside ? !skip : kept

@@ -1,0 +1,52 @@
+/* Which of the tables of methods this machine can run; see bench_methods.h. */
+#include "bench_methods.h"
+
+#include <string.h>
+
+#ifdef __x86_64__
+extern const struct bench_table bench_table_x86_64, bench_table_x86_64_v3, bench_table_x86_64_v4;
+
+static int has_v3(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2");
+}
+
+static int has_v4(void)
+{
+    return has_v3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+}
+
+/* The best first. */
+static int tables(const struct bench_table *found[3])
+{
+    int n = 0;
+    __builtin_cpu_init();
+    if (has_v4())
+        found[n++] = &bench_table_x86_64_v4;
+    if (has_v3())
+        found[n++] = &bench_table_x86_64_v3;
+    found[n++] = &bench_table_x86_64;
+    return n;
+}
+#else
+extern const struct bench_table bench_table_portable;
+
+static int tables(const struct bench_table *found[3])
+{
+    found[0] = &bench_table_portable;
+    return 1;
+}
+#endif
+
+const struct bench_table *bench_table_for(const char *isa)
+{
+    const struct bench_table *found[3];
+    const int n = tables(found);
+    for (int i = 0; i < n; i++)
+        if (!isa || strcmp(found[i]->isa, isa) == 0)
+            return found[i];
+    return NULL;
+}

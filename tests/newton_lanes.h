@@ -1,0 +1,76 @@
+/* Converged Newton for columns of samples, NEWTON_LANES at a time: all lanes step until the last of them stands; those
+ * that stand are left where they are, so that each finds what it finds alone.  Written so that compilers vectorise the
+ * loops over lanes.  See rivals_converged.h. */
+#ifndef FOOTPOINT_NEWTON_LANES_H
+#define FOOTPOINT_NEWTON_LANES_H
+
+#include "rivals_converged.h"
+
+enum { NEWTON_LANES = 32 };
+
+struct newton_lanes {
+    double g11[NEWTON_LANES], g12[NEWTON_LANES], g13[NEWTON_LANES], g22[NEWTON_LANES], g23[NEWTON_LANES];
+    double g33[NEWTON_LANES], g1[NEWTON_LANES], g2[NEWTON_LANES], g3[NEWTON_LANES];
+    double u[NEWTON_LANES], v[NEWTON_LANES];
+    long long moving[NEWTON_LANES]; /* 1 or 0 */
+};
+
+/* The products of lane i from column i of x[15]. */
+RIVAL_FN void newton_lanes_read(struct newton_lanes *lanes, const double *const x[15], int from_start)
+{
+    for (int i = 0; i < NEWTON_LANES; i++) {
+        const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
+        const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
+        const double xS[3] = {x[12][i], x[13][i], x[14][i]};
+        struct rival_basis b;
+        rival_basis_centre(xA, xB, xC, xD, xS, &b);
+        const struct rival_products g = rival_products_of(&b, RIVAL_MANY);
+        const struct rival_point p = rival_first(&g, 0, 1.0);
+        lanes->g11[i] = g.g11;
+        lanes->g12[i] = g.g12;
+        lanes->g13[i] = g.g13;
+        lanes->g22[i] = g.g22;
+        lanes->g23[i] = g.g23;
+        lanes->g33[i] = g.g33;
+        lanes->g1[i] = g.g1;
+        lanes->g2[i] = g.g2;
+        lanes->g3[i] = g.g3;
+        lanes->u[i] = from_start ? lanes->u[i] : p.u;
+        lanes->v[i] = from_start ? lanes->v[i] : p.v;
+        lanes->moving[i] = 1;
+    }
+}
+
+/* One step of all lanes; returns how many still move. */
+RIVAL_FN long long newton_lanes_step(struct newton_lanes *lanes, int newton, double tolerance)
+{
+    long long count = 0;
+    for (int i = 0; i < NEWTON_LANES; i++) {
+        const struct rival_products g = {lanes->g11[i], lanes->g12[i], lanes->g13[i], lanes->g22[i], lanes->g23[i],
+                                         lanes->g33[i], lanes->g1[i],  lanes->g2[i],  lanes->g3[i]};
+        const double u = lanes->u[i], v = lanes->v[i];
+        const long long moving = lanes->moving[i];
+        const struct rival_point p = {u, v}, next = rival_step(&g, newton, p, 1.0);
+        const double du = fabs(next.u - u), dv = fabs(next.v - v), most = du < dv ? dv : du;
+        lanes->u[i] = moving ? next.u : u;
+        lanes->v[i] = moving ? next.v : v;
+        lanes->moving[i] = most <= tolerance ? 0 : moving;
+    }
+    for (int i = 0; i < NEWTON_LANES; i++)
+        count += lanes->moving[i];
+    return count;
+}
+
+/** From the centre (from_start 0), or from what lanes->u and v hold. */
+RIVAL_FN void newton_lanes_run(struct newton_lanes *lanes, const double *const x[15], int from_start, double tolerance)
+{
+    long long moving = NEWTON_LANES;
+    int n = from_start ? 0 : 1;
+    newton_lanes_read(lanes, x, from_start);
+    for (; !from_start && n < RIVAL_NEWTON_GAUSS && moving > 0; n++)
+        moving = newton_lanes_step(lanes, 0, tolerance);
+    for (; n < RIVAL_STEPS_MAX && moving > 0; n++)
+        moving = newton_lanes_step(lanes, 1, tolerance);
+}
+
+#endif

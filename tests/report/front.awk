@@ -1,0 +1,62 @@
+# Rivals below our front.  Reads what `footpoint-bench --csv` prints; for each scene, sample, mode and for the mean and
+# the 99 % error lists the rivals that no function of ours matches: none of ours is as accurate and, but for the noise,
+# as fast.  Of those it prints the ones that no other rival leaves behind, and ends with "N rivals below the front".
+#
+# An error is the larger of those of xi and eta; below `rounding` all are alike, and 1 or more is no answer.  The noise
+# of two methods is the sum of theirs, 1 % at least.  A function of ours that fails on a sample does not count.
+#
+# Columns are found by their names.  -v rounding=1e-14 -v least_noise=0.01
+BEGIN {
+    FS = ","
+    if (rounding == "") rounding = 1e-14
+    if (least_noise == "") least_noise = 0.01
+    norms = split("mean p99", norm, " ")
+}
+NR == 1 {
+    for (i = 1; i <= NF; i++) column[$i] = i
+    next
+}
+function larger(a, b) { return a + 0 > b + 0 ? a + 0 : b + 0 }
+$column["mean_xi"] ~ /nan/ { next }
+{
+    key = $column["scene"] " " $column["sample"] " " $column["mode"]
+    if (!(key in n)) order[++keys] = key
+    i = ++n[key]
+    name[key, i] = $column["method"]
+    ours[key, i] = $column["ours"] && $column["failures"] == 0
+    rival[key, i] = !$column["ours"]
+    ns[key, i] = $column["ns"]
+    noise[key, i] = $column["noise"]
+    for (k = 1; k <= norms; k++)
+        error[key, i, k] = larger(larger($column[norm[k] "_xi"], $column[norm[k] "_eta"]), rounding)
+}
+# Is a function of ours as accurate as rival i and, but for the noise, as fast?
+function matched(key, i, k,    j) {
+    for (j = 1; j <= n[key]; j++)
+        if (ours[key, j] && error[key, j, k] <= error[key, i, k] &&
+            ns[key, j] <= ns[key, i] * (1 + larger(least_noise, noise[key, i] + noise[key, j])))
+            return 1
+    return 0
+}
+# Is another rival as accurate and faster, or as fast and more accurate?
+function behind(key, i, k,    j) {
+    for (j = 1; j <= n[key]; j++)
+        if (rival[key, j] && error[key, j, k] <= error[key, i, k] && ns[key, j] <= ns[key, i] &&
+            (error[key, j, k] < error[key, i, k] || ns[key, j] < ns[key, i]))
+            return 1
+    return 0
+}
+END {
+    for (q = 1; q <= keys; q++) {
+        key = order[q]
+        for (k = 1; k <= norms; k++)
+            for (i = 1; i <= n[key]; i++)
+                if (rival[key, i] && error[key, i, k] < 1 && !matched(key, i, k)) {
+                    below++
+                    if (!behind(key, i, k))
+                        printf "%s, %s: %s, %.2f ns, %.1e\n", key, norm[k] == "p99" ? "99 %" : norm[k], name[key, i], \
+                            ns[key, i], error[key, i, k]
+                }
+    }
+    print below + 0 " rivals below the front"
+}
