@@ -165,7 +165,7 @@ static struct mean cubic_error(const struct sample_set *fitted, const struct sam
 static int load(void **state)
 {
     struct diag d;
-    struct scene *scene = scene_read("", "paper-quad4", &d);
+    struct scene *scene = scene_read("", "tests/scenes/similarity.scene", &d);
     (void)state;
     if (!scene || !scene_samples(scene, PART_TRAINING, &training, &d) ||
         !scene_samples(scene, PART_HELDOUT, &heldout, &d)) {
@@ -205,7 +205,7 @@ static void counts_the_configurations_that_newton_finds(void **state)
 static void counts_all_configurations(void **state)
 {
     struct diag d;
-    struct scene *scene = scene_read("", "paper-quad4", &d);
+    struct scene *scene = scene_read("", "tests/scenes/similarity.scene", &d);
     struct sample_set all = {0};
     size_t found = 0;
     (void)state;
