@@ -201,6 +201,21 @@ static void judge_champion(struct archive *a, const struct plan *plan, struct ju
     c->error_before = c->error;
 }
 
+/* A value of the frame that is right to rounding takes the champion's place. */
+static void take_exact(struct archive *a, struct judge *exact, size_t tier, int output)
+{
+    struct champion *c = &a->champion[tier][output];
+    const struct tree value = {&c->exact, 1};
+    if (c->exact == 0 || tree_equal(&c->tree, &value))
+        return;
+    free(c->tree.gene);
+    c->tree.gene = new_array(1, sizeof *c->tree.gene);
+    tree_copy(&value, &c->tree);
+    c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
+    c->cost = frame_cost_of(a->frame, &c->tree);
+    c->bred = true;
+}
+
 /* The first seed of a tier that has a champion is that champion. */
 static void found_fronts(struct archive *a, const struct plan *plan, struct judge *j, size_t tier, int output,
                          size_t max_length)
@@ -211,7 +226,7 @@ static void found_fronts(struct archive *a, const struct plan *plan, struct judg
     const size_t n = archive_seeds(a, tier, output, max_length, &seed);
     for (size_t i = 0; i < n; i++) {
         const double error = judge_error(j, &seed[i], frame_target(a->program, output), INFINITY);
-        const bool start = i == 0 && a->champion[tier][output].tree.length > 0;
+        const bool start = i == 0 && a->champion[tier][output].length_before > 0;
         archive_offer(a, plan, tier, output, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
     }
     front_copy(a->front[tier][output], a->old[tier][output]);
@@ -221,12 +236,14 @@ static void found_fronts(struct archive *a, const struct plan *plan, struct judg
 void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length)
 {
     struct judge *exact = judge_new(a->program, j->table, j->norm);
-    a->frame = frame_cost_new(a->program, &plan->prices);
+    if (!a->frame)
+        a->frame = frame_cost_new(a->program, &plan->prices);
     a->front = new_array(a->scene->tiers, sizeof *a->front);
     a->old = new_array(a->scene->tiers, sizeof *a->old);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < 2; k++) {
             judge_champion(a, plan, exact, i, k);
+            take_exact(a, exact, i, k);
             found_fronts(a, plan, j, i, k, max_length ? max_length : a->scene->tier[i].max_length);
         }
     judge_free(exact);
@@ -328,5 +345,6 @@ void archive_crown(struct archive *a, const struct plan *plan)
 {
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < 2; k++)
-            crown_best(a, plan, i, k);
+            if (a->champion[i][k].exact == 0)
+                crown_best(a, plan, i, k);
 }

@@ -16,6 +16,7 @@ struct champion {
     double error;     /* on the training samples, in the scene's norm */
     double cost;      /* by the plan's model, with the values of the frame that it needs */
     bool bred;        /* found by this run */
+    int exact;        /* gene of a value of the frame that is right to rounding: nothing to evolve; 0: none */
     double error_before;
     size_t length_before; /* 0: there was none */
 };
@@ -69,6 +70,13 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
  *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
  *  that the archive owns. */
 size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed);
+
+/** Look for terminals that are right to `tolerance` on every training sample and within their tier's budget.  The
+ *  cheapest becomes a seed, and archive_judge will make it the champion.
+ *  @param[in] table  columns of the training samples */
+void archive_find_exact(struct archive *a, const struct plan *plan, const struct columns *table, double tolerance);
+/** The end of a line: which tiers need nothing evolved. */
+void archive_print_exact(const struct archive *a, FILE *stream);
 
 /** Measure the champions that were read, and found the fronts with champions and seeds.
  *  @param[in] j           judge of decimal numbers

@@ -55,7 +55,7 @@ static void add_file_notes(struct genome_file *f, const struct scene *s)
 }
 
 /* Notes that this program writes are "<what>_xi" and "<what>_eta"; others are somebody's remarks. */
-static const char *const measured[] = {"found", "training", "heldout", "heldout_random"};
+static const char *const measured[] = {"found", "exact", "training", "heldout", "heldout_random"};
 
 static void note_key(const char *what, int output, char key[40])
 {
@@ -88,7 +88,10 @@ static void add_provenance(struct genome *g, const struct champion champion[2], 
         char key[40];
         note_key("found", k, key);
         const char *old = before ? genome_find_note(before->note, before->notes, key) : NULL;
-        if (champion[k].bred)
+        if (champion[k].exact) {
+            note_key("exact", k, key);
+            NOTE(key, "nothing evolved, the frame's value is right to rounding");
+        } else if (champion[k].bred)
             NOTE(key, "seed %llu generations %zu islands %zu", (unsigned long long)run->seed, run->generations,
                  run->islands);
         else if (old)

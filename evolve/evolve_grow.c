@@ -51,6 +51,8 @@ static struct jobs all_jobs(const struct run *r)
     for (size_t tier = 0; tier < r->scene->tiers; tier++)
         for (int output = 0; output < 2; output++) {
             struct tree *seed;
+            if (r->archive->champion[tier][output].exact)
+                continue;
             const size_t seeds = archive_seeds(r->archive, tier, output, run_max_length(r, tier), &seed);
             const int last = has_quotients(&r->genes[tier]) ? QUOTIENTS : POLYNOMIALS;
             for (int kind = GREEDY; kind <= last; kind++) {

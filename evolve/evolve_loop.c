@@ -232,7 +232,8 @@ static void board(struct loop *l)
 
 bool evolve_islands(struct run *r, struct diag *d)
 {
-    const size_t end = r->reason == STOP_DONE ? r->options->generations : r->generation;
+    const bool over = r->reason != STOP_DONE || r->sea.rings == 0;
+    const size_t end = over ? r->generation : r->options->generations;
     struct loop l = {.run = r, .base = r->generation, .done = r->generation, .end = end};
     const bool good = keeper_open(&l.keeper, r, d);
     if (!team_agree(r->team, good, d)) {

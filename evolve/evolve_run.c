@@ -6,6 +6,7 @@
 #include "evolve_loop.h"
 #include "frame.h"
 #include "progress.h"
+#include "scene_follow.h"
 
 #include <limits.h>
 #include <math.h>
@@ -60,6 +61,28 @@ static bool load_archive(struct run *r, struct diag *d)
     return r->archive && (!r->options->seeds || archive_read_seeds(r->archive, r->options->seeds, d));
 }
 
+static bool draw_training(struct run *r, struct diag *d)
+{
+    if (r->training.n > 0)
+        return true;
+    if (!scene_samples(r->scene, PART_TRAINING, &r->training, d))
+        return false;
+    r->vary = vary_measure(&r->training);
+    return true;
+}
+
+/* A scene without tiers takes those that suit its segments. */
+static bool complete_scene(struct run *r, struct diag *d)
+{
+    if (r->scene->tiers > 0)
+        return true;
+    if (!draw_training(r, d))
+        return false;
+    scene_follow(r->scene, r->vary.kind);
+    r->follows = true;
+    return true;
+}
+
 /* What is read: the cheap part, in which most mistakes show. */
 static bool load(struct run *r, struct diag *d)
 {
@@ -71,7 +94,7 @@ static bool load(struct run *r, struct diag *d)
     const bool first = r->team->rank == 0;
     const bool good =
         (!first || (probe(r->output, d) && probe(o->checkpoint, d) && probe(o->front, d) && keep_start(r, d))) &&
-        load_archive(r, d);
+        complete_scene(r, d) && load_archive(r, d);
     if (r->resume && r->start[0])
         unlink(r->start);
     return good;
@@ -106,13 +129,12 @@ static bool finite_columns(const struct run *r, struct diag *d)
 
 static bool sample(struct run *r, struct diag *d)
 {
-    struct sample_set training = {0};
-    if (!scene_samples(r->scene, PART_TRAINING, &training, d))
+    if (!draw_training(r, d))
         return false;
     struct kernel *kernel = kernel_new_widest();
-    r->table = frame_columns(kernel, r->archive->program, training.s, training.n);
+    r->table = frame_columns(kernel, r->archive->program, r->training.s, r->training.n);
     kernel_free(kernel);
-    sample_set_free(&training);
+    sample_set_free(&r->training);
     if (!finite_columns(r, d))
         return false;
     if (r->team->rank > 0)
@@ -133,6 +155,19 @@ static void make_plan(struct run *r)
     r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
 }
 
+/* Which inputs the scene varies, and what follows from that.  A run that is resumed has said it before. */
+static void tell_segments(const struct run *r)
+{
+    if (r->team->rank > 0 || r->resume)
+        return;
+    printf("%s: ", r->scene->name);
+    vary_print(&r->vary, stdout);
+    if (r->follows)
+        printf(", frame %s", r->scene->tier[0].frame);
+    archive_print_exact(r->archive, stdout);
+    fflush(stdout);
+}
+
 /* Judge, genes, seeds and the fronts that they found. */
 static void judge_champions(struct run *r)
 {
@@ -147,12 +182,19 @@ static void judge_champions(struct run *r)
         const bool rational = f == FUNCTIONS_OF_TIER ? r->scene->tier[i].rational : f == FUNCTIONS_RATIONAL;
         r->genes[i] = archive_genes(r->archive, i, rational);
     }
+    archive_find_exact(r->archive, &r->plan, &r->table, r->vary.tolerance);
+    tell_segments(r);
     if (r->options->generations > 0 && r->options->growth == GROWTH_YES && !r->resume)
         evolve_grow(r);
     archive_judge(r->archive, &r->plan, r->judge, r->options->max_length);
 }
 
-/* Rings for all outputs; in a run of no generations for those alone that have no champion. */
+static bool needs_ring(const struct run *r, const struct champion *c)
+{
+    return c->exact == 0 && (r->options->generations > 0 || c->tree.length == 0);
+}
+
+/* Rings for all outputs that are not exact; in a run of no generations for those alone that have no champion. */
 static void found_rings(struct run *r)
 {
     const struct evolve_options *o = r->options;
@@ -162,7 +204,7 @@ static void found_rings(struct run *r)
     s->max_length = new_array(outputs, sizeof *s->max_length);
     s->places = o->islands;
     for (size_t i = 0; i < outputs; i++)
-        if (o->generations > 0 || r->archive->champion[i / 2][i % 2].tree.length == 0) {
+        if (needs_ring(r, &r->archive->champion[i / 2][i % 2])) {
             r->quest[s->rings] = (struct quest){i / 2, (int)(i % 2)};
             s->max_length[s->rings++] = run_max_length(r, i / 2);
         }
@@ -317,6 +359,7 @@ static void run_free(struct run *r)
     fits_free(r->fits);
     judge_free(r->judge);
     columns_free(&r->table);
+    sample_set_free(&r->training);
     sample_set_free(&r->heldout[0]);
     sample_set_free(&r->heldout[1]);
     archive_free(r->archive);

@@ -8,6 +8,7 @@
 #include "fits.h"
 #include "migrate.h"
 #include "stop.h"
+#include "vary.h"
 
 /** The output that a ring of islands searches. */
 struct quest {
@@ -26,7 +27,10 @@ struct run {
     struct scene *scene;
     struct archive *archive;
     struct gene_set *genes;       /* one for each tier */
+    struct sample_set training;   /* empty once the table is there */
     struct sample_set heldout[2]; /* on rank 0 */
+    struct vary vary;             /* of the training samples */
+    bool follows;                 /* frame and tiers follow from that */
     struct columns table;
     struct judge *judge;
     struct fits *fits;    /* of constants, for the islands */

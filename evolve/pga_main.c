@@ -25,6 +25,8 @@ struct search {
 static bool choose_tier(struct search *s, struct diag *d)
 {
     const char *name = s->options->tier;
+    if (s->scene->tiers == 0)
+        return diag_at(d, s->scene->path, 0, 0, "no tiers; this program needs a scene that names them");
     for (size_t i = 0; i < s->scene->tiers && !s->tier; i++)
         if (!name || strcmp(name, s->scene->tier[i].name) == 0)
             s->tier = &s->scene->tier[i];

@@ -311,11 +311,16 @@ static bool read_tier(const struct reader *r, config_setting_t *g, const config_
 static bool read_tiers(const struct reader *r, config_setting_t *root, struct scene *scene)
 {
     config_setting_t *list = config_setting_get_member(root, "tiers");
+    const config_setting_t *frame = config_setting_get_member(root, "frame");
+    if (!list && frame)
+        return fail(r, frame, "'frame' without 'tiers'; a scene names both or leaves both to its segments");
+    if (!list)
+        return true;
     if (!config_setting_is_list(list) || config_setting_length(list) == 0)
         return fail(r, list, "'tiers' must be a list of groups, ( { name = ...; }, ... )");
     scene->tier = new_array((size_t)config_setting_length(list), sizeof *scene->tier);
     for (int i = 0; i < config_setting_length(list); i++)
-        if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), config_setting_get_member(root, "frame"), scene))
+        if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), frame, scene))
             return false;
     return true;
 }
@@ -363,11 +368,20 @@ static bool read_source(const struct reader *r, config_setting_t *root, struct s
     return read_mesh(r, found, &scene->mesh, mesh, size);
 }
 
+static bool read_reference(const struct reader *r, const config_setting_t *root, double reference[2])
+{
+    const config_setting_t *s = config_setting_get_member(root, "reference");
+    reference[0] = reference[1] = NAN;
+    if (!s && config_setting_get_member(root, "tiers"))
+        return fail(r, root, "scene lacks 'reference'");
+    return !s || read_two(r, s, "reference", -1, 1, reference);
+}
+
 static bool read_scene(const struct reader *r, config_setting_t *root, struct scene *scene, char **mesh, size_t *size)
 {
-    static const char *const required[] = {"segment", "order",    "reference", "norm",  "precision",
-                                           "seed",    "training", "heldout",   "tiers", NULL};
-    static const char *const optional[] = {"frame", "lattice", "shapes", "mesh", NULL};
+    static const char *const required[] = {"segment", "order",    "norm",    "precision",
+                                           "seed",    "training", "heldout", NULL};
+    static const char *const optional[] = {"reference", "frame", "tiers", "lattice", "shapes", "mesh", NULL};
     static const char *const order[] = {"any", "nearest", "nearest-shorter"};
     static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double"};
     long long training, heldout, seed;
@@ -377,7 +391,7 @@ static bool read_scene(const struct reader *r, config_setting_t *root, struct sc
         !read_word(r, config_setting_get_member(root, "order"), "order", order, 3, &which))
         return false;
     scene->order = (enum corner_order)which;
-    if (!read_two(r, config_setting_get_member(root, "reference"), "reference", -1, 1, scene->reference) ||
+    if (!read_reference(r, root, scene->reference) ||
         !read_word(r, config_setting_get_member(root, "norm"), "norm", norm, 3, &which))
         return false;
     scene->norm = (enum scene_norm)which;

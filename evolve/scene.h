@@ -50,10 +50,10 @@ struct tier {
 };
 
 struct scene {
-    char *name, *path; /* owned; name is the file's base name without .scene */
-    char sha256[65];   /* of the scene text and, after it, of its mesh's nodes and pairs */
-    char *segment;     /* owned: "quad4" */
-    double reference[2];
+    char *name, *path;   /* owned; name is the file's base name without .scene */
+    char sha256[65];     /* of the scene text and, after it, of its mesh's nodes and pairs */
+    char *segment;       /* owned: "quad4" */
+    double reference[2]; /* NAN: left to the segments */
     enum corner_order order;
     enum scene_norm norm;
     char *precision; /* owned: "double" */
@@ -64,7 +64,7 @@ struct scene {
     struct shapes shapes;
     struct mesh_pairs mesh;
     struct tier *tier;
-    size_t tiers;
+    size_t tiers; /* 0: left to the segments, see scene_follow.h */
 };
 
 /** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d "file:line: error:

@@ -185,6 +185,46 @@ static void seeds_go_where_they_fit(void **state)
     archive_free(a);
 }
 
+/* eta is q to rounding, xi is no terminal: eta alone needs nothing evolved, and the genome says so. */
+static void exact_values_are_taken(void **state)
+{
+    struct fixture *f = *state;
+    struct diag d;
+    const struct sample_set heldout[2] = {f->set, f->set};
+    const struct run_facts facts = {1, 0, 1};
+    f->scene.shapes = (struct shapes){.aspect = 1};
+    f->scene.source = SOURCE_RANDOM;
+    columns_at(&f->table, 18)[7] += 1e-11;
+    for (int known = 0; known < 2; known++) {
+        struct archive *a = archive_of(&f->scene, known ? START : NULL);
+        const struct champion *c = a->champion[0];
+        archive_find_exact(a, &f->plan, &f->table, 1e-12);
+        assert_true(c[0].exact == 0 && c[1].exact == 0);
+        f->tier.budget = 0.5; /* q is a difference */
+        archive_find_exact(a, &f->plan, &f->table, 1e-10);
+        assert_int_equal(c[1].exact, 0);
+        f->tier.budget = 0;
+        archive_find_exact(a, &f->plan, &f->table, 1e-10);
+        assert_true(c[0].exact == 0 && c[1].exact == Q);
+        archive_judge(a, &f->plan, f->judge, 0);
+        assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[1].cost == 1 && c[1].bred == !known);
+        const int product[] = {GENE_MUL, P, Q}, constant[] = {decimal_gene(0.1)};
+        archive_offer(a, &f->plan, 0, 1, &(struct tree){(int *)constant, 1}, 0, ORIGIN_RANDOM);
+        offer(f, a, product, 3);
+        archive_crown(a, &f->plan);
+        assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[0].tree.length == 3);
+        if (!archive_write(a, WRITTEN, &facts, heldout, &d))
+            fail_msg("%s", d.text);
+        struct genome_file *g = genome_read(WRITTEN, &d);
+        assert_non_null(g);
+        assert_non_null(genome_find_note(g->genome[0].note, g->genome[0].notes, "exact_eta"));
+        assert_null(genome_find_note(g->genome[0].note, g->genome[0].notes, "found_eta"));
+        assert_null(genome_find_note(g->genome[0].note, g->genome[0].notes, "exact_xi"));
+        genome_file_free(g);
+        archive_free(a);
+    }
+}
+
 /* The front's file holds a genome for each member, which reads back to the same expression. */
 static void fronts_are_written(void **state)
 {
@@ -221,6 +261,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(budgets_decide, setup, teardown),
         cmocka_unit_test_setup_teardown(parsimony_decides_without_a_budget, setup, teardown),
         cmocka_unit_test_setup_teardown(seeds_go_where_they_fit, setup, teardown),
+        cmocka_unit_test_setup_teardown(exact_values_are_taken, setup, teardown),
         cmocka_unit_test_setup_teardown(fronts_are_written, setup, teardown),
     };
     return cmocka_run_group_tests_name("archive", tests, NULL, NULL);

@@ -3,6 +3,7 @@
 #include "../evolve/mesh.h"
 #include "../evolve/reference.h"
 #include "../evolve/samplers.h"
+#include "../evolve/scene_follow.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -86,10 +87,15 @@ static void shipped_scenes_read(void **state)
         enum scene_source source;
         enum corner_order order;
         size_t training;
-    } expected[] = {{"paper-quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546},
-                    {"quad4", SOURCE_RANDOM, CORNERS_ANY, 20000},
-                    {"punch-quad4", SOURCE_MESH, CORNERS_ANY, 20000},
-                    {"blocks-quad4", SOURCE_MESH, CORNERS_ANY, 20000}};
+        bool open; /* frame and tiers are left to the segments */
+    } expected[] = {{"paper-quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546, false},
+                    {"quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, false},
+                    {"plane-quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, true},
+                    {"parallelogram-quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, true},
+                    {"rectangle-quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, true},
+                    {"bricks-quad4", SOURCE_MESH, CORNERS_ANY, 20000, true},
+                    {"punch-quad4", SOURCE_MESH, CORNERS_ANY, 20000, false},
+                    {"blocks-quad4", SOURCE_MESH, CORNERS_ANY, 20000, false}};
     (void)state;
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         struct scene *s = shipped(expected[i].name);
@@ -102,7 +108,42 @@ static void shipped_scenes_read(void **state)
         assert_int_equal(s->heldout, 200000);
         assert_int_equal(s->norm, NORM_MEAN);
         assert_int_equal(strlen(s->sha256), 64);
-        assert_in_range(s->tiers, 1, 100);
+        if (expected[i].open)
+            assert_true(s->tiers == 0 && isnan(s->reference[0]) && isnan(s->reference[1]));
+        else
+            assert_true(s->tiers > 0 && fabs(s->reference[0]) <= 1 && fabs(s->reference[1]) <= 1);
+        scene_free(s);
+    }
+}
+
+/* The segments of these scenes are what their names say. */
+static void shipped_segments_are_found_out(void **state)
+{
+    static const struct {
+        const char *name;
+        enum vary_kind kind;
+    } expected[] = {{"plane-quad4", VARY_PLANE},
+                    {"parallelogram-quad4", VARY_PARALLELOGRAMS},
+                    {"rectangle-quad4", VARY_RECTANGLES},
+                    {"bricks-quad4", VARY_RECTANGLES},
+                    {"quad4", VARY_WARPED},
+                    {"punch-quad4", VARY_WARPED}};
+    (void)state;
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        struct scene *s = shipped(expected[i].name);
+        struct sample_set set = {0};
+        struct diag d;
+        s->training = 2000;
+        assert_true(scene_samples(s, PART_TRAINING, &set, &d));
+        const struct vary v = vary_measure(&set);
+        assert_int_equal(v.kind, expected[i].kind);
+        if (s->source == SOURCE_RANDOM) /* in the scene's own measures, and up to them */
+            for (int k = 0; k < 3; k++) {
+                const double found = (const double[]){v.taper, v.warp, v.skew}[k];
+                const double limit = (const double[]){s->shapes.taper, s->shapes.warp, s->shapes.skew}[k];
+                assert_true(found > 0.98 * limit && found < limit + v.tolerance);
+            }
+        sample_set_free(&set);
         scene_free(s);
     }
 }
@@ -131,6 +172,12 @@ static void every_value_arrives(void **state)
     assert_int_equal(s->tier[0].max_length, 50);
     assert_true(s->tier[0].rational && !s->tier[1].rational);
     assert_string_equal(s->tier[1].frame, "other");
+    scene_free(s);
+
+    s = read_from_text(HEAD SHAPES, &d);
+    assert_true(s && s->tiers == 0 && s->reference[0] == 0);
+    scene_follow(s, VARY_PLANE);
+    assert_true(s->tiers == 2 && s->reference[0] == 0);
     scene_free(s);
 
     s = read_from_text(HEAD LATTICE TAIL, &d);
@@ -218,6 +265,9 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"fast\"", "\"very fast\"", "12: error: tier name 'very fast' is not a C identifier"},
     {HEAD SHAPES TAIL, "frame = \"parallelogram\";\n", "",
      "11: error: tier 'fast' lacks 'frame', and the scene has none"},
+    {HEAD SHAPES, "heldout", "frame = \"plane\"; heldout",
+     "8: error: 'frame' without 'tiers'; a scene names both or leaves both to its segments"},
+    {HEAD SHAPES TAIL, "reference = [0.0, 0.0];\n", "", " error: scene lacks 'reference'"},
     {HEAD SHAPES TAIL, "\"other\"", "\"../other\"", "13: error: frame '../other' is not a name"},
     {HEAD SHAPES TAIL, "\"other\"", "3", "13: error: 'frame' must be a text in quotes"},
     {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "\"p\"", "12: error: 'terminals' must be names, [\"p\", \"q\"]"},
@@ -304,7 +354,7 @@ static void check_parts(const struct scene *s)
 static void parts_share_nothing(void **state)
 {
     static const char *const text[] = {HEAD SHAPES TAIL, HEAD LATTICE TAIL};
-    static const char *const name[] = {"quad4", "punch-quad4", "blocks-quad4"};
+    static const char *const name[] = {"quad4", "rectangle-quad4", "bricks-quad4", "punch-quad4", "blocks-quad4"};
     struct diag d;
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -313,7 +363,7 @@ static void parts_share_nothing(void **state)
         check_parts(s);
         scene_free(s);
     }
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
         struct scene *s = shipped(name[i]);
         s->training = 5000;
         s->heldout = 20000;
@@ -391,9 +441,10 @@ static void labels_are_foot_points(void **state)
     static const struct {
         const char *name;
         double lo, hi;
-    } scene[] = {{"quad4", -1.2, 1.2}, {"punch-quad4", -1.2, 1.2}, {"blocks-quad4", -1.2, 1.2}};
+    } scene[] = {
+        {"quad4", -1.2, 1.2}, {"bricks-quad4", -1.2, 1.2}, {"punch-quad4", -1.2, 1.2}, {"blocks-quad4", -1.2, 1.2}};
     (void)state;
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
         struct scene *s = shipped(scene[i].name);
         s->heldout = 20000;
         for (int part = PART_TRAINING; part <= PART_HELDOUT; part++) {
@@ -500,12 +551,12 @@ static void empty_sets_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shipped_scenes_read),          cmocka_unit_test(every_value_arrives),
-        cmocka_unit_test(malformed_scenes_are_refused), cmocka_unit_test(missing_scenes_are_refused),
-        cmocka_unit_test(parts_share_nothing),          cmocka_unit_test(lattice_labels_are_certain),
-        cmocka_unit_test(seeds_draw_other_samples),     cmocka_unit_test(labels_are_foot_points),
-        cmocka_unit_test(shapes_keep_their_limits),     cmocka_unit_test(order_renumbers_the_corners),
-        cmocka_unit_test(empty_sets_are_refused),
+        cmocka_unit_test(shipped_scenes_read),        cmocka_unit_test(shipped_segments_are_found_out),
+        cmocka_unit_test(every_value_arrives),        cmocka_unit_test(malformed_scenes_are_refused),
+        cmocka_unit_test(missing_scenes_are_refused), cmocka_unit_test(parts_share_nothing),
+        cmocka_unit_test(seeds_draw_other_samples),   cmocka_unit_test(labels_are_foot_points),
+        cmocka_unit_test(shapes_keep_their_limits),   cmocka_unit_test(order_renumbers_the_corners),
+        cmocka_unit_test(lattice_labels_are_certain), cmocka_unit_test(empty_sets_are_refused),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);
 }

@@ -85,6 +85,25 @@ expect 'growth interrupted' 143 '*' 'SIGTERM: ended at generation 0 of 100000000
 "$BIN/footpoint-codegen" --effort 0 --allow-poles --count "$work/part.gen" > /dev/null 2>&1 && [ -s "$work/none.gen" ] && [ ! -e "$work/ck" ] &&
     ! ls "$work" | grep -q tmp; report $((! $?)) 'genomes are there, nothing else'
 
+# Without frame and tiers they follow from the segments; where a value of the frame is exact, nothing is evolved.
+sed 's/taper = 0.2; warp = "10 deg"/taper = 0; warp = "0 deg"/; /^reference/d; /^frame/,$d' tests/scenes/small.scene \
+    > "$work/lean.scene"
+lean() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/lean.scene" --quiet "$@"; }
+lean 1 --from-scratch --generations 100000 -o "$work/l1.gen" > "$work/table"
+grep -q '^lean: segments are parallelograms (.*), frame affine: nothing to evolve, the formula is exact$' "$work/table"
+report $((! $?)) 'parallelograms say that their formula is exact'
+grep -q '^xi = parallelogram_xi$' "$work/l1.gen" && grep -q '^note exact_eta nothing evolved' "$work/l1.gen"
+report $((! $?)) 'and so does the genome'
+lean 3 --from-scratch --generations 7 --islands 3 -o "$work/l3.gen" > /dev/null
+lean 2 --start "$work/l1.gen" --generations 3 -o "$work/l2.gen" | grep -c 'unchanged$' > "$work/count"
+cmp -s "$work/l1.gen" "$work/l3.gen" && cmp -s "$work/l1.gen" "$work/l2.gen" && [ "$(cat "$work/count")" = 2 ]
+report $((! $?)) 'the same bytes on any number of ranks, and from its own genome'
+sed 's/"10 deg"/"0 deg"/; /^reference/d; /^frame/,$d' tests/scenes/small.scene > "$work/lean.scene"
+lean 2 --from-scratch --generations 2 -o "$work/l2.gen" > "$work/table"
+grep -q '^lean: segments are plane (.*), frame plane: nothing to evolve for exact$' "$work/table" &&
+    [ "$(grep -c '^note found_\|^note exact_' "$work/l2.gen")" = 4 ]
+report $((! $?)) 'plane segments: one tier is evolved, one is exact'
+
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
     script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --generations 60 -o $work/t.gen" /dev/null > "$work/tty"

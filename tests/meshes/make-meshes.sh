@@ -1,7 +1,9 @@
 #!/bin/sh
-# Makes punch.inp, blocks.inp and blocks-nodes.inp beside this script with gmsh (Debian package gmsh) and awk.
+# Makes bricks.inp beside this script with awk; punch.inp, blocks.inp and blocks-nodes.inp with gmsh (Debian package
+# gmsh) and awk.
 set -eu
 cd "$(dirname "$0")"
+LC_ALL=C awk -f bricks.awk > bricks.inp
 aside=$(mktemp -d)
 trap 'rm -rf "$aside"' EXIT
 gmsh -2 -v 1 -nt 1 -format inp -o "$aside/punch.inp" punch.geo
