@@ -12,10 +12,10 @@ int footpoint_locate(const double xA[3], const double xB[3], const double xC[3],
     return footpoint_quad4_accurate(xA, xB, xC, xD, xS, loc, gap);
 }
 
-/* Columns of a block: 15 coordinates in, xi, eta, gap and status out. */
+/* Columns of a block: 15 coordinates in, xi, eta, gap and status out; area: whether the segment has a normal there. */
 struct block {
     double x[15][BLOCK], xi[BLOCK], eta[BLOCK], gap[BLOCK];
-    int status[BLOCK];
+    int status[BLOCK], area[BLOCK];
 };
 
 /* Coordinates of node `index`; zeros, and *valid cleared, if there is no such node. */
@@ -45,17 +45,33 @@ static void gather(struct block *b, size_t first, size_t count, const double *xy
     }
 }
 
+/* Nodes of pair i. */
+#define NODES_OF(b, i)                                                                                                 \
+    const double xA[3] = {(b)->x[0][i], (b)->x[1][i], (b)->x[2][i]};                                                   \
+    const double xB[3] = {(b)->x[3][i], (b)->x[4][i], (b)->x[5][i]};                                                   \
+    const double xC[3] = {(b)->x[6][i], (b)->x[7][i], (b)->x[8][i]};                                                   \
+    const double xD[3] = {(b)->x[9][i], (b)->x[10][i], (b)->x[11][i]};                                                 \
+    const double xS[3] = {(b)->x[12][i], (b)->x[13][i], (b)->x[14][i]}
+
+/* As footpoint_quad4_accurate does it for one pair, a loop for each of its parts: so each of them is vectorised. */
 static void compute(struct block *b, size_t count)
 {
+    const double *x[15];
+    for (size_t k = 0; k < 15; k++)
+        x[k] = b->x[k];
+    footpoint_quad4_accurate_n(count, x, b->xi, b->eta);
     for (size_t i = 0; i < count; i++) {
-        const double xA[3] = {b->x[0][i], b->x[1][i], b->x[2][i]}, xB[3] = {b->x[3][i], b->x[4][i], b->x[5][i]};
-        const double xC[3] = {b->x[6][i], b->x[7][i], b->x[8][i]}, xD[3] = {b->x[9][i], b->x[10][i], b->x[11][i]};
-        const double xS[3] = {b->x[12][i], b->x[13][i], b->x[14][i]};
-        double loc[2] = {0.0, 0.0}, gap = 0.0;
-        const int status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, loc, &gap);
-        b->xi[i] = loc[0];
-        b->eta[i] = loc[1];
+        NODES_OF(b, i);
+        double gap = 0.0;
+        b->area[i] = footpoint_detail_gap(xA, xB, xC, xD, xS, b->xi[i], b->eta[i], &gap);
         b->gap[i] = gap;
+    }
+    for (size_t i = 0; i < count; i++) {
+        NODES_OF(b, i);
+        const double sum = (b->xi[i] - b->xi[i]) + (b->eta[i] - b->eta[i]) + (b->gap[i] - b->gap[i]);
+        const int nodes = footpoint_detail_inspect(xA, xB, xC, xD, xS);
+        const int found = b->area[i] && sum == 0.0 ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+        const int status = nodes != FOOTPOINT_OK ? nodes : found;
         b->status[i] = b->status[i] != FOOTPOINT_OK ? b->status[i] : status;
     }
 }
