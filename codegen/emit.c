@@ -408,7 +408,12 @@ static void print_node(struct emitter *e, int n)
     else if (node->kind == NODE_PRODUCT)
         print_product(e, n, t);
     else if (node->kind == NODE_INVERSE) {
-        const struct text *below = &e->text[node->edge[0].node];
+        struct text *below = &e->text[node->edge[0].node];
+        if (e->s->uses[n] == 1 && strlen(below->num) > INLINE_LENGTH - 8) { /* so that its user divides */
+            name_value(e, 't', e->out->ops.temporaries + 1 - e->helpers, below->num, name);
+            free(below->num);
+            *below = (struct text){join(name, "", ""), NULL, ATOM};
+        }
         t->den = below->level == ATOM ? join(below->num, "", "") : join("(", below->num, ")");
         divided_anew = divides_anew(e, n);
         e->out->ops.div += divided_anew ? e->s->uses[n] : 1;
