@@ -1,5 +1,5 @@
-# Enormous, deep and broken genomes end in code or in one line, within limits of memory and of processor time, which is the
-# same on a loaded machine; the limit of time by the clock is for what waits for ever.
+# Enormous, deep and broken genomes end in code or in one line, within limits of memory and of processor time, which is
+# the same on a loaded machine; the limit of time by the clock is for what waits for ever.
 . tests/cli/expect.inc
 codegen=$BIN/footpoint-codegen
 seconds=60 kilobytes=4000000
@@ -8,7 +8,11 @@ grep -q __asan_init "$codegen" && seconds=600 kilobytes=unlimited # the sanitize
 ends() { # ends NAME STATUSES [ARGUMENTS...]   the genome is $work/NAME.gen
     name=$1 statuses=$2
     shift 2
-    (ulimit -v $kilobytes; ulimit -t $seconds; timeout $((10 * seconds)) "$codegen" --allow-poles "$@" "$work/$name.gen" -o "$work/$name.h" > "$work/log" 2>&1)
+    (
+        ulimit -v $kilobytes
+        ulimit -t $seconds
+        exec timeout $((10 * seconds)) "$codegen" --allow-poles "$@" "$work/$name.gen" -o "$work/$name.h"
+    ) > "$work/log" 2>&1
     status=$?
     case " $statuses " in
     *" $status "*) [ $status -eq 0 ] || [ "$(wc -l < "$work/log")" = 1 ] ;;
