@@ -2,7 +2,7 @@
  * chains of any length need neither recursion nor copies. */
 #include "dialect.h"
 
-#include "emit.h"
+#include "constant.h"
 #include "text.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 void split_constant(const fmpq *value, bool *negative, char **num, char **den)
 {
-    char *text = emit_rational(value), *digits = text + strspn(text, "(-"), *over = strstr(text, ".0 / ");
+    char *text = constant_text(value), *digits = text + strspn(text, "(-"), *over = strstr(text, ".0 / ");
     *negative = strchr(text, '-') != NULL;
     *den = NULL;
     if (over) {

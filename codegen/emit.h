@@ -22,7 +22,4 @@ struct emission {
 /** Never fails; free e->text. */
 void emit_statements(const struct genome_file *f, const struct schedule *s, struct emission *e);
 
-/** A rational as exact C text: a decimal, or a quotient of two. Free with free(). */
-char *emit_rational(const fmpq_t c);
-
 #endif

@@ -18,6 +18,7 @@ enum { BOXES_FOR_EMPTY = 200 };
 
 /* Limits of work, in operations on coefficients (about a nanosecond) and in Arb's operations. */
 #define MOST_WORK 1.5e9
+#define DRAW 16.0 /* a random coordinate */
 #define MOST_BALLS 4e6
 
 /* ---- finding out ---- */
@@ -47,6 +48,7 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
         return;
     const long boxes = boxes_for(s, searches);
     const struct pole pole = pole_find(r, op, boxes);
+    s->work -= (double)pole.draws * (DRAW + (double)r->shift) * (double)r->variables;
     d->verdict = pole.verdict;
     d->least = pole.least;
     if (pole.verdict == POLE_EXISTS) {

@@ -24,6 +24,7 @@ struct search {
     double nearest, share; /* least |D| seen; the target's share of it */
     double least;          /* |D| is at least this in boxes that are done with, and in what was cut off */
     long halved;           /* boxes that were */
+    long draws;            /* points drawn at random */
     bool below, above;     /* D < 0, D > 0 somewhere in a box that is done with */
     struct pole pole;
     struct boxes boxes;
@@ -211,6 +212,7 @@ static bool zero_at_random_point(struct search *s)
             s->at[k] = input[r->input[k]];
         found = visit(s, s->at);
     }
+    s->draws = RANDOM_TRIES - tries;
     free(input);
     return found;
 }
@@ -343,5 +345,6 @@ struct pole pole_find(struct region *r, int op, long boxes)
     free(s.thin);
     free(s.at);
     free(s.other);
+    s.pole.draws = s.draws;
     return s.pole;
 }

@@ -10,6 +10,7 @@ struct pole {
     struct interval values; /* POLE_FREE: encloses the denominator on the region; without 0, unless it has both signs */
     double least;           /* POLE_FREE: its absolute value is at least this; else 0 */
     double *witness;        /* owned, by variable: POLE_EXISTS: a zero, or a point near one; else NULL */
+    long draws;             /* random points of the box that were looked at */
 };
 
 /** Looks for zeros of operation `op` of the region's program, by branch and bound in at most `boxes` boxes. */

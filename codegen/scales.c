@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NODES = 1000, MOST_TERMS = 24, MOST_FACTORS = 32, SWEEPS = 3, DEPTH = 3 };
+enum { MOST_NODES = 1000, MOST_TERMS = 24, MOST_FACTORS = 32, SWEEPS = 3, DEPTH = 4 };
 enum { MOST_BITS = 1 << 12 }; /* of a scale: far beyond double's range, and powers of powers would go on growing */
 
 static const double NEGATION = 0.25; /* a leading minus: at most an operation, at best none */
@@ -235,6 +235,13 @@ static void add_factor(struct search *x, rational c)
         x->factor[x->factors++] = c;
 }
 
+/* A sum of two nodes or of a constant and one, without coefficients: scales pass through it. */
+static bool passes(const struct node *n)
+{
+    return n->kind == NODE_SUM && n->edges == 2 && (n->edge[0].coef == ONE || n->edge[0].coef == MINUS_ONE) &&
+           (n->edge[1].coef == ONE || n->edge[1].coef == MINUS_ONE);
+}
+
 /* The coefficients with which a node, or a product that it is a factor of, stands in sums and outputs. */
 static void add_user_factors(struct search *x, int n, int depth)
 {
@@ -249,7 +256,7 @@ static void add_user_factors(struct search *x, int n, int depth)
         for (size_t k = 0; user->kind == NODE_SUM && k < user->edges; k++)
             if (user->edge[k].node == n)
                 add_factor(x, coefficient(g, x->best, u, k));
-        if (user->kind == NODE_PRODUCT && depth > 0)
+        if ((user->kind == NODE_PRODUCT || passes(user)) && depth > 0)
             add_user_factors(x, u, depth - 1);
     }
 }

@@ -49,25 +49,41 @@ rational schedule_coefficient(const struct schedule *s, int n, size_t i)
     return rational_mul(rational_mul(s->scale[n], e->coef), rational_inv(s->scale[e->node]));
 }
 
-/* Counts in how many sums each term size * node stands alone with its coefficient. */
-static void count_terms(struct schedule *s)
+static int compare_addends(const void *a, const void *b)
 {
-    memset(s->term, 0, s->terms * sizeof *s->term);
+    const struct addend *x = a, *y = b;
+    return x->like != y->like ? (x->like > y->like) - (x->like < y->like) : (x->edge > y->edge) - (x->edge < y->edge);
+}
+
+void schedule_sort_addends(const struct schedule *s, int n, struct addend *sorted)
+{
+    const struct node *node = &s->dag->node[n];
+    for (size_t k = 0; k < node->edges; k++) {
+        const rational coef = schedule_coefficient(s, n, k), size = rational_abs(coef);
+        sorted[k] = (struct addend){coef, size, node->edge[k].node == 0 || size == ONE ? ZERO : size, k};
+    }
+    qsort(sorted, node->edges, sizeof *sorted, compare_addends);
+}
+
+/* Counts in how many sums each term size * node stands alone with its coefficient. */
+static void count_terms(struct schedule *s, size_t most_edges)
+{
+    struct addend *term = new_array(most_edges, sizeof *term);
     for (size_t i = 0; i < s->n; i++) {
-        const int n = s->order[i];
-        for (size_t k = 0; s->dag->node[n].kind == NODE_SUM && k < s->dag->node[n].edges; k++) {
-            const rational size = rational_abs(schedule_coefficient(s, n, k));
-            const int node = s->dag->node[n].edge[k].node;
-            bool alone = node != 0 && size != ONE;
-            for (size_t j = 0; alone && j < s->dag->node[n].edges; j++)
-                alone =
-                    j == k || s->dag->node[n].edge[j].node == 0 || rational_abs(schedule_coefficient(s, n, j)) != size;
-            if (!alone)
+        const struct node *node = &s->dag->node[s->order[i]];
+        if (node->kind != NODE_SUM)
+            continue;
+        schedule_sort_addends(s, s->order[i], term);
+        for (size_t k = 0; k < node->edges; k++) {
+            if (term[k].like == ZERO || (k > 0 && term[k - 1].like == term[k].like) ||
+                (k + 1 < node->edges && term[k + 1].like == term[k].like))
                 continue;
-            struct shared_term *t = schedule_term(s->term, s->terms, size, node);
-            *t = (struct shared_term){size, node, t->times + 1};
+            const int operand = node->edge[term[k].edge].node;
+            struct shared_term *t = schedule_term(s->term, s->terms, term[k].size, operand);
+            *t = (struct shared_term){term[k].size, operand, t->times + 1};
         }
     }
+    free(term);
 }
 
 struct shared_term *schedule_term(struct shared_term *table, size_t room, rational size, int node)
@@ -110,7 +126,7 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
         ;
     s->term = new_array(s->terms, sizeof *s->term);
     if (edges <= MOST_COUNTED)
-        count_terms(s);
+        count_terms(s, edges);
     return s;
 }
 

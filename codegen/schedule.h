@@ -31,6 +31,17 @@ void schedule_free(struct schedule *s);
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */
 rational schedule_coefficient(const struct schedule *s, int n, size_t i);
 
+/** A term of a sum: coef times the emitted value of an edge's node.  Terms with equal `like` have the same |coef|;
+ * those of like 0 have nothing to share: constants, and terms of size ONE. */
+struct addend {
+    rational coef, size; /* size: |coef| */
+    rational like;
+    size_t edge;
+};
+
+/** The terms of sum n, as many as it has edges: by `like`, equal ones by edge. */
+void schedule_sort_addends(const struct schedule *s, int n, struct addend *sorted);
+
 /** True if several sums have the term size * emitted value of `node`, so that it is computed once. */
 bool schedule_shares_term(const struct schedule *s, rational size, int node);
 

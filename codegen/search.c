@@ -4,6 +4,7 @@
 #include "search.h"
 
 #include "balance.h"
+#include "distribute.h"
 #include "horner.h"
 #include "shape.h"
 #include "share.h"
@@ -16,6 +17,7 @@
 enum {
     BEAM = 4,
     FORMS = 24,
+    WRITTEN = 2, /* shapes that are the genome as written; others may be far from it */
     RANDOM_TRIES = 200,
     UNIT = 1500, /* nodes and edges handled in about a millisecond */
     PAIRS = 50,  /* pairs of operands looked at in the time of a node */
@@ -27,8 +29,9 @@ enum {
                       * any length, never beyond the genome's own */
 };
 
-static const double TIE = 1e-3; /* what all operations count where the longest chain is the cost */
-static const double HOT = 0.5;  /* multiplications by which annealing may go up at first */
+static const double TIE = 1e-3;   /* what all operations count where the longest chain is the cost */
+static const double BEHIND = 1.5; /* a shape that costs so many times the first one is given up */
+static const double HOT = 0.5;    /* multiplications by which annealing may go up at first */
 
 struct shape {
     struct dag *dag; /* owned */
@@ -193,8 +196,10 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
         explain_graph(s->options->explain, "sharing", g);
     if (s->options->cost.chain)
         s->chain = balance_trees(g, &s->options->cost);
-    else
+    else {
+        distribute_products(g, &s->options->cost);
         balance_order(g, &s->latency);
+    }
     return g;
 }
 
@@ -260,6 +265,31 @@ static void enter_beam(struct search *s)
     for (; i > 0 && s->beam[i - 1].cost > c.cost; i--)
         s->beam[i] = s->beam[i - 1];
     s->beam[i] = c;
+}
+
+/* Gives up shapes that are far behind the first one from the beginning, unless trying them is dear.  That is not
+ * counted as work, so that they leave no trace. */
+static void drop_shapes(struct search *s)
+{
+    const double work = s->work;
+    struct candidate first = {0};
+    size_t kept = 1;
+    if (s->shapes <= WRITTEN)
+        return;
+    evaluate(s, &first, NULL, 0);
+    for (size_t i = 1; i < s->shapes; i++) {
+        struct candidate c = {.shape = i};
+        if (s->work - work < s->limit / 20)
+            evaluate(s, &c, NULL, 0);
+        if (c.estimate <= BEHIND * first.estimate)
+            s->shape[kept++] = s->shape[i];
+        else
+            dag_free(s->shape[i].dag);
+    }
+    free(s->best.text);
+    s->best = (struct emission){0};
+    s->shapes = kept;
+    s->work = work;
 }
 
 /* Evaluates a shape under a policy without choices, for the beam. */
@@ -372,6 +402,7 @@ static void explain(struct search *s)
 
 size_t search_run(struct search *s, struct emission *e)
 {
+    drop_shapes(s);
     try_first(s);
     const double start = s->work, share = (s->limit - start) / (2 * (double)(s->n + 1));
     for (size_t i = 0; i < s->n && s->work < s->limit; i++)

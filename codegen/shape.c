@@ -7,10 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_TERMS = 600, MOST_PRODUCTS = 6000 };
+enum { MOST_TERMS = 600, MOST_PRODUCTS = 6000, MOST_MULTIPLIED = 150000 /* terms and their products in one pass */ };
 enum { MOST_COMBINED = 20000 /* factors of one sum's terms */, MOST_JOINED = 64 /* divisions that become one */ };
 
 /* ---- multiplying out ---- */
+
+struct spreading {
+    struct walk walk;
+    struct edges *open; /* owned: terms of the nodes that dissolve where they are used */
+    size_t work;        /* terms and products of terms that were made */
+};
 
 static void add_scaled(struct edges *sum, rational c, const struct edges *terms)
 {
@@ -37,11 +43,13 @@ static void collect_terms(struct walk *w, struct edges *terms)
 }
 
 /* *terms times the terms of `other`; false, and *terms as it was, if that is too long. */
-static bool multiply_terms(struct walk *w, struct edges *terms, const struct edges *other)
+static bool multiply_terms(struct spreading *s, struct edges *terms, const struct edges *other)
 {
+    struct walk *w = &s->walk;
     struct edges product = {0};
-    if (terms->n * other->n > MOST_PRODUCTS)
+    if (terms->n * other->n > MOST_PRODUCTS || s->work > MOST_MULTIPLIED)
         return false;
+    s->work += terms->n * other->n;
     for (size_t i = 0; i < terms->n; i++)
         for (size_t k = 0; k < other->n; k++) {
             const struct edge *x = &terms->edge[i], *y = &other->edge[k];
@@ -59,14 +67,15 @@ static bool multiply_terms(struct walk *w, struct edges *terms, const struct edg
 }
 
 /* Terms of a product: its dissolved factors multiplied out, as far as they stay short. */
-static void product_terms(struct walk *w, const struct node *n, const struct edges *open, struct edges *terms)
+static void product_terms(struct spreading *s, const struct node *n, struct edges *terms)
 {
+    struct walk *w = &s->walk;
     struct edges whole = {0};
     edges_add(terms, ONE, 0, 1);
     for (size_t i = 0; i < n->edges; i++) {
         const struct edge *e = &n->edge[i];
         int power = e->power;
-        while (power > 0 && open[e->node].n > 0 && multiply_terms(w, terms, &open[e->node]))
+        while (power > 0 && s->open[e->node].n > 0 && multiply_terms(s, terms, &s->open[e->node]))
             power--;
         if (power > 0) {
             const struct value v = w->image[e->node];
@@ -85,12 +94,13 @@ static void product_terms(struct walk *w, const struct node *n, const struct edg
     }
 }
 
-static void sum_terms(struct walk *w, const struct node *n, const struct edges *open, struct edges *terms)
+static void sum_terms(struct spreading *s, const struct node *n, struct edges *terms)
 {
+    struct walk *w = &s->walk;
     for (size_t i = 0; i < n->edges; i++) {
         const struct edge *e = &n->edge[i];
-        if (open[e->node].n > 0 && terms->n < MOST_PRODUCTS)
-            add_scaled(terms, e->coef, &open[e->node]);
+        if (s->open[e->node].n > 0 && terms->n < MOST_PRODUCTS)
+            add_scaled(terms, e->coef, &s->open[e->node]);
         else {
             const struct value v = walk_image(w, e);
             if (v.coef != ZERO)
@@ -109,35 +119,36 @@ static mp_limb_t kin_of(const struct dag *g, const struct node *n)
 
 struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, struct record *record)
 {
-    struct walk w = walk_begin(g);
-    struct edges *open = new_array(g->nodes, sizeof *open); /* terms of the nodes that dissolve where they are used */
+    struct spreading s = {.walk = walk_begin(g), .open = new_array(g->nodes, sizeof *s.open)};
+    struct walk *w = &s.walk;
     for (size_t n = 1; n < g->nodes; n++) {
         const struct node *node = &g->node[n];
-        if (w.uses[n] == 0)
+        if (w->uses[n] == 0)
             continue;
         if (node->kind != NODE_SUM && node->kind != NODE_PRODUCT) {
-            w.image[n] = walk_map(&w, node);
-            w.to->node[w.image[n].node].kept |= node->kept;
+            w->image[n] = walk_map(w, node);
+            w->to->node[w->image[n].node].kept |= node->kept;
             continue;
         }
         struct edges terms = {0};
         if (node->kind == NODE_SUM)
-            sum_terms(&w, node, open, &terms);
+            sum_terms(&s, node, &terms);
         else
-            product_terms(&w, node, open, &terms);
+            product_terms(&s, node, &terms);
         const bool plain = node->kind == NODE_PRODUCT && terms.n == 1 && !node->kept;
         const bool dissolves = plain || (terms.n <= MOST_TERMS &&
                                          policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0], kin_of(g, node)));
+        s.work += terms.n;
         if (dissolves && terms.n > 0)
-            add_scaled(&open[n], ONE, &terms);
-        w.image[n] = dag_sum(w.to, &terms);
+            add_scaled(&s.open[n], ONE, &terms);
+        w->image[n] = dag_sum(w->to, &terms);
         if (node->kept && !dissolves)
-            w.to->node[w.image[n].node].kept = true;
+            w->to->node[w->image[n].node].kept = true;
     }
     for (size_t n = 0; n < g->nodes; n++)
-        edges_clear(&open[n]);
-    free(open);
-    return walk_end(&w);
+        edges_clear(&s.open[n]);
+    free(s.open);
+    return walk_end(w);
 }
 
 /* ---- common denominators ---- */

@@ -17,6 +17,25 @@ char *new_format(const char *format, ...)
     return text;
 }
 
+char *new_joined(const char *a, const char *b, const char *c)
+{
+    const size_t x = strlen(a), y = strlen(b), z = strlen(c);
+    char *t = new_array(x + y + z + 1, 1);
+    memcpy(t, a, x);
+    memcpy(t + x, b, y);
+    memcpy(t + x + y, c, z);
+    return t;
+}
+
+void growing_add(struct growing *g, const char *more)
+{
+    const size_t n = strlen(more);
+    while (g->room < g->size + n + 1)
+        grow_array(&g->text, g->room, &g->room, 1);
+    memcpy(g->text + g->size, more, n + 1);
+    g->size += n;
+}
+
 static void fail_without_memory(void)
 {
     fprintf(stderr, "error: out of memory (a stream)\n");

@@ -7,6 +7,16 @@
 /** Formatted text. Caller frees. */
 char *new_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/** a, b and c, one after another. Caller frees. */
+char *new_joined(const char *a, const char *b, const char *c);
+
+/** Text that grows at its end; NULL while it is empty. */
+struct growing {
+    char *text; /* owned */
+    size_t size, room;
+};
+void growing_add(struct growing *g, const char *more);
+
 /** A stream into memory; exits like new_array. */
 struct memory {
     FILE *stream;

@@ -61,7 +61,7 @@ static void test_rules(void **state)
     check("% x x", "1.0");
     check("% x 0", "1.0");
     check("% * 6 x 2", "3.0 * in_x");
-    check("* 2 x", "2.0 * in_x"); /* may fuse with an addition; x + x where additions are cheap */
+    check("* 2 x", "2.0 * in_x");                       /* may fuse with an addition; x + x where additions are cheap */
     check("% 0 x", "(in_x == 0.0 ? 1.0 : 0.0 / in_x)"); /* 1 at x = 0: protected division keeps its meaning */
     check("% * x y x", "(in_x == 0.0 ? 1.0 : t1 / in_x)");
     check("+ 1.25 * 2 0.125", "1.5");
@@ -92,6 +92,8 @@ static void test_counts(void **state)
         {"+ / x z / y z", 0, 1},                         /* (x + y) / z */
         {"* / x z / y z", 2, 1},                         /* x y / (z z) */
         {"- * 0.25 + x y * 0.25 + x y", 0, 0},
+        {"+ * - 1 x y * + 1 x z", 1, 0},                                     /* y + z + x (z - y) */
+        {"+ + + * * x x x * 3 * x x * 3 x + - * y y * * 2 y z * z z", 3, 0}, /* (x + 1)^3 + (y - z)^2 - 1 */
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         struct operations ops;

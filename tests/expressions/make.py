@@ -96,6 +96,14 @@ def expanded(folder):
     write(folder, 'expanded-norms', 'a b c x y z',
           [('r', (a * a + b * b + c * c) * (x * x + y * y + z * z) - (a * x + b * y + c * z) ** 2)],
           'Lagrange: |a|^2 |x|^2 - (a.x)^2')
+    t, = variables('t')
+    write(folder, 'expanded-powers', 'x y z t', [('r', (x + 3 * y) ** 4 + 7 * (z - t) ** 3)],
+          '(x + 3 y)^4 + 7 (z - t)^3')
+    write(folder, 'expanded-shifted', 'a b c d x y z', [('r', (a + b + c) ** 2 + (x - y + 2) ** 5 + (d - 2 * z + 1) ** 2)],
+          '(a + b + c)^2 + (x - y + 2)^5 + (d - 2 z + 1)^2')
+    write(folder, 'expanded-parts', 'a b c d e f x y',
+          [('r', (a + 2 * b - 3) * (a - b + 1) + (c + d) * (c - d + 2) + (e * f + 1) * (e - f) + (x + y) ** 3)],
+          'products and a power without common variables')
     four = variables('a b c d')
     for n in 3, 4:
         v = four[:n]

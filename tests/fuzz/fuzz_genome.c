@@ -53,7 +53,7 @@ static void compile_and_prove(const struct genome_file *f, const struct genome *
     struct proof how;
     options.effort = 0;
     if (!compile_genome(f, genome, &options, &c, &d)) {
-        require(!strstr(d.text, "internal"), "compiler", d.text);
+        require(!strstr(d.text, "internal error"), "compiler", d.text);
         return;
     }
     struct program *p = program_read(f, genome, c.emission.text, &d);
