@@ -58,7 +58,7 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t10 * t20 - t14 * t14: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   poles: t36 * t36 - t30 * t38: proved free of zeros, |...| >= 0.00033 (rounding error <= 6.5e+65)
+ *   poles: t36 * t36 - t30 * t38: proved free of zeros, |...| >= 0.00033 (rounding error <= 6.7e+65)
  *   rounding error of xi: no bound found, 1.8e-11 worst of 10000 points
  *   rounding error of eta: no bound found, 1.1e-11 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
@@ -140,7 +140,7 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t30: proved free of zeros, |t30| >= 1e-08 (rounding error <= 0.00057)
- *   poles: t40 * t40 - t45 * t42: proved free of zeros, |...| >= 0.00027 (rounding error <= 3.5e+145)
+ *   poles: t40 * t40 - t45 * t42: proved free of zeros, |...| >= 0.00027 (rounding error <= 3.6e+145)
  *   poles: t54 * t57 - t52 * t52: proved free of zeros, |...| >= 0.00022
  *   poles: t66 * t69 - t64 * t64: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 2.4e-13 worst of 10000 points
