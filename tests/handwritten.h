@@ -130,6 +130,19 @@ FOOTPOINT_FN void hand_most_accurate(HAND_NODES, double *xi, double *eta)
     hand_search(xA, xB, xC, xD, xS, 3, xi, eta);
 }
 
+/* A Newton step whose determinant is at least 0.02 of its first product. */
+FOOTPOINT_FN void hand_guarded_newton(const struct hand_products *g, double *u, double *v)
+{
+    const double t = g->c1 + *v * g->cc, s = g->c2 + *u * g->cc;
+    const double y = *u * g->c1 + *v * s, w = *u * *v;
+    const double r11 = g->e11 + *v * (g->c1 + t), r22 = g->e22 + *u * (g->c2 + s), r12 = g->e12 + 2 * y - g->cd;
+    const double f1 = g->d1 + *v * y + w * t, f2 = g->d2 + *u * y + w * s;
+    const double m = r11 * r22, j = m - r12 * r12, least = 0.02 * m, kept = j < least ? least : j;
+    const double inverse = 1 / kept;
+    *u = ((kept - j) * *u + (r22 * f1 - r12 * f2)) * inverse;
+    *v = ((kept - j) * *v + (r11 * f2 - r12 * f1)) * inverse;
+}
+
 /* About the point (x0,x0), for contact points within `half` of it in xi and eta: taper to first order, Newton steps. */
 FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, double half, int steps, double *xi, double *eta)
 {
@@ -141,7 +154,7 @@ FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, double half, int steps, do
     const double linear = 1 - (a * q + b * p), w = p * q * (linear < 0.6 ? 0.6 : linear);
     double u = hand_clamp(p - a * w, box), v = hand_clamp(q - b * w, box);
     for (int i = 0; i < steps; i++) {
-        hand_newton(&g, &u, &v);
+        hand_guarded_newton(&g, &u, &v);
         u = hand_clamp(u, box);
         v = hand_clamp(v, box);
     }
