@@ -1,8 +1,6 @@
 /* Command line of footpoint-perceptron: long options only, each checked. */
 #include "perceptron_options.h"
 
-#include <ctype.h>
-#include <errno.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,10 +32,8 @@ static bool usage(struct diag *d, const char *format, const char *option, const 
 
 static bool read_whole(const char *name, const char *text, size_t low, size_t high, size_t *value, struct diag *d)
 {
-    char *rest;
-    errno = 0;
-    const unsigned long long v = strtoull(text, &rest, 10);
-    if (!isdigit((unsigned char)text[0]) || *rest || errno)
+    unsigned long long v;
+    if (!text_whole(text, &v))
         return usage(d, "--%s needs a whole number, not '%s'", name, text);
     *value = (size_t)v;
     return (v >= low && v <= high) || usage(d, "--%s %s is out of range", name, text);

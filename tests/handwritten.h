@@ -120,11 +120,6 @@ FOOTPOINT_FN void hand_medium(HAND_NODES, double *xi, double *eta)
     *eta = (k11 * f2 - k12 * f1) * again;
 }
 
-FOOTPOINT_FN void hand_precise(HAND_NODES, double *xi, double *eta)
-{
-    hand_search(xA, xB, xC, xD, xS, 2, xi, eta);
-}
-
 FOOTPOINT_FN void hand_most_accurate(HAND_NODES, double *xi, double *eta)
 {
     hand_search(xA, xB, xC, xD, xS, 3, xi, eta);

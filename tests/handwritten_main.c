@@ -73,7 +73,7 @@ struct search {
     M(quad4_medium, hand_medium)                                                                                       \
     M(quad4_balanced, hand_balanced)                                                                                   \
     M(quad4_fine, written_quad4_fine)                                                                                  \
-    M(quad4_precise, hand_precise)                                                                                     \
+    M(quad4_precise, hand_accurate)                                                                                    \
     M(quad4_accurate, hand_most_accurate)                                                                              \
     M(whole_quad4_fast, written_whole_quad4_fast)                                                                      \
     M(whole_quad4_taper, hand_whole_taper)                                                                             \
