@@ -43,7 +43,8 @@ CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA
 # What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
 codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
 evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c keeper.c loop.c resume.c run.c)
-evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c))
+evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c)) \
+               $(addprefix runtime/,bezier.c gregory.c normals.c)
 pga_mpi     := evolve/pga_main.c evolve/migrate.c
 genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c
 runtime_lib := $(wildcard runtime/*.c)

@@ -1,0 +1,67 @@
+/* Samples on meshes of smooth bodies; see smooth.h. */
+#include "smooth.h"
+
+#include "reference_patch.h"
+#include "smooth_bodies.h"
+#include "stream.h"
+
+#include <gsl/gsl_randist.h>
+#include <math.h>
+
+/* Coarse meshes and fine ones, nodes moved by up to a fifth of a segment. */
+enum { SIZES = 4, MESHES = SMOOTH_KINDS * SIZES };
+static const int size[SMOOTH_KINDS][SIZES] = {{3, 4, 6, 8}, {8, 12, 16, 20}, {4, 6, 8, 12}, {10, 14, 18, 24}};
+static const double jitter = 0.2;
+
+static double shortest_edge(double x[4][3])
+{
+    double shortest = INFINITY;
+    for (int c = 0; c < 4; c++) {
+        const double *p = x[c], *q = x[(c + 1) % 4];
+        shortest = fmin(shortest, hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
+    }
+    return shortest;
+}
+
+/* One draw; false: draw again, for another point of the patch is nearer, or it cannot be told. */
+static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double gap, struct patch_sample *s)
+{
+    const struct smooth_mesh *m = mesh[gsl_rng_uniform_int(stream, MESHES)];
+    const double xi = gsl_ran_flat(stream, -1, 1), eta = gsl_ran_flat(stream, -1, 1);
+    struct footpoint_gregory patch;
+    struct stationary closest;
+    double r[3], n[3];
+    smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->n);
+    const double height = gap * shortest_edge(s->x) * gsl_ran_flat(stream, -1, 1);
+    if (footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->n, &patch) != FOOTPOINT_OK ||
+        footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
+        return false;
+    footpoint_gregory_position(&patch, xi, eta, r);
+    for (int k = 0; k < 3; k++)
+        s->xs[k] = r[k] + height * n[k];
+    if (!reference_patch_closest(&patch, s->xs, &closest) || !closest.minimum ||
+        fabs(closest.xi - xi) + fabs(closest.eta - eta) > 1e-6)
+        return false;
+    s->xi = closest.xi;
+    s->eta = closest.eta;
+    return footpoint_gregory_gap(&patch, s->xs, s->xi, s->eta, &s->gap) == FOOTPOINT_OK;
+}
+
+void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set)
+{
+    struct smooth_mesh *mesh[MESHES];
+    gsl_rng *stream = stream_new();
+    for (int k = 0; k < MESHES; k++)
+        mesh[k] = smooth_mesh_new((enum smooth_kind)(k / SIZES), size[k / SIZES][k % SIZES], jitter,
+                                  smooth->seed + (uint64_t)k);
+    for (size_t i = 0; i < count; i++) {
+        struct patch_sample s;
+        stream_key(stream, smooth->seed, (uint64_t)part, i, 0);
+        while (!draw(stream, mesh, smooth->gap, &s))
+            continue;
+        patch_set_add(set, &s);
+    }
+    for (int k = 0; k < MESHES; k++)
+        smooth_mesh_free(mesh[k]);
+    gsl_rng_free(stream);
+}
