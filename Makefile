@@ -88,12 +88,17 @@ FORCE:
 # ---- programs and libraries -------------------------------------------------------------------------------------------
 
 LIB := $(BIN)/libfootpoint
+# The Fortran module in gfortran's own format, where there is one; other compilers take the source.
+ifeq ($(origin FC),default)
+FC := gfortran
+endif
+MODULE := $(if $(findstring gfortran,$(FC)),$(if $(shell command -v $(FC)),$(BIN)/footpoint.mod))
 GENERATED := $(sort $(wildcard generated/*.h))
 
 all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
 evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
-runtime: $(LIB).a $(LIB).so
+runtime: $(LIB).a $(LIB).so $(MODULE)
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
 
@@ -126,9 +131,19 @@ $(LIB).a: $(call object,$(runtime_lib))
 	@mkdir -p $(@D) && rm -f $@
 	$(Q)ar rcs $@ $^
 
-$(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib))
+# The number of the binary interface: raised when a program built before would no longer run.
+ABI := 0
+SONAME := libfootpoint.so.$(ABI)
+
+$(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib)) runtime/footpoint.map
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,libfootpoint.so $^ -o $@ -lm
+	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,runtime/footpoint.map $(filter %.o,$^) -o $@ -lm
+	@ln -sf libfootpoint.so $(@D)/$(SONAME)
+
+$(BIN)/footpoint.mod: runtime/footpoint.f90
+	@mkdir -p $(@D)
+	$(Q)$(FC) -std=f2003 -Wall -Wextra -pedantic -Werror -fsyntax-only -J$(@D) $<
+	@touch $@
 
 $(OBJ)/pic/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
@@ -223,11 +238,10 @@ paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's
 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
-PREFIX ?= /usr/local
 PACKAGES := gcc g++ clang make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev libflint-arb-dev libmpfr-dev libgmp-dev \
             libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
 # What `make check-long` compares with and fuzzes with; without them it skips those checks.
-PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev valgrind
+PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev valgrind cmake mandoc
 
 deps-long: PACKAGES += $(PACKAGES_LONG)
 deps deps-long: ## install the packages that are missing (Debian; deps-long: for check-long, too); needs no privileges when all are there
@@ -239,12 +253,53 @@ deps deps-long: ## install the packages that are missing (Debian; deps-long: for
 	    $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo apt-get install -y -qq $$missing; \
 	fi
 
-install: runtime codegen evolve calibrate-program ## install library, headers and tools under PREFIX=
-	install -d $(DESTDIR)$(PREFIX)/include/footpoint $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/bin
-	install -m 644 runtime/footpoint.h $(DESTDIR)$(PREFIX)/include
-	install -m 644 $(GENERATED) $(DESTDIR)$(PREFIX)/include/footpoint
-	install -m 644 $(LIB).a $(LIB).so $(DESTDIR)$(PREFIX)/lib
-	install -m 755 $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron) $(DESTDIR)$(PREFIX)/bin
+# ---- installation -----------------------------------------------------------------------------------------------------
+
+PREFIX     ?= /usr/local
+BINDIR     ?= $(PREFIX)/bin
+LIBDIR     ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+MANDIR     ?= $(PREFIX)/share/man
+# Programs look for it in ../share/footpoint from where they are.
+DATADIR    := $(BINDIR)/../share/footpoint
+
+VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base.h)
+# What C++ may include is meant for others.
+PUBLIC  := $(shell grep -l 'extern "C"' runtime/*.h)
+PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
+PAGES_1 := evolve/footpoint-evolve.1 codegen/footpoint-codegen.1 tests/footpoint-bench.1
+PAGES_3 := runtime/footpoint.3
+# Packages name their folders from their own, so that an installation may be staged and moved.
+from = $$(realpath -m --relative-to=$(1) $(2))
+fill = sed -e "s|@VERSION@|$(VERSION)|; s|@ABI@|$(ABI)|" -e "s|@PREFIX@|$(call from,$(1),$(PREFIX))|" \
+    -e "s|@LIB@|$(call from,$(PREFIX),$(LIBDIR))|; s|@INCLUDE@|$(call from,$(PREFIX),$(INCLUDEDIR))|"
+put = install -d $(DESTDIR)$(2) && install -m $(or $(3),644) $(1) $(DESTDIR)$(2)
+
+install: runtime codegen evolve calibrate-program bench-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR=
+	$(Q)$(call put,$(PROGRAMS),$(BINDIR),755)
+	$(Q)$(call put,runtime/footpoint.h $(MODULE),$(INCLUDEDIR))
+	$(Q)$(call put,$(GENERATED) $(filter-out runtime/footpoint.h,$(PUBLIC)) runtime/footpoint.f90,$(INCLUDEDIR)/footpoint)
+	$(Q)$(call put,$(LIB).a,$(LIBDIR))
+	$(Q)install -m 644 $(LIB).so $(DESTDIR)$(LIBDIR)/libfootpoint.so.$(VERSION)
+	$(Q)ln -sf libfootpoint.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
+	$(Q)ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libfootpoint.so
+	$(Q)install -d $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(LIBDIR)/cmake/footpoint
+	$(Q)$(call fill,$(LIBDIR)/pkgconfig) runtime/footpoint.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/footpoint.pc
+	$(Q)for f in footpoint-config footpoint-config-version; do \
+	    $(call fill,$(LIBDIR)/cmake/footpoint) runtime/$$f.cmake.in > $(DESTDIR)$(LIBDIR)/cmake/footpoint/$$f.cmake; \
+	done
+	$(Q)for d in frames scenes genomes; do $(call put,evolve/$$d/*,$(DATADIR)/evolve/$$d) || exit $$?; done
+	$(Q)$(call put,tests/meshes/*.inp,$(DATADIR)/tests/meshes)
+	$(Q)$(call put,$(PAGES_1),$(MANDIR)/man1)
+	$(Q)$(call put,$(PAGES_3),$(MANDIR)/man3)
+
+uninstall: ## remove what install put there: the same variables
+	$(Q)rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/footpoint $(LIBDIR)/cmake/footpoint $(DATADIR)) \
+	    $(addprefix $(DESTDIR)$(BINDIR)/,$(notdir $(PROGRAMS))) \
+	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/,footpoint.h footpoint.mod) \
+	    $(addprefix $(DESTDIR)$(LIBDIR)/libfootpoint.,a so so.$(ABI) so.$(VERSION)) \
+	    $(DESTDIR)$(LIBDIR)/pkgconfig/footpoint.pc $(addprefix $(DESTDIR)$(MANDIR)/man1/,$(notdir $(PAGES_1))) \
+	    $(addprefix $(DESTDIR)$(MANDIR)/man3/,$(notdir $(PAGES_3)))
 
 clean: ## remove everything that was built
 	rm -rf build
@@ -253,4 +308,4 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        perceptrons paper deps deps-long install clean help FORCE
+        perceptrons paper deps deps-long install uninstall clean help FORCE

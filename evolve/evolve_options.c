@@ -2,6 +2,8 @@
  */
 #include "evolve_options.h"
 
+#include "root.h"
+
 #include <ctype.h>
 #include <getopt.h>
 #include <stdlib.h>
@@ -276,6 +278,8 @@ bool evolve_options_read(int argc, char **argv, struct evolve_options *o, struct
     bool given[ENTRIES] = {false};
     if (!read_over(argc, argv, &standard, o, given, d))
         return false;
+    if (!given[find_entry("root")])
+        o->root = root_default();
     /* What the command line leaves out, a checkpoint may have: that is checked when it was read. */
     return o->action != ACTION_EVOLVE || o->resume
                ? exclude(given, "resume", "start", d) && exclude(given, "resume", "from-scratch", d)

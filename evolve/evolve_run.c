@@ -6,6 +6,7 @@
 #include "evolve_loop.h"
 #include "frame.h"
 #include "progress.h"
+#include "root.h"
 #include "scene_follow.h"
 
 #include <limits.h>
@@ -33,7 +34,10 @@ static bool probe(const char *path, struct diag *d)
 static bool choose_paths(struct run *r, struct diag *d)
 {
     const struct evolve_options *o = r->options;
-    genomes_path(r, r->output);
+    if (root_is_installed(o->root))
+        snprintf(r->output, sizeof r->output, "%.250s.gen", r->scene->name);
+    else
+        genomes_path(r, r->output);
     if (o->output)
         snprintf(r->output, sizeof r->output, "%s", o->output);
     if (r->resume)

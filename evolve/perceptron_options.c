@@ -1,6 +1,8 @@
 /* Command line of footpoint-perceptron: long options only, each checked. */
 #include "perceptron_options.h"
 
+#include "root.h"
+
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +14,7 @@ const char perceptron_help[] =
     "neural-network approach of Oishi and Yoshimura (2007), and write them as genomes.\n"
     "\n"
     "  --scene NAME|FILE    evolve/scenes/NAME.scene, or a file; its training samples are used\n"
-    "  --root DIR           folder that holds evolve/ (default: .)\n"
+    "  --root DIR           folder that holds evolve/ (default: . or what is installed)\n"
     "  -o, --output FILE    genomes to write: hidden_N_... for each network\n"
     "  --hidden N[,N...]    neurons of the hidden layers; a network for each time it is given (default: 8)\n"
     "  --iterations N       steps of Levenberg and Marquardt's method at most (default: 200)\n"
@@ -106,7 +108,7 @@ static bool read_option(int code, const char *text, struct perceptron_options *o
 
 bool perceptron_options_read(int argc, char **argv, struct perceptron_options *o, struct diag *d)
 {
-    *o = (struct perceptron_options){.root = ".", .iterations = 200, .samples = SIZE_MAX, .seed = 1};
+    *o = (struct perceptron_options){.root = root_default(), .iterations = 200, .samples = SIZE_MAX, .seed = 1};
     opterr = 0;
     optind = 0; /* GNU: start anew */
     for (int code; (code = getopt_long(argc, argv, "+:o:", options, NULL)) != -1;) {

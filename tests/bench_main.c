@@ -4,6 +4,7 @@
  * coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
  * the best that the machine has is taken. */
 #include "../codegen/base.h"
+#include "../evolve/root.h"
 #include "../evolve/scene.h"
 #include "bench_map.h"
 #include "bench_measure.h"
@@ -112,7 +113,7 @@ static bool bench_part(const struct bench_options *o, const struct bench_table *
 static bool bench_scene(const struct bench_options *o, const struct bench_table *table, const char *name,
                         struct diag *d)
 {
-    struct scene *scene = scene_read(".", name, d);
+    struct scene *scene = scene_read(root_default(), name, d);
     struct sample_set training = {0};
     if (!scene)
         return false;
@@ -134,9 +135,11 @@ static bool bench_scene(const struct bench_options *o, const struct bench_table 
 
 static bool bench_all(const struct bench_options *o, const struct bench_table *table, struct diag *d)
 {
+    char pattern[1024];
     glob_t found;
     bool done = true;
-    if (glob("evolve/scenes/*.scene", 0, NULL, &found) != 0)
+    snprintf(pattern, sizeof pattern, "%s/evolve/scenes/*.scene", root_default());
+    if (glob(pattern, 0, NULL, &found) != 0)
         return diag_at(d, "evolve/scenes", 0, 0, "no scene here; run from the root of the source, or name one");
     for (size_t i = 0; done && i < found.gl_pathc; i++)
         done = bench_scene(o, table, found.gl_pathv[i], d);

@@ -1,0 +1,88 @@
+! footpoint for Fortran 2003: the functions of footpoint.h under the same names, which see for what they do.
+!
+!     use footpoint
+!     status = footpoint_locate(xA, xB, xC, xD, xS, loc, gap)
+!
+! Nothing here but interfaces: the module needs no object file, only -lfootpoint -lm.  Kinds are those of
+! iso_c_binding; real(c_double) is double precision, integer(c_int) the default integer.  Coordinates are xyz(3,nodes),
+! connectivity seg(4,n).  As in C, node indices and `chosen` count from 0.
+module footpoint
+  use, intrinsic :: iso_c_binding, only: c_int, c_size_t, c_double, c_ptr
+  implicit none
+  private :: c_int, c_size_t, c_double, c_ptr
+
+  integer(c_int), parameter :: FOOTPOINT_OK = 0
+  integer(c_int), parameter :: FOOTPOINT_ERR_NOT_FINITE = 1
+  integer(c_int), parameter :: FOOTPOINT_ERR_DEGENERATE = 2
+  integer(c_int), parameter :: FOOTPOINT_ERR_DOMAIN = 3
+  integer(c_int), parameter :: FOOTPOINT_ERR_NO_CONVERGENCE = 4
+  integer(c_int), parameter :: FOOTPOINT_ERR_ARGUMENT = 5
+
+  interface
+    ! A C string; c_f_pointer makes characters of it.
+    function footpoint_strerror(status) bind(C)
+      import :: c_int, c_ptr
+      integer(c_int), value :: status
+      type(c_ptr) :: footpoint_strerror
+    end function
+
+    function footpoint_locate(xA, xB, xC, xD, xS, loc, gap) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3)
+      real(c_double), intent(inout) :: loc(2), gap
+      integer(c_int) :: status
+    end function
+
+    function footpoint_locate_pairs(n, xyz, nodes, seg, slave, loc, gap, status) bind(C) result(failed)
+      import :: c_int, c_size_t, c_double
+      integer(c_size_t), value :: n, nodes
+      real(c_double), intent(in) :: xyz(3, *)
+      integer(c_int), intent(in) :: seg(4, *), slave(*)
+      real(c_double), intent(inout) :: loc(2, *), gap(*)
+      integer(c_int), intent(inout) :: status(*)
+      integer(c_size_t) :: failed
+    end function
+
+    function footpoint_newton(xA, xB, xC, xD, xS, max_iterations, tolerance, loc, gap, iterations) bind(C) &
+        result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3)
+      integer(c_int), value :: max_iterations
+      real(c_double), value :: tolerance
+      real(c_double), intent(inout) :: loc(2), gap
+      integer(c_int), intent(inout) :: iterations
+      integer(c_int) :: status
+    end function
+
+    function footpoint_select_segment(xyz, master, candidates, seg, xS, chosen) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xyz(3, *), xS(3)
+      integer(c_int), value :: master, candidates
+      integer(c_int), intent(in) :: seg(4, *)
+      integer(c_int), intent(inout) :: chosen
+      integer(c_int) :: status
+    end function
+
+    function footpoint_normal(corner, next, previous, m) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: corner(3), next(3), previous(3)
+      real(c_double), intent(inout) :: m(3)
+      integer(c_int) :: status
+    end function
+
+    function footpoint_gap(xA, xB, xC, xD, xS, loc, m, gap) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3), loc(2), m(3)
+      real(c_double), intent(inout) :: gap
+      integer(c_int) :: status
+    end function
+
+    function footpoint_force(gap, stiffness, m, loc, fs, fm) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), value :: gap, stiffness
+      real(c_double), intent(in) :: m(3), loc(2)
+      real(c_double), intent(inout) :: fs(3), fm(3, 4)
+      integer(c_int) :: status
+    end function
+  end interface
+end module footpoint

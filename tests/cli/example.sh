@@ -1,0 +1,34 @@
+# The example to copy, in C: it compiles alone, keeps momentum to rounding and energy nearly, and both searches agree.
+. tests/cli/expect.inc
+CC=${CC:-gcc}
+strict='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
+value() { awk -v what="$1" 'index($0, what) == 1 { print $'"$2"' }' "$work/table"; }
+below() { # below NAME VALUE LIMIT
+    awk -v x="$2" -v limit="$3" 'BEGIN { exit !(x != "" && x + 0 < limit) }'
+    good=$?
+    [ $good = 0 ] || echo "# $2, not below $3"
+    report $((!good)) "$1"
+}
+
+$CC $strict -O2 tests/example/impact.c -o "$work/impact" -lm > "$work/log" 2>&1
+good=$?
+[ $good = 0 ] || sed 's/^/# /' "$work/log"
+report $((!good)) 'compiles'
+mkdir "$work/frames"
+"$work/impact" 1 "$work/frames" > "$work/table"; report $((! $?)) 'runs'
+for search in Newton footpoint; do
+    column=$(case $search in Newton) echo NF-1 ;; *) echo NF ;; esac)
+    below "momentum is kept, $search" "$(value 'momentum error' "($column)")" 1e-13
+    below "moment of momentum is kept, $search" "$(value 'moment of momentum error' "($column)")" 1e-8
+    below "energy is kept, $search" "$(value 'energy error' "($column)")" 3e-3
+done
+below "xi and eta agree" "$(value "xi, eta off Newton's, worst" NF)" 1e-4
+below 'and so do the nodes at the end' "$(value 'nodes apart' NF)" 1e-8
+[ "$(ls "$work"/frames/impact_*.vtk | wc -l)" = 20 ]; report $((! $?)) 'a series of 20 frames'
+awk '/^POINTS/ { points = $2 } /^CELLS/ { cells = $2; on = 1; next } /^CELL_TYPES/ { on = 0 }
+     on { n++; for (i = 2; i <= 9; i++) if ($i < 0 || $i >= points) exit 1 } END { exit n != cells }' \
+    "$work/frames/impact_0020.vtk"
+report $((! $?)) 'whose cells have nodes'
+awk -F, 'NF != 9 { exit 1 } $4 > 0 { touched = 1 } END { exit !(touched && $4 == 0) }' "$work/frames/energy.csv"
+report $((! $?)) 'the plates meet and part'
+expect 'usage' 2 '' 'usage: impact [SCALE [FOLDER]] | --inp       0 < SCALE <= 1: of the time step' "$work/impact" 0

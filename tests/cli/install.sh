@@ -1,0 +1,146 @@
+# What `make install` puts in a scratch folder works from there and after it was moved: library, Fortran module,
+# programs, pages.  Projects with CMake and C++, and folders of other names, are in tests/long/projects.sh.
+. tests/cli/expect.inc
+CC=${CC:-gcc}
+strict='-Wall -Wextra -Wpedantic -Werror'
+logged() { # logged NAME COMMAND...: as `report`, with what the command says where it fails
+    name=$1
+    shift
+    "$@" > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log"
+    report $((!good)) "$name"
+}
+functions_of() { grep -ohE '^[a-z].*\bfootpoint_[a-z0-9_]+\(' "$@" | grep -oE 'footpoint_[a-z0-9_]+' | sort -u; }
+
+logged 'make install' make -s install CC="$CC" PREFIX=/opt/footpoint DESTDIR="$work/stage"
+mv "$work/stage/opt/footpoint" "$work/moved"
+installed=$work/moved include=$work/moved/include lib=$work/moved/lib
+find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?)) 'nothing outside PREFIX'
+! grep -rlIF -e "$work" -e "$PWD" "$installed" > "$work/log"; report $((! $?)) 'no file knows where it was made'
+
+# ---- the library ----
+functions_of "$include/footpoint.h" $(grep -l 'extern "C"' "$include"/footpoint/*.h) > "$work/declared"
+nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_0$/\1/p' | sort > "$work/exported"
+logged 'the library exports what its headers declare' diff "$work/declared" "$work/exported"
+nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_0$' > "$work/log"
+[ ! -s "$work/log" ]; report $((! $?)) 'and nothing else'
+nm -g --defined-only "$lib/libfootpoint.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_/' > "$work/log"
+[ ! -s "$work/log" ]; report $((! $?)) 'the archive has no other names'
+
+cat > "$work/use.c" <<'C'
+#include <footpoint.h>
+#include <footpoint/footpoint_quad4.h>
+#include <stdio.h>
+
+int main(void)
+{
+    const double x[5][3] = {{0, 0, 0}, {2, 0, 0.1}, {2.2, 1.5, 0}, {0, 1.2, 0.1}, {0.7, 0.9, 0.25}};
+    double loc[2], gap, own[2], own_gap;
+    const int status = footpoint_locate(x[0], x[1], x[2], x[3], x[4], loc, &gap);
+    if (footpoint_quad4_accurate(x[0], x[1], x[2], x[3], x[4], own, &own_gap) != FOOTPOINT_OK)
+        return 1;
+    printf("%s %.6f %.6f %.6f %.6f\n", footpoint_strerror(status), loc[0], loc[1], gap, own_gap);
+    return 0;
+}
+C
+answer='success -0.349489 0.395534 0.193207 0.193207'
+export PKG_CONFIG_PATH="$installed/lib/pkgconfig"
+if command -v pkg-config > /dev/null; then
+    expect 'pkg-config knows the version' 0 "$("$BIN/footpoint-codegen" --version | grep -oE '[0-9.]+$')" '' \
+        pkg-config --modversion footpoint
+    logged 'C, shared' $CC -std=c99 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags --libs footpoint) -lm
+    readelf -d "$work/use" | grep -q 'NEEDED.*libfootpoint\.so\.0'; report $((! $?)) 'which asks for the ABI by number'
+    expect 'and answers' 0 "$answer" '' env LD_LIBRARY_PATH="$installed/lib" "$work/use"
+    logged 'C, static' $CC -std=c11 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags footpoint) \
+        "$installed/lib/libfootpoint.a" -lm
+    expect 'which answers' 0 "$answer" '' "$work/use"
+else
+    report 1 'skipped: no pkg-config'
+fi
+
+# ---- Fortran ----
+functions_of "$installed/include/footpoint.h" > "$work/declared"
+module=$include/footpoint/footpoint.f90
+sed -n 's/^ *function \(footpoint_[a-z0-9_]*\)(.*/\1/p' "$module" | sort > "$work/module"
+logged 'the Fortran module has every function' diff "$work/declared" "$work/module"
+sed -n '/STATUS_COUNT/d; s/^#define \(FOOTPOINT_[A-Z_]*\) \([0-9]*\).*/\1 \2/p' \
+    "$include/footpoint.h" > "$work/declared"
+sed -n 's/.*parameter :: \(FOOTPOINT_[A-Z_]*\) = \([0-9]*\)$/\1 \2/p' "$module" > "$work/module"
+logged 'and every status' diff "$work/declared" "$work/module"
+if command -v gfortran > /dev/null; then
+    cat > "$work/use.f90" <<'F'
+program use_footpoint
+  use footpoint
+  use, intrinsic :: iso_c_binding, only: c_double, c_int, c_size_t
+  implicit none
+  real(c_double) :: xyz(3, 5), loc(2), gap, pairs(2, 2), gaps(2), m(3), fs(3), fm(3, 4)
+  integer(c_int) :: status, statuses(2), iterations, chosen
+  xyz = reshape([0d0, 0d0, 0d0, 2d0, 0d0, 0.1d0, 2.2d0, 1.5d0, 0d0, 0d0, 1.2d0, 0.1d0, 0.7d0, 0.9d0, 0.25d0], [3, 5])
+  status = footpoint_locate(xyz(:, 1), xyz(:, 2), xyz(:, 3), xyz(:, 4), xyz(:, 5), loc, gap)
+  print '(i0, 3f10.6)', status, loc, gap
+  print '(i0, 2i2, 6f10.6)', &
+    footpoint_locate_pairs(2_c_size_t, xyz, 5_c_size_t, reshape([0, 1, 2, 3, 0, 1, 2, 9], [4, 2]), [4, 4], pairs, &
+    gaps, statuses), statuses, pairs(:, 1), gaps(1)
+  status = footpoint_newton(xyz(:, 1), xyz(:, 2), xyz(:, 3), xyz(:, 4), xyz(:, 5), 20, 1d-12, loc, gap, iterations)
+  print '(i0, 3f10.6)', status, loc, gap
+  status = footpoint_select_segment(xyz, 3, 1, reshape([0, 1, 2, 3], [4, 1]), xyz(:, 5), chosen)
+  print '(i0, i2)', status, chosen
+  status = footpoint_normal(xyz(:, 1), xyz(:, 2), xyz(:, 4), m)
+  status = status + footpoint_gap(xyz(:, 1), xyz(:, 2), xyz(:, 3), xyz(:, 4), xyz(:, 5), loc, m, gap)
+  status = status + footpoint_force(-gap, 10d0, m, loc, fs, fm)
+  print '(i0, l2)', status, all(abs(fs + sum(fm, 2)) < 1d-15) .and. abs(dot_product(fs, m) - 10 * gap) < 1d-14
+end program
+F
+    if [ -e "$installed/include/footpoint.mod" ]; then
+        (cd "$work" && gfortran -std=f2008 $strict use.f90 -o use_f $(pkg-config --cflags --libs footpoint) -lm) \
+            > "$work/log" 2>&1
+        good=$?
+        [ $good = 0 ] || sed 's/^/# /' "$work/log"
+        report $((!good)) 'Fortran, with the module installed'
+        expect 'which answers' 0 '0 -0.349489  0.395534  0.193207
+1 0 5 -0.349489  0.395534  0.193207
+0 -0.349489  0.395534  0.193207
+0 0
+0 T' '' env LD_LIBRARY_PATH="$installed/lib" "$work/use_f"
+    fi
+else
+    report 1 'skipped: no gfortran'
+fi
+
+# ---- programs and pages ----
+mkdir "$work/elsewhere" && cd "$work/elsewhere" || exit 3
+expect 'evolve finds its scenes' 0 '*' '*' \
+    "$installed/bin/footpoint-evolve" --scene bricks-quad4 --generations 0 --quiet
+cd - > /dev/null || exit 3
+expect 'and writes genomes here' 0 '' '' cmp "$work/elsewhere/bricks-quad4.gen" evolve/genomes/bricks-quad4.gen
+expect 'of which codegen makes the header' 0 '*' '*' "$installed/bin/footpoint-codegen" --allow-poles \
+    "$work/elsewhere/bricks-quad4.gen" -o "$work/elsewhere/footpoint_bricks_quad4.h"
+expect 'that is installed' 0 '' '' cmp "$work/elsewhere/footpoint_bricks_quad4.h" \
+    "$installed/include/footpoint/footpoint_bricks_quad4.h"
+for program in evolve codegen bench; do
+    page=$installed/share/man/man1/footpoint-$program.1
+    "$installed/bin/footpoint-$program" --help | grep -oE '(^|[ ,])--[a-z-]+' | tr -d ' ,' | sort -u |
+        while read -r option; do
+            grep -qF -- "Fl -${option#--}" "$page" || echo "$option"
+        done > "$work/log"
+    [ ! -s "$work/log" ]; good=$?
+    [ $good = 0 ] || sed "s/^/# not in footpoint-$program.1: /" "$work/log"
+    report $((!good)) "the page of footpoint-$program has every option of its --help"
+done
+functions_of "$installed/include/footpoint.h" | while read -r function; do
+    grep -qx "\.F[no] $function" "$installed/share/man/man3/footpoint.3" || echo "$function"
+done > "$work/log"
+[ ! -s "$work/log" ]; good=$?
+[ $good = 0 ] || sed 's/^/# not in footpoint.3: /' "$work/log"
+report $((!good)) 'the page of the library has every function'
+if command -v mandoc > /dev/null; then
+    expect 'mandoc has no objections' 0 '' '' mandoc -Tlint -Wwarning "$installed"/share/man/man?/footpoint*
+else
+    report 1 'skipped: no mandoc'
+fi
+
+# ---- gone again ----
+mkdir -p "$work/stage/opt" && mv "$work/moved" "$work/stage/opt/footpoint"
+logged 'make uninstall' make -s uninstall PREFIX=/opt/footpoint DESTDIR="$work/stage"
+find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?)) 'leaves nothing'

@@ -1,0 +1,71 @@
+# A header for one's own mesh, as the README tells it: the example's mesh becomes an input file, that a scene, that a
+# header, and the example runs with it.  The error that the banner states for the mesh is the one met in the run; so a
+# quicker function will do than the general header's banner would allow.
+. tests/cli/expect.inc
+CC=${CC:-gcc}
+logged() { # logged NAME COMMAND...: as `report`, with what the command says where it fails
+    name=$1
+    shift
+    "$@" > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log"
+    report $((!good)) "$name"
+}
+holds() { # holds NAME CONDITION: of awk
+    awk "BEGIN { exit !($2) }"
+    good=$?
+    [ $good = 0 ] || echo "# not so: $2"
+    report $((!good)) "$1"
+}
+value() { awk -v what="$1" 'index($0, what) == 1 { print $'"$2"' }' "$work/table"; }
+# banner HEADER FUNCTION: mean error of xi on held-out samples, random ones where the scene has both
+banner() {
+    awk -v f="$2" '$2 == f { on = 1 } on && $2 ~ /^heldout(_random)?_xi:/ { e = $6 } on && NF == 1 { exit }
+        END { print e }' "$1"
+}
+run_with() { # run_with HEADER FUNCTION PROGRAM: compile the example and run it; $error
+    logged "the example with $2" \
+        $CC -O3 -march=native -DHEADER="\"$1\"" -DLOCATE="$2_n" tests/example/impact.c -o "$work/$3" -lm
+    "$work/$3" 0.5 > "$work/table"
+    error=$(value "xi, eta off Newton's, mean" NF)
+    echo "# $2: banner $(banner "$1" "$2"), in the run $error;" \
+        "$(value 'local search, ns' '(NF-2)') ns a pair, $(value 'local search, ns' '(NF-1)') times"
+}
+
+# A tree to make it in, so that nothing is left in this one.
+tree=$work/tree root=$PWD
+mkdir "$tree"
+cp -a Makefile evolve generated "$tree"
+for shared in build codegen runtime tests; do ln -s "$root/$shared" "$tree/$shared"; done
+
+# ---- before: the header for ordinary meshes, and its function of an error below 1e-6 ----
+general=$root/generated/footpoint_quad4.h
+run_with "$general" footpoint_quad4_precise before
+precise=$(banner "$general" footpoint_quad4_precise)
+holds 'whose banner states an error below 1e-6' "$precise < 1e-6 && $(banner "$general" footpoint_quad4_fine) > 1e-6"
+
+# ---- mesh, scene, header ----
+mkdir "$work/mine"
+"$work/before" --inp > "$work/mine/plates.inp"
+cp tests/example/plates-quad4.scene "$work/mine/"
+status=$(git status --porcelain 2> /dev/null)
+logged 'make regenerate' \
+    make -s -C "$tree" regenerate SCENE="$work/mine/plates-quad4.scene" FROM=scratch GENERATIONS=20 CC="$CC"
+grep -h 'segments are' "$work/log" | sed 's/^/# /'
+own=$tree/generated/footpoint_plates_quad4.h
+[ -e "$own" ]; report $((! $?)) 'the header is there'
+[ "$status" = "$(git status --porcelain 2> /dev/null)" ]; report $((! $?)) 'and the source tree as it was'
+
+# ---- after ----
+run_with "$own" footpoint_plates_quad4_medium after
+medium=$(banner "$own" footpoint_plates_quad4_medium)
+holds 'its quicker function is below 1e-6 on this mesh' "$medium < 1e-6"
+holds 'and in the run, where plates deform' "$error < 2 * $medium && $error > 0.1 * $medium"
+holds 'with energy and momentum as before' "$(value 'energy error' NF) < 6e-4 && $(value 'momentum error' NF) < 1e-13"
+for run in 1 2 3 4 5; do
+    for program in before after; do
+        "$work/$program" > "$work/table" && value 'local search, ns' '(NF-2)' >> "$work/$program.ns"
+    done
+done
+before=$(sort -n "$work/before.ns" | head -n 1) after=$(sort -n "$work/after.ns" | head -n 1)
+holds "at less time: $before ns a pair before, $after after, the least of five runs in turn" "$after < $before"
