@@ -46,8 +46,10 @@ evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c k
 evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c)) \
                $(addprefix runtime/,bezier.c gregory.c normals.c)
 pga_mpi     := evolve/pga_main.c evolve/migrate.c
-genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c
+genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
 runtime_lib := $(wildcard runtime/*.c)
+# Geometry of segments, which scenes are made of, too.
+geometry    := $(filter-out runtime/quad4.c,$(wildcard runtime/quad*.c runtime/tri*.c))
 test_main   := $(wildcard tests/test_*.c)
 bench_parts := tests/bench_main.c $(addprefix tests/bench_,isa.c map.c measure.c tune.c)
 test_lib    := $(filter-out $(test_main) tests/bench_%.c %_main.c,$(wildcard tests/*.c))
@@ -110,19 +112,19 @@ $(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_calibrate)
 
-$(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evolve_lib) $(genome_lib))
+$(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evolve_lib) $(genome_lib) $(geometry))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
 
-$(BIN)/footpoint-pga: $(call object,$(pga_mpi) $(evolve_lib) $(genome_lib))
+$(BIN)/footpoint-pga: $(call object,$(pga_mpi) $(evolve_lib) $(genome_lib) $(geometry))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
 
-$(BIN)/footpoint-perceptron: $(call object,evolve/perceptron_main.c $(evolve_lib) $(genome_lib))
+$(BIN)/footpoint-perceptron: $(call object,evolve/perceptron_main.c $(evolve_lib) $(genome_lib) $(geometry))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
 
-$(BIN)/footpoint-bench: $(call object,$(bench_parts) $(test_lib) $(evolve_lib) $(genome_lib)) \
+$(BIN)/footpoint-bench: $(call object,$(bench_parts) $(test_lib) $(evolve_lib) $(genome_lib) $(geometry)) \
                         $(foreach isa,$(ISAS),$(OBJ)/tests/bench_methods-$(isa).o)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)

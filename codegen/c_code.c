@@ -59,8 +59,11 @@ static char *float_constant(const fmpq *value, enum level *level)
 /* xA[2] is input zA. */
 static char *input_text(const struct genome_file *f, size_t k)
 {
-    const char *name = f->input[k];
-    return f->segment ? new_format("x%c[%d]", name[1], name[0] - 'x') : new_format("in_%s", name);
+    char vector[4];
+    if (!f->segment)
+        return new_format("in_%s", f->input[k]);
+    segment_vector_name(f->segment, k / 3, vector);
+    return new_format("%s[%d]", vector, (int)(k % 3));
 }
 
 /* Both choices of a protected quotient are made before it divides: no branch is left. */
@@ -164,9 +167,11 @@ void c_print_unused(const struct unit *u, const struct function *f, FILE *out)
 {
     bool *reads = function_reads(f);
     for (size_t i = 0; i < u->file->inputs; i += u->file->segment ? 3 : 1) {
-        if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2]))
-            fprintf(out, "    (void)x%c;\n", u->file->input[i][1]);
-        else if (!u->file->segment && !reads[i])
+        char vector[4];
+        if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2])) {
+            segment_vector_name(u->file->segment, i / 3, vector);
+            fprintf(out, "    (void)%s;\n", vector);
+        } else if (!u->file->segment && !reads[i])
             fprintf(out, "    (void)in_%s;\n", u->file->input[i]);
     }
     free(reads);

@@ -42,8 +42,11 @@ static char *float_constant(const fmpq *value, enum level *level)
 
 static char *input_text(const struct genome_file *f, size_t k)
 {
-    const char *name = f->input[k];
-    return f->segment ? new_format("x%c(%d)", name[1], name[0] - 'x' + 1) : new_format("in_%s", name);
+    char vector[4];
+    if (!f->segment)
+        return new_format("in_%s", f->input[k]);
+    segment_vector_name(f->segment, k / 3, vector);
+    return new_format("%s(%d)", vector, (int)(k % 3) + 1);
 }
 
 /* merge() takes both values: a protected quotient must not divide by 0 for the one that it drops. */
@@ -153,11 +156,12 @@ static void print_unused(const struct unit *u, const struct function *f, FILE *o
 {
     bool *reads = function_reads(f);
     for (size_t i = 0; i < u->file->inputs; i += u->file->segment ? 3 : 1) {
-        const char *name = u->file->input[i];
-        if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2]))
-            fprintf(out, "    associate (unused => x%c)\n    end associate\n", name[1]);
-        else if (!u->file->segment && !reads[i])
-            fprintf(out, "    associate (unused => in_%s)\n    end associate\n", name);
+        char vector[4];
+        if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2])) {
+            segment_vector_name(u->file->segment, i / 3, vector);
+            fprintf(out, "    associate (unused => %s)\n    end associate\n", vector);
+        } else if (!u->file->segment && !reads[i])
+            fprintf(out, "    associate (unused => in_%s)\n    end associate\n", u->file->input[i]);
     }
     free(reads);
 }
@@ -185,6 +189,16 @@ static void print_list(struct target *t, const char *before, const struct unit *
     free(all);
 }
 
+/* "xA(3), xB(3), ..., xS(3)" */
+static void print_vectors(const struct segment_kind *k, const char *shape, FILE *out)
+{
+    for (size_t i = 0; i <= segment_vectors(k); i++) {
+        char name[4];
+        segment_vector_name(k, i, name);
+        fprintf(out, "%s%s%s", i ? ", " : "", name, shape);
+    }
+}
+
 static void print_subroutine(const struct unit *u, const struct function *f, struct target *t, FILE *out)
 {
     const struct operations *ops = &f->code.emission.ops;
@@ -195,10 +209,11 @@ static void print_subroutine(const struct unit *u, const struct function *f, str
                      : "");
     t->code = out;
     if (segment) {
-        fprintf(out, "  pure subroutine %s_at(xA, xB, xC, xD, xS, xi, eta)\n", f->name);
-        fputs("    real(wp), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3)\n"
-              "    real(wp), intent(out) :: xi, eta\n",
-              out);
+        fprintf(out, "  pure subroutine %s_at(", f->name);
+        print_vectors(u->file->segment, "", out);
+        fputs(", xi, eta)\n    real(wp), intent(in) :: ", out);
+        print_vectors(u->file->segment, "(3)", out);
+        fputs("\n    real(wp), intent(out) :: xi, eta\n", out);
     } else {
         char *head = new_format("  pure elemental subroutine %s(", f->name);
         print_list(t, head, u, f->genome, true, true, status ? ", status)" : ")");

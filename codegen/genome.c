@@ -113,7 +113,6 @@ void genome_file_free(struct genome_file *f)
     free(f->range);
     free(f->constant);
     free(f->genome);
-    free(f->segment);
     free(f->path);
     free(f);
 }
@@ -251,7 +250,7 @@ void genome_print(const struct genome_file *f, FILE *stream)
         }
     }
     if (f->segment)
-        fprintf(stream, "segment %s %s\n", f->segment, corner_order_name(f->order));
+        fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
     for (size_t i = 0; i < f->inputs; i++)
         if (f->range[i].given)
             fprintf(stream, "range %s %s %s\n", f->input[i], f->constant[f->range[i].lo].text,

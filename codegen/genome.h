@@ -19,11 +19,13 @@
  * leaf +1); it may run over several lines.  Operators: + - * / (quotient) % (protected quotient: 1 where the divisor is
  * 0) min max, and neg sqrt abs with one operand.  Numbers are decimal and exact: 0.05 means 1/20.
  *
- * The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are > 0. */
+ * The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are > 0.
+ */
 #ifndef FOOTPOINT_GENOME_H
 #define FOOTPOINT_GENOME_H
 
 #include "base.h"
+#include "segment.h"
 
 #define GENOME_FORMAT 1
 
@@ -100,7 +102,7 @@ struct genome_file {
     char *path; /* owned */
     struct genome_note *note;
     size_t notes, note_room;
-    char *segment; /* owned; NULL when the inputs are not nodes */
+    const struct segment_kind *segment; /* NULL when the inputs are not nodes */
     enum corner_order order;
     char **input; /* owned */
     size_t inputs, input_room;

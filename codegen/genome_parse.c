@@ -209,15 +209,18 @@ static bool read_segment(struct reader *r)
         return FAIL(r, "a second 'segment' line");
     if (!next_word(r, true))
         return FAIL(r, "segment without a kind");
-    if (!word_is(r, "quad4"))
+    char *name = new_text(r->word, r->length);
+    r->file->segment = segment_find(name);
+    free(name);
+    if (!r->file->segment)
         return FAIL(r, "unknown segment kind '%s'");
-    r->file->segment = new_text(r->word, r->length);
     if (!next_word(r, true))
         return FAIL(r, "segment without an order of corners");
     for (int order = CORNERS_ANY; order <= CORNERS_NEAREST_SHORTER; order++)
         if (word_is(r, corner_order_name((enum corner_order)order))) {
             r->file->order = (enum corner_order)order;
-            return true;
+            return order == CORNERS_ANY || r->file->segment->turns ||
+                   FAIL(r, "corners of this segment are in the order 'any', not '%s'");
         }
     return FAIL(r, "unknown order of corners '%s'");
 }
@@ -371,18 +374,17 @@ static bool read_file(struct reader *r)
     return true;
 }
 
-/* A segment's inputs are its nodes' coordinates in this order; outputs are xi and eta. */
+/* A segment's inputs are the coordinates of its vectors in their order; outputs are xi and eta. */
 static bool check_segment(const struct genome_file *f, struct diag *d)
 {
-    static const char *const node = "ABCDS";
-    char name[3] = "xA";
     if (!f->segment)
         return true;
-    for (size_t i = 0; i < 15; i++) {
-        name[0] = (char)('x' + i % 3);
-        name[1] = node[i / 3];
-        if (f->inputs != 15 || strcmp(f->input[i], name) != 0)
-            return diag_at(d, f->path, 0, 0, "the inputs of segment quad4 must be xA yA zA xB ... zS");
+    const size_t inputs = segment_inputs(f->segment);
+    for (size_t i = 0; i < inputs; i++) {
+        char name[5];
+        segment_input_name(f->segment, i, name);
+        if (f->inputs != inputs || strcmp(f->input[i], name) != 0)
+            return diag_at(d, f->path, 0, 0, "the inputs of segment %s must be xA yA zA xB ... zS", f->segment->name);
     }
     for (size_t i = 0; i < f->genomes; i++) {
         const struct genome *g = &f->genome[i];

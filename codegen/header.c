@@ -136,7 +136,7 @@ void header_print(const struct unit *u, FILE *out)
     if (status)
         print_flaw(precision, out);
     if (u->file->segment)
-        search_print_helpers(precision, out);
+        search_print_helpers(u->file->segment, precision, out);
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
         if (u->file->segment)

@@ -1,4 +1,4 @@
-/* Text of the search: five nodes as a mesh has them to xi, eta and the gap.  For a genome NAME of a segment,
+/* Text of the search: nodes as a mesh has them to xi, eta and the gap.  For a genome NAME of a segment,
  *   NAME_at:  xi and eta by straight-line code, corners in the order that the scene assumes, nothing checked;
  *   NAME:     xi, eta and the signed gap (9), corners in any order, with a status;
  *   NAME_n:   NAME_at for many pairs, from columns of coordinates. */
@@ -7,7 +7,9 @@
 #include "c_code.h"
 #include "text.h"
 
+#include <ctype.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const char helpers[] =
     "\n#ifndef FOOTPOINT_QUAD4_SEARCH@G\n"
@@ -74,9 +76,84 @@ static const char more_helpers[] = "FOOTPOINT_FN @R @Dsquare_distance(const @R a
                                    "}\n"
                                    "#endif\n";
 
-void search_print_helpers(enum precision precision, FILE *out)
+/* The same of the kinds whose geometry is in a table: the slave node is the last of the vectors x. */
+static const char kind_inspect[] =
+    "/* Status of the vectors: all finite, no two corners the same. */\n"
+    "FOOTPOINT_FN int @D@N_inspect(const @R *const x[%zu])\n"
+    "{\n"
+    "    @R sum = 0.0@F;\n"
+    "    int coincide = 0, i, j;\n"
+    "    for (i = 0; i < %zu; i++)\n"
+    "        sum += x[i][0] + x[i][1] + x[i][2];\n"
+    "    for (i = 1; i < %zu; i++)\n"
+    "        for (j = 0; j < i; j++)\n"
+    "            coincide |= (x[i][0] == x[j][0]) & (x[i][1] == x[j][1]) & (x[i][2] == x[j][2]);\n"
+    "    return sum - sum == 0.0@F ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : "
+    "FOOTPOINT_ERR_NOT_FINITE;\n"
+    "}\n\n";
+static const char kind_surface[] = "/* u = r_xi, v = r_eta and d = S - r at (xi,eta). */\n"
+                                   "FOOTPOINT_FN void @D@N_surface(const @R *const x[%zu], @R xi, @R eta,\n"
+                                   "    @R u[3], @R v[3], @R d[3])\n"
+                                   "{\n";
+static const char kind_gap[] =
+    "}\n\n"
+    "/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.\n"
+    " * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */\n"
+    "FOOTPOINT_FN int @D@N_gap(const @R *const x[%zu], @R xi, @R eta, @R *gap)\n"
+    "{\n"
+    "    @R u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0@F, vv = 0.0@F;\n"
+    "    int area, i, j;\n"
+    "    @D@N_surface(x, xi, eta, u, v, d);\n"
+    "    for (j = 0; j < 3; j++) {\n"
+    "        @R size = 0.0@F;\n"
+    "        for (i = 1; i < %zu; i++)\n"
+    "            size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);\n"
+    "        uu += u[j] * u[j] + size;\n"
+    "        vv += v[j] * v[j] + size;\n"
+    "    }\n"
+    "    nx = u[1] * v[2] - u[2] * v[1];\n"
+    "    ny = u[2] * v[0] - u[0] * v[2];\n"
+    "    nz = u[0] * v[1] - u[1] * v[0];\n"
+    "    nn = nx * nx + ny * ny + nz * nz;\n"
+    "    area = nn > %s * (uu * vv);\n"
+    "    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt@F(nn);\n"
+    "    *gap = area ? nn : *gap;\n"
+    "    return area;\n"
+    "}\n"
+    "#endif\n";
+
+static const char *least_area(enum precision precision)
 {
-    c_print(helpers, precision, precision == PRECISION_FLOAT ? "1e-12f" : "1e-20", out);
+    return precision == PRECISION_FLOAT ? "1e-12f" : "1e-20";
+}
+
+static void print_kind_helpers(const struct segment_kind *k, enum precision precision, FILE *out)
+{
+    const size_t vectors = segment_vectors(k) + 1;
+    char guard[32];
+    snprintf(guard, sizeof guard, "%s", k->name);
+    for (char *c = guard; *c; c++)
+        *c = (char)toupper((unsigned char)*c);
+    char *inspect = new_format(kind_inspect, vectors, vectors, k->corners);
+    char *surface = new_format(kind_surface, vectors);
+    char *gap = new_format(kind_gap, vectors, strlen(k->nodes), least_area(precision));
+    c_print("\n#ifndef FOOTPOINT_@N_SEARCH@G\n#define FOOTPOINT_@N_SEARCH@G\n", precision, guard, out);
+    c_print(inspect, precision, k->name, out);
+    c_print(surface, precision, k->name, out);
+    c_print(k->surface, precision, k->name, out);
+    c_print(gap, precision, k->name, out);
+    free(inspect);
+    free(surface);
+    free(gap);
+}
+
+void search_print_helpers(const struct segment_kind *k, enum precision precision, FILE *out)
+{
+    if (k->surface) {
+        print_kind_helpers(k, precision, out);
+        return;
+    }
+    c_print(helpers, precision, least_area(precision), out);
     c_print(more_helpers, precision, "", out);
 }
 
@@ -112,14 +189,40 @@ bool search_hides_poles(const struct function *f)
     return hides;
 }
 
-static void print_arguments(const char *function, const char *last, enum precision precision, FILE *out)
+/* Vectors and what comes last, four parameters a line. */
+static void print_arguments(const struct segment_kind *k, const char *function, const char *last,
+                            enum precision precision, FILE *out)
 {
     const int column = fprintf(out, "%s(", function);
-    c_print("const @R xA[3], const @R xB[3], const @R xC[3], const @R xD[3],\n", precision, "", out);
-    fprintf(out, "%*s", column, "");
-    c_print("const @R xS[3], ", precision, "", out);
+    for (size_t i = 0; i <= segment_vectors(k); i++) {
+        char name[4];
+        segment_vector_name(k, i, name);
+        c_print("const @R @N[3],", precision, name, out);
+        if (i % 4 == 3)
+            fprintf(out, "\n%*s", column, "");
+        else
+            fputc(' ', out);
+    }
     c_print(last, precision, "", out);
     fputs(")\n", out);
+}
+
+/* "xA, xB, ..., xS" */
+static void print_vectors(const struct segment_kind *k, FILE *out)
+{
+    for (size_t i = 0; i <= segment_vectors(k); i++) {
+        char name[4];
+        segment_vector_name(k, i, name);
+        fprintf(out, "%s%s", i ? ", " : "", name);
+    }
+}
+
+/* "    FUNCTION(xA, ..., xS, LAST);" */
+static void print_call(const struct unit *u, const char *before, const char *function, const char *last, FILE *out)
+{
+    fprintf(out, "    %s%s(", before, function);
+    print_vectors(u->file->segment, out);
+    fprintf(out, ", %s);\n", last);
 }
 
 /* NAME_at.  If it hides poles, its statements are in a function that returns a status, which NAME asks. */
@@ -132,7 +235,7 @@ static void print_at(const struct unit *u, const struct function *f, bool hides,
         c_print("\n/* xi and eta of @N_at, and whether its denominators are far enough from 0. */\n", precision,
                 f->name, out);
         head = new_format("FOOTPOINT_FN int footpoint_detail_%s", f->name);
-        print_arguments(head, "@R *xi, @R *eta", precision, out);
+        print_arguments(u->file->segment, head, "@R *xi, @R *eta", precision, out);
         free(head);
         fputs("{\n", out);
         c_print_statements(u, f, out);
@@ -143,11 +246,11 @@ static void print_at(const struct unit *u, const struct function *f, bool hides,
     fprintf(out, "\n/* %ld mul, %ld div, %ld add, %ld sqrt.  xi, eta dimensionless; nothing checked. */\n", ops->mul,
             ops->div, ops->add, ops->sqrt);
     head = new_format("FOOTPOINT_FN void %s_at", f->name);
-    print_arguments(head, "@R *xi, @R *eta", precision, out);
+    print_arguments(u->file->segment, head, "@R *xi, @R *eta", precision, out);
     free(head);
     fputs("{\n", out);
     if (hides)
-        fprintf(out, "    (void)footpoint_detail_%s(xA, xB, xC, xD, xS, xi, eta);\n", f->name);
+        print_call(u, "(void)footpoint_detail_", f->name, "xi, eta", out);
     else {
         c_print_statements(u, f, out);
         c_print_unused(u, f, out);
@@ -172,7 +275,7 @@ static void print_ordered_call(const struct unit *u, const char *call, FILE *out
     const enum corner_order order = u->file->order;
     const enum precision precision = u->options.precision;
     if (order == CORNERS_ANY) {
-        fprintf(out, "    %s(xA, xB, xC, xD, xS, &xi, &eta);\n", call);
+        print_call(u, "", call, "&xi, &eta", out);
         return;
     }
     c_print(nearest, precision, "", out);
@@ -182,28 +285,47 @@ static void print_ordered_call(const struct unit *u, const char *call, FILE *out
     fputs(back, out);
 }
 
+/* Ends the line of declarations; kinds of the table take their vectors as an array. */
+static void print_vector_array(const struct unit *u, FILE *out)
+{
+    const struct segment_kind *k = u->file->segment;
+    fputs(";\n", out);
+    if (!k->surface)
+        return;
+    char *head = new_format("    const @R *const x[%zu] = {", segment_vectors(k) + 1);
+    c_print(head, u->options.precision, "", out);
+    print_vectors(k, out);
+    fputs("};\n", out);
+    free(head);
+}
+
 static void print_checked(const struct unit *u, const struct function *f, bool hides, FILE *out)
 {
     const enum precision precision = u->options.precision;
     const enum corner_order order = u->file->order;
+    const bool of_kind = u->file->segment->surface != NULL;
     char *head = new_format("FOOTPOINT_FN int %s", f->name);
     char *call = new_format(hides ? "flaw = footpoint_detail_%s" : "%s_at", f->name);
     fputs("\n/* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched "
           "on error.\n * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */\n",
           out);
-    print_arguments(head, "@R loc[2], @R *gap", precision, out);
+    print_arguments(u->file->segment, head, "@R loc[2], @R *gap", precision, out);
     c_print("{\n    @R xi, eta, g = 0.0@F", precision, "", out);
     if (order != CORNERS_ANY) {
         c_print(order == CORNERS_NEAREST ? ", u, v;\n" : ", u, v, w;\n", precision, "", out);
         c_print("    const @R *x[4];\n    int k", precision, "", out);
         fputs(order == CORNERS_NEAREST ? "" : ", mirror", out);
     }
-    c_print(";\n    int area, status = @Dinspect(xA, xB, xC, xD, xS);\n", precision, "", out);
+    print_vector_array(u, out);
+    c_print(of_kind ? "    int area, status = @D@N_inspect(x);\n"
+                    : "    int area, status = @Dinspect(xA, xB, xC, xD, xS);\n",
+            precision, u->file->segment->name, out);
     if (hides)
         fputs("    int flaw;\n", out);
     print_ordered_call(u, call, out);
-    c_print("    area = @Dgap(xA, xB, xC, xD, xS, xi, eta, &g);\n"
-            "    if (status == FOOTPOINT_OK && !(area @N&& (xi - xi) + (eta - eta) + (g - g) == 0.0@F))\n"
+    c_print(of_kind ? "    area = @D@N_gap(x, xi, eta, &g);\n" : "    area = @Dgap(xA, xB, xC, xD, xS, xi, eta, &g);\n",
+            precision, u->file->segment->name, out);
+    c_print("    if (status == FOOTPOINT_OK && !(area @N&& (xi - xi) + (eta - eta) + (g - g) == 0.0@F))\n"
             "        status = FOOTPOINT_ERR_DEGENERATE;\n"
             "    if (status == FOOTPOINT_OK) {\n        loc[0] = xi;\n        loc[1] = eta;\n        *gap = g;\n    }\n"
             "    return status;\n}\n",
@@ -212,27 +334,46 @@ static void print_checked(const struct unit *u, const struct function *f, bool h
     free(head);
 }
 
+/* One vector of pair i from its columns, two declarations a line: "xA[3] = {x[0][i], x[1][i], x[2][i]}". */
+static void print_gathered(const struct unit *u, FILE *out)
+{
+    const size_t vectors = segment_vectors(u->file->segment) + 1;
+    for (size_t k = 0; k < vectors; k++) {
+        char name[4];
+        segment_vector_name(u->file->segment, k, name);
+        if (k % 2 == 0)
+            c_print("        const @R ", u->options.precision, "", out);
+        fprintf(out, "%s[3] = {x[%zu][i], x[%zu][i], x[%zu][i]}%s", name, 3 * k, 3 * k + 1, 3 * k + 2,
+                k % 2 == 0 && k + 1 < vectors ? ", " : ";\n");
+    }
+}
+
 /* The loop over columns.  FOOTPOINT_LOOP inlines what it calls, without which it would not vectorise. */
 static void print_loop(const struct unit *u, const struct function *f, FILE *out)
 {
-    static const char head[] =
-        "\n/* @N_at for n pairs.\n"
-        " * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.\n *";
-    static const char loop[] =
-        " */\nFOOTPOINT_LOOP void @N_n(size_t n, const @R *const x[15],\n"
-        "    @R *FOOTPOINT_RESTRICT xi, @R *FOOTPOINT_RESTRICT eta)\n"
-        "{\n"
-        "    size_t i;\n"
-        "    for (i = 0; i < n; i++) {\n"
-        "        const @R xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};\n"
-        "        const @R xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};\n"
-        "        const @R xS[3] = {x[12][i], x[13][i], x[14][i]};\n"
-        "        @N_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);\n"
-        "    }\n"
-        "}\n";
-    c_print(head, u->options.precision, f->name, out);
+    const struct segment_kind *kind = u->file->segment;
+    const enum precision precision = u->options.precision;
+    c_print("\n/* @N_at for n pairs.\n * x[3 k + i] is the column of coordinate i of ", precision, f->name, out);
+    fputs(*kind->normals ? "vector k (" : "node k (", out);
+    for (size_t k = 0; k <= segment_vectors(kind); k++) {
+        char name[4];
+        segment_vector_name(kind, k, name);
+        fprintf(out, "%s%s", k ? ", " : "", *kind->normals ? name : name + 1);
+    }
+    fputs("); xi and eta overlap nothing else.\n *", out);
     c_print_loop_note(f, out);
-    c_print(loop, u->options.precision, f->name, out);
+    char *loop = new_format(" */\nFOOTPOINT_LOOP void @N_n(size_t n, const @R *const x[%zu],\n"
+                            "    @R *FOOTPOINT_RESTRICT xi, @R *FOOTPOINT_RESTRICT eta)\n"
+                            "{\n    size_t i;\n    for (i = 0; i < n; i++) {\n",
+                            segment_inputs(kind));
+    c_print(loop, precision, f->name, out);
+    free(loop);
+    print_gathered(u, out);
+    fputs("    ", out);
+    char *at = new_format("%s_at", f->name);
+    print_call(u, "", at, "&xi[i], &eta[i]", out);
+    free(at);
+    fputs("    }\n}\n", out);
 }
 
 void search_print(const struct unit *u, const struct function *f, FILE *out)

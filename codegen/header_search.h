@@ -5,7 +5,7 @@
 #include "unit.h"
 
 /** What all searches of a header share: tests of the nodes, gap, nearest corner. */
-void search_print_helpers(enum precision precision, FILE *out);
+void search_print_helpers(const struct segment_kind *k, enum precision precision, FILE *out);
 
 /** False if every zero of a denominator makes xi or eta infinite or NaN, which NAME notices by itself. */
 bool search_hides_poles(const struct function *f);

@@ -177,20 +177,27 @@ static int compare_names(const void *a, const void *b)
     return strcmp(((const struct named_op *)a)->name, ((const struct named_op *)b)->name);
 }
 
+/* Input zA of a segment, which is xA[2] in the text; "" if the word is none. */
+static void read_coordinate(const char *word, char input[5])
+{
+    const size_t length = strlen(word);
+    snprintf(input, 5, "%s", "");
+    if (length == 5 && strchr("xn", word[0]) && word[2] == '[' && strchr("012", word[3]) && word[4] == ']')
+        snprintf(input, 5, "%c%.*s", 'x' + word[3] - '0', word[0] == 'x' ? 1 : 2, word[0] == 'x' ? word + 1 : word);
+}
+
 /* A named value or an input: in_NAME; of a segment xA[2], which is its input zA. */
 static int find_name(const struct reader *r, char *word)
 {
     const struct named_op key = {word, -1}, *const *found = tfind(&key, &r->names, compare_names);
-    char coordinate[3] = "";
+    char coordinate[5];
     const char *input = coordinate;
     if (found)
         return (*found)->op;
     if (!r->file->segment)
         input = strncmp(word, "in_", 3) == 0 ? word + 3 : "";
-    else if (strlen(word) == 5 && word[0] == 'x' && word[2] == '[' && strchr("012", word[3]) && word[4] == ']') {
-        coordinate[0] = (char)('x' + word[3] - '0');
-        coordinate[1] = word[1];
-    }
+    else
+        read_coordinate(word, coordinate);
     const long k = genome_find_symbol(r->file, input);
     return k >= 0 && (size_t)k < r->file->inputs ? (int)k : -1;
 }

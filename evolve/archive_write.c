@@ -11,23 +11,38 @@
 
 static const char *const norm_name[] = {[NORM_MEAN] = "mean", [NORM_P99] = "p99", [NORM_MAX] = "max"};
 
-/* What the error tables hold for. */
-static void note_range(struct genome_file *f, const struct scene *s)
+/* "aspect <= 5, ..." */
+static void note_shapes(struct genome_file *f, const struct scene *s)
 {
     const double degree = acos(-1) / 180;
     const struct shapes *p = &s->shapes;
+    char warps[60] = "", curves[60] = "";
+    if (!s->segment->triangle)
+        snprintf(warps, sizeof warps, ", taper <= %g, warp <= %g deg", p->taper, p->warp / degree);
+    if (strlen(s->segment->nodes) > s->segment->corners)
+        snprintf(curves, sizeof curves, ", curve <= %g, shift <= %g", p->curve, p->shift);
+    genome_add_note(&f->note, &f->notes, &f->note_room, "range",
+                    "aspect <= %g, skew <= %g deg%s%s, |gap| <= %g of the shortest edge", p->aspect, p->skew / degree,
+                    warps, curves, p->gap);
+}
+
+/* What the error tables hold for. */
+static void note_range(struct genome_file *f, const struct scene *s)
+{
     const char *slash = s->source == SOURCE_MESH ? strrchr(s->mesh.file, '/') : NULL;
     double lo[2], hi[2];
     scene_box(s, lo, hi);
 #define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, "range", __VA_ARGS__)
     if (s->source == SOURCE_RANDOM)
-        NOTE("aspect <= %g, skew <= %g deg, taper <= %g, warp <= %g deg, |gap| <= %g of the shortest edge", p->aspect,
-             p->skew / degree, p->taper, p->warp / degree, p->gap);
+        note_shapes(f, s);
     else if (s->source == SOURCE_MESH)
         NOTE("contact pairs of %s within %g mesh lengths", slash ? slash + 1 : s->mesh.file, s->mesh.distance);
     else
         NOTE("A = (0,0,0), B = (1,0,0); |x|, |y| <= %g, |z| <= %g", s->lattice.xy_max, s->lattice.z_max);
-    NOTE("%g < xi <= %g, %g < eta <= %g", lo[0], hi[0], lo[1], hi[1]);
+    if (s->segment->triangle)
+        NOTE("xi > %g, eta > %g, xi + eta <= %g", lo[0], lo[1], hi[0]);
+    else
+        NOTE("%g < xi <= %g, %g < eta <= %g", lo[0], hi[0], lo[1], hi[1]);
 #undef NOTE
 }
 

@@ -71,7 +71,7 @@ static bool draw_training(struct run *r, struct diag *d)
         return true;
     if (!scene_samples(r->scene, PART_TRAINING, &r->training, d))
         return false;
-    r->vary = vary_measure(&r->training);
+    r->vary = vary_measure(r->scene->segment, &r->training);
     return true;
 }
 
@@ -165,7 +165,10 @@ static void tell_segments(const struct run *r)
     if (r->team->rank > 0 || r->resume)
         return;
     printf("%s: ", r->scene->name);
-    vary_print(&r->vary, stdout);
+    if (r->scene->segment->surface)
+        printf("segments are %s", r->scene->segment->name);
+    else
+        vary_print(&r->vary, stdout);
     if (r->follows)
         printf(", frame %s", r->scene->tier[0].frame);
     archive_print_exact(r->archive, stdout);

@@ -5,8 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { NODES = 5, INPUTS = 3 * NODES };
-
 const char *const frame_output[2] = {"xi", "eta"};
 
 /* Lets whose value is the scene's: the reference point and the box that its contact points lie in. */
@@ -95,6 +93,9 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
     if (!frame)
         return false;
     bool good = frame->genomes == 0 || diag_at(d, path, frame->genome[0].line, 0, "a frame holds no genomes");
+    if (good && frame->segment && frame->segment != s->segment)
+        good = diag_at(d, s->path, t->line, 0, "tier '%s': frame '%s' is of segments %s", t->name, t->frame,
+                       frame->segment->name);
     for (size_t i = 0; good && i < frame->lets && frame_is_new(s, tier); i++)
         good = add_let(frame, &frame->let[i], s, program, d);
     for (size_t i = 0; good && i < t->terminals; i++)
@@ -108,9 +109,12 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
 struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d)
 {
     struct genome_file *program = genome_file_new(path);
-    for (int i = 0; i < INPUTS; i++)
-        genome_add_input(program, (const char[]){"xyz"[i % 3], "ABCDS"[i / 3], '\0'});
-    program->segment = new_text(s->segment, strlen(s->segment));
+    for (size_t i = 0; i < segment_inputs(s->segment); i++) {
+        char name[5];
+        segment_input_name(s->segment, i, name);
+        genome_add_input(program, name);
+    }
+    program->segment = s->segment;
     program->order = s->order;
     for (size_t i = 0; i < s->tiers; i++)
         if (!add_frame(root, s, i, program, d)) {
@@ -128,9 +132,10 @@ size_t frame_target(const struct genome_file *program, int output)
 struct columns frame_columns(struct kernel *k, const struct genome_file *program, const struct sample *s, size_t n)
 {
     struct columns c = columns_new(n, frame_target(program, 2));
+    const size_t inputs = program->inputs, slave = inputs - 3;
     for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < INPUTS; j++)
-            columns_at(&c, j)[i] = j < 12 ? s[i].x[j / 3][j % 3] : s[i].xs[j - 12];
+        for (size_t j = 0; j < inputs; j++)
+            columns_at(&c, j)[i] = j < slave ? s[i].x[j / 3][j % 3] : s[i].xs[j - slave];
         columns_at(&c, frame_target(program, 0))[i] = s[i].xi;
         columns_at(&c, frame_target(program, 1))[i] = s[i].eta;
     }

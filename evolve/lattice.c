@@ -92,7 +92,7 @@ static bool label(const struct lattice *l, struct sample *s)
 
 static void add_slaves(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)
 {
-    struct sample s;
+    struct sample s = {0};
     int p[3];
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 3; k++)
@@ -217,7 +217,7 @@ static bool off_lattice(const struct scene *scene, struct sample_set *set, struc
     gsl_rng *stream = stream_new();
     const int tries = 1000000;
     for (size_t i = 0; i < scene->heldout; i++) {
-        struct sample s;
+        struct sample s = {0};
         int n = 0;
         stream_key(stream, scene->seed, PART_HELDOUT_RANDOM, i, 0);
         while (n < tries && !draw(stream, &scene->lattice, &s))

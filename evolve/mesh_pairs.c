@@ -3,20 +3,18 @@
  * trains, the other is held out.  Beside them random slave nodes over the master faces, from one stream for training
  * and another for the held-out set.  Slave nodes are sorted by x, so that a face meets only those of its own slab. */
 #include "mesh.h"
-#include "reference.h"
 #include "samplers.h"
 #include "stream.h"
+#include "surface.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define REACH (1 + 2 * MESH_OVERHANG) /* of xi and eta */
-
 /* A slave node on a master face. */
 struct pair {
-    int slave, node[4];
+    int slave, node[SEGMENT_VECTORS];
     struct sample s;
 };
 
@@ -39,16 +37,16 @@ static int by_x(const void *a, const void *b)
 static int by_nodes(const void *a, const void *b)
 {
     const struct pair *p = a, *q = b;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < SEGMENT_VECTORS; i++)
         if (p->node[i] != q->node[i])
             return p->node[i] < q->node[i] ? -1 : 1;
     return (p->slave > q->slave) - (p->slave < q->slave);
 }
 
-static void set_corners(const struct mesh *mesh, const int node[4], struct sample *s)
+static void set_nodes(const struct mesh *mesh, const struct mesh_face *face, struct sample *s)
 {
-    for (int i = 0; i < 4; i++)
-        memcpy(s->x[i], mesh->xyz[node[i]], sizeof s->x[i]);
+    for (int i = 0; i < face->nodes; i++)
+        memcpy(s->x[i], mesh->xyz[face->node[i]], sizeof s->x[i]);
 }
 
 /* First of n slaves, ascending in x, that is not below `x`. */
@@ -65,19 +63,22 @@ static size_t first_from(const struct slave *slave, size_t n, double x)
     return first;
 }
 
-static void search(const struct mesh *mesh, const struct mesh_pair *p, double distance, struct pairs *found)
+static void search(const struct scene *scene, const struct mesh *mesh, const struct mesh_pair *p, struct pairs *found)
 {
-    static const double lo[2] = {-REACH, -REACH}, hi[2] = {REACH, REACH};
+    const struct surface *surface = surface_find(scene->segment);
+    const double distance = scene->mesh.distance;
+    double lo[2], hi[2];
+    scene_box(scene, lo, hi);
     struct slave *slave = new_array(p->slaves, sizeof *slave);
     for (size_t i = 0; i < p->slaves; i++)
         slave[i] = (struct slave){mesh->xyz[p->slave[i]][0], p->slave[i]};
     qsort(slave, p->slaves, sizeof *slave, by_x);
     for (size_t f = 0; f < p->masters; f++) {
-        struct pair pair;
+        struct pair pair = {0};
         double least = INFINITY, most = -INFINITY;
-        memcpy(pair.node, p->master[f].node, sizeof pair.node);
-        set_corners(mesh, pair.node, &pair.s);
-        for (int i = 0; i < 4; i++) {
+        memcpy(pair.node, p->master[f].node, (size_t)p->master[f].nodes * sizeof *pair.node);
+        set_nodes(mesh, &p->master[f], &pair.s);
+        for (int i = 0; i < p->master[f].nodes; i++) {
             least = fmin(least, pair.s.x[i][0]);
             most = fmax(most, pair.s.x[i][0]);
         }
@@ -88,7 +89,7 @@ static void search(const struct mesh *mesh, const struct mesh_pair *p, double di
              i++) {
             pair.slave = slave[i].node;
             memcpy(pair.s.xs, mesh->xyz[pair.slave], sizeof pair.s.xs);
-            if (!reference_foot(&pair.s, lo, hi) || !(fabs(pair.s.gap) < distance))
+            if (!surface->foot(surface, &pair.s, lo, hi) || !(fabs(pair.s.gap) < distance))
                 continue;
             grow_array(&found->pair, found->n, &found->room, sizeof pair);
             found->pair[found->n++] = pair;
@@ -116,10 +117,10 @@ static bool find_pairs(const struct scene *scene, const struct mesh *mesh, struc
     for (size_t i = 0; i < mesh->pairs; i++) {
         const struct mesh_pair *p = &mesh->pair[i];
         for (size_t f = 0; f < p->masters; f++)
-            if (p->master[f].nodes != 4)
+            if ((size_t)p->master[f].nodes != strlen(scene->segment->nodes))
                 return diag_at(d, file, 0, 0, "master faces of %d nodes; scene '%s' is for %s", p->master[f].nodes,
-                               scene->name, scene->segment);
-        search(mesh, p, scene->mesh.distance, found);
+                               scene->name, scene->segment->name);
+        search(scene, mesh, p, found);
     }
     remove_repeated(found);
     if (found->n == 0)
@@ -134,15 +135,15 @@ static bool random_pairs(const struct scene *scene, const struct mesh *mesh, enu
     gsl_rng *stream = stream_new();
     const int tries = 10000;
     for (size_t i = 0; i < count; i++) {
-        struct sample s;
+        struct sample s = {0};
         int n;
         stream_key(stream, scene->seed, (uint64_t)part, i, 1);
         for (n = 0; n < tries; n++) {
             const struct mesh_pair *p = &mesh->pair[gsl_rng_uniform_int(stream, mesh->pairs)];
             if (p->masters == 0)
                 continue;
-            set_corners(mesh, p->master[gsl_rng_uniform_int(stream, p->masters)].node, &s);
-            if (place_slave(stream, REACH, scene->mesh.distance, &s))
+            set_nodes(mesh, &p->master[gsl_rng_uniform_int(stream, p->masters)], &s);
+            if (place_slave(stream, scene, scene->mesh.distance, &s))
                 break;
         }
         if (n == tries) {

@@ -11,6 +11,7 @@
  * (gsl_poly_complex_solve) and are polished by Newton's iteration on (7), (8) in long double.  Coordinates are relative
  * to the centre and divided by the size of the segment before anything else. */
 #include "reference.h"
+#include "surface.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
@@ -341,4 +342,10 @@ bool reference_foot(struct sample *s, const double lo[2], const double hi[2])
         }
     }
     return false;
+}
+
+bool reference_foot_quad4(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+{
+    (void)f;
+    return reference_foot(s, lo, hi);
 }

@@ -2,10 +2,14 @@
 #ifndef FOOTPOINT_SAMPLE_H
 #define FOOTPOINT_SAMPLE_H
 
+#include "../codegen/segment.h"
+
 #include <stddef.h>
 
 struct sample {
-    double x[4][3]; /* corners A, B, C, D at (xi,eta) = (-1,-1), (1,-1), (1,1), (-1,1); any length unit */
+    /* Nodes and normals in the order of the segment's kind, of quad4 the corners A, B, C, D at (xi,eta) = (-1,-1),
+     * (1,-1), (1,1), (-1,1); any length unit.  0 beyond what the kind has. */
+    double x[SEGMENT_VECTORS][3];
     double xs[3];   /* slave node; same unit */
     double xi, eta; /* foot point, dimensionless */
     double gap;     /* (xs - r(xi,eta)) . n, n the unit normal there, right-handed in xi, eta; same unit as x */

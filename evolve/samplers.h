@@ -10,10 +10,10 @@ bool lattice_samples(const struct scene *scene, enum sample_part part, struct sa
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 
-/** A random slave node of segment s->x: s->xs = r(xi,eta) + gap n with (xi,eta) uniform in the box -reach..reach and
- *  gap uniform in -gap..gap (mesh length), labelled with its certain foot point.  False, to be drawn again, when
- * another point of the box is nearer. */
-bool place_slave(gsl_rng *stream, double reach, double gap, struct sample *s);
+/** A random slave node of segment s->x: s->xs = r(xi,eta) + gap n with (xi,eta) uniform in the scene's box and gap
+ *  uniform in -gap..gap (mesh length), labelled with its certain foot point.  False, to be drawn again, when another
+ *  point of the box is nearer. */
+bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct sample *s);
 
 /** Renumber the corners as the order says, and the foot point with them: A becomes the corner nearest to the slave
  *  node (the first of equals), for CORNERS_NEAREST_SHORTER with |AD| <= |AB|, which may exchange xi and eta and so turn

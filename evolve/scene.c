@@ -188,15 +188,27 @@ static bool read_lattice(const struct reader *r, config_setting_t *g, struct lat
     return true;
 }
 
-static bool read_shapes(const struct reader *r, config_setting_t *g, struct shapes *s)
+/* Triangles have no taper and no warp of their own; curve and shift are of mid-side nodes. */
+static bool read_shapes(const struct reader *r, config_setting_t *g, const struct segment_kind *kind, struct shapes *s)
 {
-    static const char *const required[] = {"aspect", "skew", "taper", "warp", "gap", "overhang", NULL};
-    static const char *const optional[] = {NULL};
+    const bool middles = strlen(kind->nodes) > kind->corners, warps = !kind->triangle;
+    const char *required[10] = {"aspect", "skew", "gap", "overhang"}, *const optional[] = {NULL};
+    size_t n = 4;
+    if (warps) {
+        required[n++] = "taper";
+        required[n++] = "warp";
+    }
+    if (middles) {
+        required[n++] = "curve";
+        required[n++] = "shift";
+    }
     return check_keys(r, g, "shapes", required, optional) &&
            read_number(r, config_setting_get_member(g, "aspect"), "aspect", 1, 1000, &s->aspect) &&
            read_angle(r, config_setting_get_member(g, "skew"), "skew", 85, &s->skew) &&
-           read_number(r, config_setting_get_member(g, "taper"), "taper", 0, 0.95, &s->taper) &&
-           read_angle(r, config_setting_get_member(g, "warp"), "warp", 90, &s->warp) &&
+           (!warps || (read_number(r, config_setting_get_member(g, "taper"), "taper", 0, 0.95, &s->taper) &&
+                       read_angle(r, config_setting_get_member(g, "warp"), "warp", 90, &s->warp))) &&
+           (!middles || (read_number(r, config_setting_get_member(g, "curve"), "curve", 0, 0.2, &s->curve) &&
+                         read_number(r, config_setting_get_member(g, "shift"), "shift", 0, 0.2, &s->shift))) &&
            read_number(r, config_setting_get_member(g, "gap"), "gap", 0, 100, &s->gap) &&
            read_number(r, config_setting_get_member(g, "overhang"), "overhang", 0, 1, &s->overhang);
 }
@@ -314,6 +326,8 @@ static bool read_tiers(const struct reader *r, config_setting_t *root, struct sc
     const config_setting_t *frame = config_setting_get_member(root, "frame");
     if (!list && frame)
         return fail(r, frame, "'frame' without 'tiers'; a scene names both or leaves both to its segments");
+    if (!list && scene->segment->surface)
+        return fail(r, root, "scene lacks 'tiers', which follow for segments quad4 alone");
     if (!list)
         return true;
     if (!config_setting_is_list(list) || config_setting_length(list) == 0)
@@ -325,17 +339,23 @@ static bool read_tiers(const struct reader *r, config_setting_t *root, struct sc
     return true;
 }
 
-static bool read_segment(const struct reader *r, const config_setting_t *s, char **segment)
+static bool read_segment(const struct reader *r, const config_setting_t *s, const struct segment_kind **segment)
 {
-    static const char *const planned[] = {"tri3", "tri6", "quad8", "quad9", "gregory", "bezier"};
-    if (!read_string(r, s, "segment", segment))
+    static const char *const planned[] = {"gregory", "bezier"};
+    char *name = NULL;
+    if (!read_string(r, s, "segment", &name))
         return false;
-    if (strcmp(*segment, "quad4") == 0)
-        return true;
-    for (size_t i = 0; i < sizeof planned / sizeof *planned; i++)
-        if (strcmp(*segment, planned[i]) == 0)
-            return fail(r, s, "segment '%s' is not yet supported; only \"quad4\" is", *segment);
-    return fail(r, s, "unknown segment '%s'", *segment);
+    *segment = segment_find(name);
+    bool found = *segment != NULL;
+    for (size_t i = 0; !found && i < sizeof planned / sizeof *planned; i++)
+        if (strcmp(name, planned[i]) == 0) {
+            free(name);
+            return fail(r, s, "segment '%s' is not yet supported", planned[i]);
+        }
+    if (!found)
+        fail(r, s, "unknown segment '%s'", name);
+    free(name);
+    return found;
 }
 
 /* Exactly one of lattice, shapes and mesh. */
@@ -359,9 +379,11 @@ static bool read_source(const struct reader *r, config_setting_t *root, struct s
         return diag_at(r->d, r->path, 0, 0, "none of lattice, shapes and mesh; a scene has one of them");
     switch (scene->source) {
     case SOURCE_LATTICE:
+        if (scene->segment->surface)
+            return fail(r, found, "a 'lattice' is of segments quad4");
         return read_lattice(r, found, &scene->lattice);
     case SOURCE_RANDOM:
-        return read_shapes(r, found, &scene->shapes);
+        return read_shapes(r, found, scene->segment, &scene->shapes);
     case SOURCE_MESH:
         break;
     }
@@ -391,6 +413,9 @@ static bool read_scene(const struct reader *r, config_setting_t *root, struct sc
         !read_word(r, config_setting_get_member(root, "order"), "order", order, 3, &which))
         return false;
     scene->order = (enum corner_order)which;
+    if (scene->order != CORNERS_ANY && !scene->segment->turns)
+        return fail(r, config_setting_get_member(root, "order"), "'order' must be \"any\" for segment '%s'",
+                    scene->segment->name);
     if (!read_reference(r, root, scene->reference) ||
         !read_word(r, config_setting_get_member(root, "norm"), "norm", norm, 3, &which))
         return false;
@@ -502,7 +527,6 @@ void scene_free(struct scene *s)
     free(s->tier);
     free(s->mesh.file);
     free(s->precision);
-    free(s->segment);
     free(s->path);
     free(s->name);
     free(s);
@@ -510,11 +534,12 @@ void scene_free(struct scene *s)
 
 void scene_box(const struct scene *s, double lo[2], double hi[2])
 {
-    const double reach = 1 + 2 * (s->source == SOURCE_RANDOM ? s->shapes.overhang : MESH_OVERHANG);
+    const double overhang = s->source == SOURCE_RANDOM ? s->shapes.overhang : MESH_OVERHANG;
+    const double reach = s->segment->triangle ? 1 + overhang : 1 + 2 * overhang;
     const bool lattice = s->source == SOURCE_LATTICE;
-    lo[0] = lattice ? s->lattice.xi[0] : -reach;
+    lo[0] = lattice ? s->lattice.xi[0] : s->segment->triangle ? -overhang : -reach;
     hi[0] = lattice ? s->lattice.xi[1] : reach;
-    lo[1] = lattice ? s->lattice.eta[0] : -reach;
+    lo[1] = lattice ? s->lattice.eta[0] : lo[0];
     hi[1] = lattice ? s->lattice.eta[1] : reach;
 }
 

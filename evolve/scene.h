@@ -25,7 +25,9 @@ struct shapes {
     double taper;    /* |in-plane part of c3| / half mid-line, 0..taper in each direction */
     double warp;     /* radians: angle between the normals at opposite corners, 0..warp */
     double gap;      /* |gap| over the shortest edge, 0..gap */
-    double overhang; /* contact points in -1-2*overhang..1+2*overhang: this fraction of the segment outside it */
+    double curve;    /* rise of an edge along a body of the largest curvature, over the longest edge, 0..curve */
+    double shift;    /* mid-side nodes off their place on it, in each direction, over the shortest edge, 0..shift */
+    double overhang; /* contact points up to this fraction of the segment outside it: -1-2*overhang.. on squares */
 };
 
 /** How far outside the segment contact points of mesh pairs are kept: this fraction of it. */
@@ -50,9 +52,9 @@ struct tier {
 };
 
 struct scene {
-    char *name, *path;   /* owned; name is the file's base name without .scene */
-    char sha256[65];     /* of the scene text and, after it, of its mesh's nodes and pairs */
-    char *segment;       /* owned: "quad4" */
+    char *name, *path; /* owned; name is the file's base name without .scene */
+    char sha256[65];   /* of the scene text and, after it, of its mesh's nodes and pairs */
+    const struct segment_kind *segment;
     double reference[2]; /* NAN: left to the segments */
     enum corner_order order;
     enum scene_norm norm;
@@ -72,7 +74,7 @@ struct scene {
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
 
-/** Box of the scene's contact points: lo < xi,eta <= hi, dimensionless. */
+/** Box of the scene's contact points: lo < xi,eta <= hi, dimensionless; on triangles xi + eta <= hi[0], too. */
 void scene_box(const struct scene *s, double lo[2], double hi[2]);
 
 /** Which of a scene's samples.  No two share a configuration. */

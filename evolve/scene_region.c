@@ -7,15 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NODES = 5, INPUTS = 3 * NODES, PIECE = 4096 };
+enum { PIECE = 4096 };
 
-/* The five nodes in the frame of A, B and D. */
-static void similar(const struct sample *s, struct sample *to)
+/* The vectors in the frame of A, B and the last corner; normals only turn. */
+static void similar(const struct segment_kind *kind, const struct sample *s, struct sample *to)
 {
+    const size_t vectors = segment_vectors(kind), nodes = strlen(kind->nodes);
+    const double *third = s->x[kind->corners - 1];
     double e[3][3], length = 0, along = 0, height = 0;
     for (int i = 0; i < 3; i++) {
         e[0][i] = s->x[1][i] - s->x[0][i];
-        e[1][i] = s->x[3][i] - s->x[0][i];
+        e[1][i] = third[i] - s->x[0][i];
         length += e[0][i] * e[0][i];
         along += e[0][i] * e[1][i];
     }
@@ -30,11 +32,12 @@ static void similar(const struct sample *s, struct sample *to)
     for (int i = 0; i < 3; i++)
         e[2][i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
     *to = (struct sample){.xi = s->xi, .eta = s->eta};
-    for (int n = 0; n < NODES; n++)
+    for (size_t n = 0; n <= vectors; n++)
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < 3; i++)
-                *(n < 4 ? &to->x[n][k] : &to->xs[k]) +=
-                    ((n < 4 ? s->x[n][i] : s->xs[i]) - s->x[0][i]) * e[k][i] / length;
+                *(n < vectors ? &to->x[n][k] : &to->xs[k]) +=
+                    n < nodes || n == vectors ? ((n < vectors ? s->x[n][i] : s->xs[i]) - s->x[0][i]) * e[k][i] / length
+                                              : s->x[n][i] * e[k][i];
 }
 
 /* ---- extremes ---- */
@@ -66,7 +69,7 @@ static struct extremes measure(const struct genome_file *f, const struct sample_
         for (size_t first = 0; first < set[k].n; first += PIECE) {
             const size_t left = set[k].n - first, n = left < PIECE ? left : PIECE;
             for (size_t i = 0; i < n; i++)
-                similar(&set[k].s[first + i], &moved[i]);
+                similar(f->segment, &set[k].s[first + i], &moved[i]);
             struct columns table = frame_columns(kernel, f, moved, n);
             take_in(&e, &table);
             columns_free(&table);
@@ -127,18 +130,19 @@ static bool is_measured(const struct genome_file *f, size_t let, const bool *use
 
 void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
 {
-    if (f->inputs != INPUTS)
+    if (!f->segment)
         return;
+    const size_t inputs = f->inputs, flat = 3 * f->segment->corners - 1;
     struct extremes e = measure(f, set, sets);
     bool *used = used_lets(f);
-    for (size_t j = 0; j < INPUTS && e.lo[j] <= e.hi[j]; j++) {
-        const bool fixed = j < 6 || j == 11; /* A, B, and z of D, but for rounding */
+    for (size_t j = 0; j < inputs && e.lo[j] <= e.hi[j]; j++) {
+        const bool fixed = j < 6 || j == flat; /* A, B, and z of the last corner, but for rounding */
         const double at = j == 3 ? 1 : 0;
         add_range(f, j, fixed ? at : e.lo[j], fixed ? at : e.hi[j]);
     }
     for (size_t i = 0; i < f->lets; i++)
-        if (e.lo[INPUTS + i] > 0 && isfinite(e.lo[INPUTS + i]) && is_measured(f, i, used))
-            require_above(f, i, e.lo[INPUTS + i]);
+        if (e.lo[inputs + i] > 0 && isfinite(e.lo[inputs + i]) && is_measured(f, i, used))
+            require_above(f, i, e.lo[inputs + i]);
     free(used);
     free(e.lo);
     free(e.hi);

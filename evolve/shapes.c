@@ -1,10 +1,10 @@
-/* Ordinary segments drawn at random.  A segment is made from its mid-lines and c3 (r = c0 + c1 xi + c2 eta + c3 xi
+/* Ordinary segments drawn at random.  A bilinear one is made from its mid-lines and c3 (r = c0 + c1 xi + c2 eta + c3 xi
  * eta): c1 and c2 from aspect ratio and skew, c3 = a c1 + b c2 + g n from taper (a, b) and warp (g), n the unit normal
  * of c1, c2.  What exceeds the scene's limits is drawn again.  The slave node is put at r(xi,eta) + gap n(xi,eta), the
  * whole is rotated, scaled and moved at random, and labelled with the certain foot point. */
-#include "reference.h"
 #include "samplers.h"
 #include "stream.h"
+#include "surface.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -16,37 +16,10 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static double distance2(const double a[3], const double b[3])
 {
     const double v[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
     return dot(v, v);
-}
-
-/* Point r(xi,eta) and unit normal there; false where there is none. */
-static bool surface(double x[4][3], double xi, double eta, double r[3], double n[3])
-{
-    double t1[3], t2[3];
-    for (int k = 0; k < 3; k++) {
-        const double c0 = (x[0][k] + x[1][k] + x[2][k] + x[3][k]) / 4;
-        const double c1 = (-x[0][k] + x[1][k] + x[2][k] - x[3][k]) / 4;
-        const double c2 = (-x[0][k] - x[1][k] + x[2][k] + x[3][k]) / 4;
-        const double c3 = (x[0][k] - x[1][k] + x[2][k] - x[3][k]) / 4;
-        r[k] = c0 + c1 * xi + c2 * eta + c3 * xi * eta;
-        t1[k] = c1 + c3 * eta;
-        t2[k] = c2 + c3 * xi;
-    }
-    cross(t1, t2, n);
-    const double length = sqrt(dot(n, n));
-    for (int k = 0; k < 3 && length > 0; k++)
-        n[k] /= length;
-    return length > 0;
 }
 
 static double uniform(gsl_rng *stream, double max)
@@ -55,17 +28,17 @@ static double uniform(gsl_rng *stream, double max)
 }
 
 /* Largest angle between the normals at opposite corners. */
-static double warp_of(double x[4][3])
+static double warp_of(const struct surface *f, double (*x)[3])
 {
     static const double corner[4][2] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
     double n[4][3], r[3];
     for (int i = 0; i < 4; i++)
-        surface(x, corner[i][0], corner[i][1], r, n[i]);
+        surface_normal(f, x, corner[i][0], corner[i][1], r, n[i]);
     return acos(fmax(-1, fmin(1, fmin(dot(n[0], n[1]), dot(n[2], n[3])))));
 }
 
-/* The segment about the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
-static bool draw_segment(gsl_rng *stream, const struct shapes *shapes, double x[4][3])
+/* About the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
+bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     const double aspect = pow(shapes->aspect, gsl_ran_flat(stream, -1, 1));
@@ -85,20 +58,26 @@ static bool draw_segment(gsl_rng *stream, const struct shapes *shapes, double x[
         if ((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]) <= 0)
             return false;
     }
-    return shapes->warp == 0 || warp_of(x) <= shapes->warp; /* acos knows a plane to 1e-8 only */
+    return shapes->warp == 0 || warp_of(f, x) <= shapes->warp; /* acos knows a plane to 1e-8 only */
 }
 
-bool place_slave(gsl_rng *stream, double reach, double gap, struct sample *s)
+bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct sample *s)
 {
-    const double wide = reach * (1 + 1e-9);
-    const double xi = uniform(stream, reach), eta = uniform(stream, reach), h = uniform(stream, gap);
-    double r[3], n[3];
-    if (!surface(s->x, xi, eta, r, n))
+    const struct surface *f = surface_find(scene->segment);
+    double lo[2], hi[2], wide[2][2], at[2], r[3], n[3];
+    scene_box(scene, lo, hi);
+    for (int k = 0; k < 2; k++) {
+        const double middle = (lo[k] + hi[k]) / 2, half = (hi[k] - lo[k]) / 2 * (1 + 1e-9);
+        at[k] = gsl_ran_flat(stream, lo[k], hi[k]);
+        wide[0][k] = middle - half;
+        wide[1][k] = middle + half;
+    }
+    const double h = uniform(stream, gap);
+    if ((scene->segment->triangle && at[0] + at[1] > hi[0]) || !surface_normal(f, s->x, at[0], at[1], r, n))
         return false;
     for (int k = 0; k < 3; k++)
         s->xs[k] = r[k] + h * n[k];
-    return reference_foot(s, (const double[]){-wide, -wide}, (const double[]){wide, wide}) &&
-           fabs(s->xi - xi) + fabs(s->eta - eta) < 1e-6;
+    return f->foot(f, s, wide[0], wide[1]) && fabs(s->xi - at[0]) + fabs(s->eta - at[1]) < 1e-6;
 }
 
 /* Rotation from a random unit quaternion. */
@@ -113,18 +92,19 @@ static void random_rotation(gsl_rng *stream, double q[3][3])
     memcpy(q, m, sizeof m);
 }
 
-/* Rotate, scale by 1e-3..1e3 (uniform logarithm) and move by a few edges. */
-static void move(gsl_rng *stream, double x[4][3])
+/* Rotate, scale by 1e-3..1e3 (uniform logarithm) and move by a few edges; normals only turn. */
+static void move(gsl_rng *stream, const struct segment_kind *kind, double (*x)[3])
 {
     double q[3][3], shift[3];
     random_rotation(stream, q);
     const double scale = pow(10, uniform(stream, 3));
     for (int k = 0; k < 3; k++)
         shift[k] = uniform(stream, 10);
-    for (int i = 0; i < 4; i++) {
+    for (size_t i = 0; i < segment_vectors(kind); i++) {
         const double v[3] = {x[i][0], x[i][1], x[i][2]};
+        const bool node = i < strlen(kind->nodes);
         for (int k = 0; k < 3; k++)
-            x[i][k] = scale * (dot(q[k], v) + shift[k]);
+            x[i][k] = node ? scale * (dot(q[k], v) + shift[k]) : dot(q[k], v);
     }
 }
 
@@ -163,21 +143,24 @@ void sample_order(struct sample *s, enum corner_order order)
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     const struct shapes *shapes = &scene->shapes;
+    const struct segment_kind *kind = scene->segment;
+    const struct surface *f = surface_find(kind);
+    const int corners = (int)kind->corners;
     const size_t count = part == PART_TRAINING ? scene->training : scene->heldout;
     gsl_rng *stream = stream_new();
     const int tries = 10000;
     for (size_t i = 0; i < count; i++) {
-        struct sample s;
+        struct sample s = {0};
         int n;
         stream_key(stream, scene->seed, (uint64_t)part, i, 0);
         for (n = 0; n < tries; n++) {
             double shortest = INFINITY;
-            if (!draw_segment(stream, shapes, s.x))
+            if (!f->draw(f, stream, shapes, s.x))
                 continue;
-            move(stream, s.x);
-            for (int k = 0; k < 4; k++)
-                shortest = fmin(shortest, sqrt(distance2(s.x[k], s.x[(k + 1) % 4])));
-            if (place_slave(stream, 1 + 2 * shapes->overhang, shapes->gap * shortest, &s))
+            move(stream, kind, s.x);
+            for (int k = 0; k < corners; k++)
+                shortest = fmin(shortest, sqrt(distance2(s.x[k], s.x[(k + 1) % corners])));
+            if (place_slave(stream, scene, shapes->gap * shortest, &s))
                 break;
         }
         if (n == tries) {

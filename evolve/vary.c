@@ -86,11 +86,25 @@ static struct vary measure(const struct sample *s)
     return v;
 }
 
-struct vary vary_measure(const struct sample_set *set)
+/* The parallelogram of corners A, B and the last one. */
+static struct sample spanned(const struct segment_kind *kind, const struct sample *s)
 {
-    struct vary most = {.tolerance = nothing};
+    struct sample p = {0};
+    for (int k = 0; k < 3; k++) {
+        p.x[0][k] = s->x[0][k];
+        p.x[1][k] = s->x[1][k];
+        p.x[3][k] = s->x[kind->corners - 1][k];
+        p.x[2][k] = p.x[1][k] + (p.x[3][k] - p.x[0][k]);
+    }
+    return p;
+}
+
+struct vary vary_measure(const struct segment_kind *kind, const struct sample_set *set)
+{
+    struct vary most = {.kind = kind->surface ? VARY_WARPED : VARY_RECTANGLES, .tolerance = nothing};
     for (size_t i = 0; i < set->n; i++) {
-        const struct vary v = measure(&set->s[i]);
+        const struct sample p = kind->surface ? spanned(kind, &set->s[i]) : set->s[i];
+        const struct vary v = measure(&p);
         most.kind = v.kind > most.kind ? v.kind : most.kind;
         most.taper = fmax(most.taper, v.taper);
         most.warp = fmax(most.warp, v.warp);

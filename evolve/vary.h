@@ -23,7 +23,8 @@ struct vary {
     double tolerance; /* up to this is nothing: 1e-12, and what rounding makes of coordinates far from the origin */
 };
 
-struct vary vary_measure(const struct sample_set *set);
+/** Of bilinear segments; of any others how far rounding goes, by corners A, B and the last one, and VARY_WARPED. */
+struct vary vary_measure(const struct segment_kind *kind, const struct sample_set *set);
 
 /** "rectangles", "parallelograms", "plane", "warped". */
 extern const char *const vary_name[];

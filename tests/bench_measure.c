@@ -5,6 +5,7 @@
 #include "bench_measure.h"
 
 #include "../codegen/base.h"
+#include "../evolve/surface.h"
 #include "bench_tune.h"
 
 #include <gsl/gsl_sort_double.h>
@@ -31,14 +32,14 @@ struct timed {
     struct bench_block *b;  /* TIMED_BLOCKS */
 };
 
-struct bench_input bench_input_of(const struct sample *s, size_t i)
+struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s, size_t i)
 {
     struct bench_input in = {
         .before = {s->xi + before_distance * cos(turn * (double)i), s->eta + before_distance * sin(turn * (double)i)}};
     for (int k = 0; k < 3; k++) {
-        for (int node = 0; node < 4; node++)
-            in.x[node][k] = s->x[node][k];
-        in.x[4][k] = s->xs[k];
+        for (size_t n = 0; n < segment_vectors(kind); n++)
+            in.x[n][k] = s->x[n][k];
+        in.x[segment_vectors(kind)][k] = s->xs[k];
     }
     return in;
 }
@@ -49,14 +50,14 @@ static const struct sample *spread(const struct sample_set *set, size_t i, size_
     return &set->s[set->n < count ? i % set->n : i * set->n / count];
 }
 
-static struct timed timed_new(const struct sample_set *set)
+static struct timed timed_new(const struct segment_kind *kind, const struct sample_set *set)
 {
     static struct bench_block blocks[TIMED_BLOCKS];
     struct timed t = {new_array(TIMED_SAMPLES, sizeof *t.in), blocks};
     for (size_t i = 0; i < TIMED_SAMPLES; i++) {
         struct bench_block *b = &t.b[i / BENCH_BLOCK];
-        t.in[i] = bench_input_of(spread(set, i, TIMED_SAMPLES), i);
-        for (size_t k = 0; k < 15; k++)
+        t.in[i] = bench_input_of(kind, spread(set, i, TIMED_SAMPLES), i);
+        for (size_t k = 0; k < segment_inputs(kind); k++)
             b->x[k][i % BENCH_BLOCK] = t.in[i].x[k / 3][k % 3];
         for (size_t k = 0; k < 2; k++)
             b->before[k][i % BENCH_BLOCK] = t.in[i].before[k];
@@ -92,7 +93,7 @@ void bench_find(const struct bench_result *r, const struct sample *const *s, siz
     for (size_t first = 0; first < n; first += BENCH_BLOCK) {
         const size_t count = n - first < BENCH_BLOCK ? n - first : BENCH_BLOCK;
         for (size_t i = 0; i < count; i++)
-            in[i] = bench_input_of(s[first + i], first + i);
+            in[i] = bench_input_of(r->kind, s[first + i], first + i);
         r->method->scalar(in, count, &r->tuning, found + first);
     }
     for (size_t i = 0; i < n; i++)
@@ -100,9 +101,28 @@ void bench_find(const struct bench_result *r, const struct sample *const *s, siz
             found[i][0] = found[i][1] = (double)NAN;
 }
 
-/* Error of the gap (9) at (xi, eta), over the square root of the segment's area. */
-static double gap_error(const struct sample *s, const double at[2])
+/* Of other kinds; the area is that of the parallelogram which the middle spans. */
+static double gap_error_of(const struct segment_kind *kind, const struct sample *s, const double at[2])
 {
+    const struct surface *f = surface_find(kind);
+    const double middle = kind->triangle ? 1.0 / 3 : 0;
+    double x[SEGMENT_VECTORS][3], r[3], n[3], at_middle[3][3], sum = 0;
+    memcpy(x, s->x, sizeof x);
+    f->point(f, x, middle, middle, at_middle);
+    const double uv = rival_dot(at_middle[1], at_middle[2]);
+    const double area = sqrt(rival_dot(at_middle[1], at_middle[1]) * rival_dot(at_middle[2], at_middle[2]) - uv * uv);
+    if (!surface_normal(f, x, at[0], at[1], r, n))
+        return (double)NAN;
+    for (int k = 0; k < 3; k++)
+        sum += (s->xs[k] - r[k]) * n[k];
+    return fabs(sum - s->gap) / sqrt(area * (kind->triangle ? 0.5 : 4));
+}
+
+/* Error of the gap (9) at (xi, eta), over the square root of the segment's area. */
+static double gap_error(const struct segment_kind *kind, const struct sample *s, const double at[2])
+{
+    if (kind->surface)
+        return gap_error_of(kind, s, at);
     double u[3], v[3], d[3], ac[3], bd[3], n[3], m[3];
     for (int i = 0; i < 3; i++) {
         const double a = s->x[0][i], b = s->x[1][i], c = s->x[2][i], e = s->x[3][i];
@@ -135,7 +155,7 @@ static void measure_errors(struct bench_result *r, const struct sample *const *s
     for (size_t i = 0; i < n; i++) {
         error[0][i] = fabs(found[i][0] - s[i]->xi);
         error[1][i] = fabs(found[i][1] - s[i]->eta);
-        error[2][i] = gap_error(s[i], found[i]);
+        error[2][i] = gap_error(r->kind, s[i], found[i]);
     }
     r->xi = error_stats_of(error[0], n);
     r->eta = error_stats_of(error[1], n);
@@ -166,6 +186,8 @@ static struct bench_counts counts_of(const struct bench_result *r, const struct 
  */
 static bool runs_on(const struct bench_method *m, const struct scene *scene)
 {
+    if (strcmp(m->kind, scene->segment->name) != 0)
+        return false;
     if (m->scene)
         return strcmp(m->scene, scene->name) == 0;
     return m->start == RIVAL_CENTRE || scene->order != CORNERS_ANY;
@@ -212,13 +234,14 @@ struct bench_run bench_measure(const struct bench_table *table, const struct sce
     const size_t n = set->n < ERROR_SAMPLES ? set->n : ERROR_SAMPLES;
     struct bench_run run = {new_array((size_t)table->count, sizeof *run.result), 0};
     const struct sample **s = new_array(n, sizeof *s);
-    struct timed timed = timed_new(set);
+    struct timed timed = timed_new(scene->segment, set);
     for (size_t i = 0; i < n; i++)
         s[i] = spread(set, i, n);
     for (int i = 0; i < table->count; i++)
         if (runs_on(&table->method[i], scene)) {
             struct bench_result *r = &run.result[run.count++];
             r->method = &table->method[i];
+            r->kind = scene->segment;
             bench_tune(r->method, scene, training, &r->tuning);
             r->ops = counts_of(r, &timed);
             measure_errors(r, s, n);

@@ -11,6 +11,7 @@ extern const char *const bench_mode_name[BENCH_MODES];
 
 struct bench_result {
     const struct bench_method *method;
+    const struct segment_kind *kind;
     struct rival_tuning tuning;
     struct bench_counts ops;         /* of a search, on average */
     struct error_stats xi, eta, gap; /* gap: over the square root of the segment's area */
@@ -27,7 +28,7 @@ struct bench_run {
 };
 
 /** What a method is given of sample number i.  The answer of the step before lies a hundredth of the segment away. */
-struct bench_input bench_input_of(const struct sample *s, size_t i);
+struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s, size_t i);
 
 /** What a method finds for n samples; not a number where it finds nothing. */
 void bench_find(const struct bench_result *r, const struct sample *const *s, size_t n, double (*found)[2]);

@@ -7,10 +7,12 @@
 #include "bench_methods.h"
 
 #include "footpoint_perceptron.h"
+#include "kinds.h"
 #include "methods.h"
 #include "newton_lanes.h"
 #include "pinball.h"
 #include "rivals_closed.h"
+#include "rivals_faces.h"
 #include "trust_region.h"
 
 /* Memory changes between samples, as far as the compiler knows: each search stands for itself. */
@@ -47,6 +49,55 @@
         }                                                                                                              \
     }
 #define DEFINE_METHOD(name, search) DEFINE_SCALAR(name, search) DEFINE_BATCH(name, search)
+
+/* The same of any kind of segment; `search` is written with x, the nodes and S. */
+#define DEFINE_SCALAR_OF(name, search)                                                                                 \
+    METHOD_FN void scalar_##name(const struct bench_input *restrict in, size_t n,                                      \
+                                 const struct rival_tuning *restrict t, double(*restrict found)[2])                    \
+    {                                                                                                                  \
+        (void)t;                                                                                                       \
+        for (size_t i = 0; i < n; i++) {                                                                               \
+            const double(*x)[3] = in[i].x;                                                                             \
+            double xi = 0, eta = 0;                                                                                    \
+            search;                                                                                                    \
+            found[i][0] = xi;                                                                                          \
+            found[i][1] = eta;                                                                                         \
+            NEXT_SAMPLE;                                                                                               \
+        }                                                                                                              \
+    }
+#define GATHERED(k)                                                                                                    \
+    {                                                                                                                  \
+        b->x[3 * (k)][i], b->x[3 * (k) + 1][i], b->x[3 * (k) + 2][i]                                                   \
+    }
+#define DEFINE_BATCH_OF(name, search)                                                                                  \
+    METHOD_FN void batch_##name(struct bench_block *restrict b, const struct rival_tuning *restrict t)                 \
+    {                                                                                                                  \
+        (void)t;                                                                                                       \
+        for (int i = 0; i < BENCH_BLOCK; i++) {                                                                        \
+            const double x[SEGMENT_VECTORS + 1][3] = {                                                                 \
+                GATHERED(0), GATHERED(1), GATHERED(2), GATHERED(3), GATHERED(4),                                       \
+                GATHERED(5), GATHERED(6), GATHERED(7), GATHERED(8), GATHERED(9)};                                      \
+            double xi, eta;                                                                                            \
+            search;                                                                                                    \
+            b->xi[i] = xi;                                                                                             \
+            b->eta[i] = eta;                                                                                           \
+        }                                                                                                              \
+    }
+#define DEFINE_METHOD_OF(name, search) DEFINE_SCALAR_OF(name, search) DEFINE_BATCH_OF(name, search)
+
+#define DEFINE_CONVERGED_OF(kind, vectors)                                                                             \
+    static inline void found_##kind##_newton(const double(*x)[3], double *xi, double *eta)                             \
+    {                                                                                                                  \
+        if (rival_##kind##_newton(x, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, xi, eta) == 0)                           \
+            *xi = *eta = BENCH_NO_ANSWER;                                                                              \
+    }                                                                                                                  \
+    static int steps_##kind##_newton(const struct bench_input *in, const struct rival_tuning *t)                       \
+    {                                                                                                                  \
+        double xi, eta;                                                                                                \
+        (void)t;                                                                                                       \
+        return rival_##kind##_newton(in->x, RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, &xi, &eta);                       \
+    }                                                                                                                  \
+    DEFINE_METHOD_OF(kind##_newton, found_##kind##_newton(x, &xi, &eta))
 
 /* Iterations until they stand: one sample, and how many steps it took. */
 #define DEFINE_CONVERGED(name, search)                                                                                 \
@@ -102,15 +153,26 @@ DEFINE_LANES(newton_previous, 1, RIVAL_NEWTON_TOLERANCE)
 #define CLOSED_FORM(name) DEFINE_METHOD(name, rival_##name(NODES, &xi, &eta))
 #define TUNED_ITERATION(name, gauss_newton, newton, clamped) DEFINE_METHOD(name, rival_##name(NODES, t, &xi, &eta))
 #define POLYNOMIAL(name, coefficients) DEFINE_METHOD(name, rival_##name(NODES, t, &xi, &eta))
-#define METHOD(scene, name, mul, div, add, sqrt) DEFINE_METHOD(name, name##_at(NODES, &xi, &eta))
+#define FACE_ITERATION(name, kind, gauss_newton, newton) DEFINE_METHOD_OF(name, rival_##name(x, &xi, &eta))
+#define METHOD(scene, kind, name, mul, div, add, sqrt) METHOD_##kind(kind, name)
+#define METHOD_OF(kind, name) DEFINE_METHOD_OF(name, name##_at(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), &xi, &eta))
+#define METHOD_quad4(kind, name) DEFINE_METHOD(name, name##_at(NODES, &xi, &eta))
+#define METHOD_tri3 METHOD_OF
+#define METHOD_tri6 METHOD_OF
+#define METHOD_quad8 METHOD_OF
+#define METHOD_quad9 METHOD_OF
 RIVAL_ITERATIONS(ITERATION)
 RIVAL_TUNED_ITERATIONS(TUNED_ITERATION)
 RIVAL_CLOSED_FORMS(CLOSED_FORM)
 RIVAL_POLYNOMIALS(POLYNOMIAL)
 CLOSED_FORM(pinball)
+RIVAL_FACES(DEFINE_CONVERGED_OF)
+RIVAL_FACE_ITERATIONS(FACE_ITERATION)
+FACE_ITERATION(tri3_areas, tri3, 0, 0)
 #include "footpoint_perceptron.inc"
 #include "methods.inc"
 #undef ITERATION
+#undef FACE_ITERATION
 #undef CLOSED_FORM
 #undef TUNED_ITERATION
 #undef POLYNOMIAL
@@ -120,14 +182,18 @@ CLOSED_FORM(pinball)
 #include "rival_counts.inc"
 
 #define LOOPS(name) .scalar = scalar_##name, .batch = batch_##name
-#define RIVAL(name_) .name = #name_, .ops = OPS_##name_, LOOPS(name_)
+#define RIVAL(name_) .name = #name_, .kind = "quad4", .ops = OPS_##name_, LOOPS(name_)
 #define ITERATION(name, start_, gauss_newton, newton, clamped) {RIVAL(name), .start = start_},
 #define CLOSED_FORM(name) {RIVAL(name)},
 #define TUNED_ITERATION(name, gauss_newton, newton, clamped) {RIVAL(name), .tune = TUNE_POINT},
 #define POLYNOMIAL(name, coefficients_) {RIVAL(name), .tune = TUNE_COEFFICIENTS, .coefficients = coefficients_},
 #define CONVERGED(name) {RIVAL(name), .step = STEP_##name, .steps = steps_##name},
-#define METHOD(scene_, name_, mul, div, add, sqrt)                                                                     \
-    {.name = #name_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
+#define FACE(name_, kind_) .name = #name_, .kind = #kind_, .ops = OPS_##name_, LOOPS(name_)
+#define FACE_CONVERGED(kind, vectors)                                                                                  \
+    {FACE(kind##_newton, kind), .step = STEP_##kind##_newton, .steps = steps_##kind##_newton},
+#define FACE_ITERATION(name, kind, gauss_newton, newton) {FACE(name, kind)},
+#define METHOD(scene_, kind_, name_, mul, div, add, sqrt)                                                              \
+    {.name = #name_, .kind = #kind_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #define batch_trust_region NULL
 /* "newton" is the iteration as codes have it, in batches a loop of searches; "newton_lanes" steps a batch together. */
 #define scalar_newton_lanes scalar_newton
@@ -139,11 +205,12 @@ static const struct bench_method methods[] = {
     CONVERGED(newton) CONVERGED(newton_lanes) CONVERGED(newton_loose) CONVERGED(newton_previous) CONVERGED(trust_region)
         RIVAL_ITERATIONS(ITERATION) RIVAL_TUNED_ITERATIONS(TUNED_ITERATION) RIVAL_CLOSED_FORMS(CLOSED_FORM)
             RIVAL_POLYNOMIALS(POLYNOMIAL){RIVAL(pinball), .depth_only = 1},
+    FACE_ITERATION(tri3_areas, tri3, 0, 0) RIVAL_FACES(FACE_CONVERGED) RIVAL_FACE_ITERATIONS(FACE_ITERATION)
 #include "methods.inc"
 #undef METHOD
 /* They go by perceptron_hidden_8 and so on. */
-#define METHOD(scene_, name_, mul, div, add, sqrt)                                                                     \
-    {.name = &#name_[sizeof "footpoint"], .scene = scene_, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
+#define METHOD(scene_, kind_, name_, mul, div, add, sqrt)                                                              \
+    {.name = &#name_[sizeof "footpoint"], .kind = #kind_, .scene = scene_, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #include "footpoint_perceptron.inc"
 };
 

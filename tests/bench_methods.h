@@ -3,6 +3,7 @@
 #ifndef FOOTPOINT_BENCH_METHODS_H
 #define FOOTPOINT_BENCH_METHODS_H
 
+#include "../codegen/segment.h"
 #include "rivals_tuned.h"
 
 #include <stddef.h>
@@ -12,14 +13,15 @@ enum { BENCH_BLOCK = 128, BENCH_COLUMN = BENCH_BLOCK + 8 };
 /** What an iteration writes that did not converge. */
 #define BENCH_NO_ANSWER 1e300
 
-/** One search: nodes A, B, C, D, S, and xi, eta of the step before, which some methods start from. */
+/** One search: nodes, S after the last of the segment's, and xi, eta of the step before, which some methods start from.
+ */
 struct bench_input {
-    double x[5][3], before[2];
+    double x[SEGMENT_VECTORS + 1][3], before[2];
 };
 
 /** Searches by columns, and what was found.  Columns begin on cache lines, of different sets. */
 struct bench_block {
-    _Alignas(64) double x[15][BENCH_COLUMN];
+    _Alignas(64) double x[SEGMENT_INPUTS][BENCH_COLUMN];
     double before[2][BENCH_COLUMN], xi[BENCH_COLUMN], eta[BENCH_COLUMN];
 };
 
@@ -32,6 +34,7 @@ enum bench_tune { TUNE_NOTHING, TUNE_POINT, TUNE_COEFFICIENTS };
 
 struct bench_method {
     const char *name;
+    const char *kind;  /* of segments */
     const char *scene; /* the one it was made for, or NULL: any */
     int ours;
     int depth_only; /* finds no xi, eta */
@@ -49,7 +52,7 @@ struct bench_method {
     int (*steps)(const struct bench_input *in, const struct rival_tuning *t);
 };
 
-/** Converged Newton stands first. */
+/** For each kind of segment converged Newton stands first. */
 struct bench_table {
     const char *isa, *flags;
     const struct bench_method *method;

@@ -14,7 +14,7 @@ struct contact_decisions {
 };
 struct contact_decisions contact_decide(const struct sample_set *set);
 
-/** A row of CSV for each held-out part of the scene, contact_table_head before. */
+/** A row of CSV for each held-out part of the scene, contact_table_head before; none for segments other than quad4. */
 extern const char contact_table_head[];
 bool contact_table(const struct scene *scene, struct diag *d);
 

@@ -64,12 +64,17 @@ static bool operator<=(Real a, Real b)
 #include "pinball.h"
 #include "rivals_closed.h"
 #include "rivals_converged.h"
+#include "rivals_faces.h"
 #include "rivals_tuned.h"
 #include "trust_region.h"
 
 // A warped segment and a slave node off it; no iteration converges at once.
 static const Real xA[3] = {0.0, 0.0, 0.0}, xB[3] = {1.0, 0.1, 0.0}, xC[3] = {1.2, 0.9, 0.2}, xD[3] = {-0.1, 1.0, 0.0};
 static const Real xS[3] = {0.3, 0.6, 0.4};
+
+// A face of any kind, as far as counting goes.
+static const Real face[10][3] = {{0.0, 0.0, 0.0}, {1.0, 0.1, 0.0}, {1.2, 0.9, 0.2}, {-0.1, 1.0, 0.0}, {0.6, 0.0, 0.1},
+                                 {1.1, 0.4, 0.2}, {0.5, 1.0, 0.0}, {0.0, 0.6, 0.1}, {0.5, 0.5, 0.1}, {0.3, 0.6, 0.4}};
 
 static void print(const char *kind, const char *name, const Counts &c)
 {
@@ -114,5 +119,12 @@ int main()
     count_steps("trust_region", [](int most, Real *xi, Real *eta) {
         rival_trust_region(xA, xB, xC, xD, xS, &t.box, most, 0.0, xi, eta);
     });
+#define COUNT_FACE(name, ...) print("OPS", #name, count([](Real *xi, Real *eta) { rival_##name(face, xi, eta); }));
+#define COUNT_CONVERGED(kind, vectors)                                                                                 \
+    count_steps(#kind "_newton",                                                                                       \
+                [](int most, Real *xi, Real *eta) { rival_##kind##_newton(face, most, 0.0, xi, eta); });
+    COUNT_FACE(tri3_areas)
+    RIVAL_FACE_ITERATIONS(COUNT_FACE)
+    RIVAL_FACES(COUNT_CONVERGED)
     return 0;
 }

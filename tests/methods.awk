@@ -1,9 +1,10 @@
-# The functions of generated headers as METHOD(scene, function, mul, div, add, sqrt), read from their text.
+# The functions of generated headers as METHOD(scene, kind, function, mul, div, add, sqrt), read from their text.
 FNR == 1 { scene = "" }
 /^ \* scene: / && scene == "" { scene = $3 }
+/^#define FOOTPOINT_[A-Z0-9]+_SEARCH$/ { split(tolower($2), part, "_"); kind = part[2] }
 /^\/\* [0-9]+ mul, / { mul = $2 + 0; div = $4 + 0; add = $6 + 0; root = $8 + 0 }
 /^FOOTPOINT_FN void footpoint_[a-z0-9_]*_at\(/ {
     name = $3
     sub(/_at\(.*/, "", name)
-    printf "METHOD(\"%s\", %s, %d, %d, %d, %d)\n", scene, name, mul, div, add, root
+    printf "METHOD(\"%s\", %s, %s, %d, %d, %d, %d)\n", scene, kind, name, mul, div, add, root
 }

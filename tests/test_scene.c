@@ -83,29 +83,33 @@ static struct scene *shipped(const char *name)
 static void shipped_scenes_read(void **state)
 {
     static const struct {
-        const char *name;
+        const char *name, *segment;
         enum scene_source source;
         enum corner_order order;
-        size_t training;
+        size_t training, heldout;
         bool open; /* frame and tiers are left to the segments */
-    } expected[] = {{"paper-quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546, false},
-                    {"quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, false},
-                    {"plane-quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, true},
-                    {"parallelogram-quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, true},
-                    {"rectangle-quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, true},
-                    {"bricks-quad4", SOURCE_MESH, CORNERS_ANY, 20000, true},
-                    {"punch-quad4", SOURCE_MESH, CORNERS_ANY, 20000, false},
-                    {"blocks-quad4", SOURCE_MESH, CORNERS_ANY, 20000, false}};
+    } expected[] = {{"paper-quad4", "quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546, 200000, false},
+                    {"quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
+                    {"plane-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
+                    {"parallelogram-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
+                    {"rectangle-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
+                    {"bricks-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 200000, true},
+                    {"punch-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 200000, false},
+                    {"blocks-quad4", "quad4", SOURCE_MESH, CORNERS_ANY, 20000, 200000, false},
+                    {"tri3", "tri3", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
+                    {"tri6", "tri6", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false},
+                    {"quad8", "quad8", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false},
+                    {"quad9", "quad9", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false}};
     (void)state;
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         struct scene *s = shipped(expected[i].name);
         assert_string_equal(s->name, expected[i].name);
-        assert_string_equal(s->segment, "quad4");
+        assert_string_equal(s->segment->name, expected[i].segment);
         assert_string_equal(s->precision, "double");
         assert_int_equal(s->source, expected[i].source);
         assert_int_equal(s->order, expected[i].order);
         assert_int_equal(s->training, expected[i].training);
-        assert_int_equal(s->heldout, 200000);
+        assert_int_equal(s->heldout, expected[i].heldout);
         assert_int_equal(s->norm, NORM_MEAN);
         assert_int_equal(strlen(s->sha256), 64);
         if (expected[i].open)
@@ -135,7 +139,7 @@ static void shipped_segments_are_found_out(void **state)
         struct diag d;
         s->training = 2000;
         assert_true(scene_samples(s, PART_TRAINING, &set, &d));
-        const struct vary v = vary_measure(&set);
+        const struct vary v = vary_measure(segment_find("quad4"), &set);
         assert_int_equal(v.kind, expected[i].kind);
         if (s->source == SOURCE_RANDOM) /* in the scene's own measures, and up to them */
             for (int k = 0; k < 3; k++) {
@@ -205,8 +209,15 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "training = 60;", "training = 0;", "7: error: 'training' must be in 1..100000000"},
     {HEAD SHAPES TAIL, "training = 60;", "training = -60;", "7: error: 'training' must be in 1..100000000"},
     {HEAD SHAPES TAIL, "heldout = 40;", "heldout = \"40\";", "8: error: 'heldout' must be a whole number"},
-    {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"", "1: error: segment 'quad8' is not yet supported; only \"quad4\" is"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "\"gregory\"", "1: error: segment 'gregory' is not yet supported"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"quad5\"", "1: error: unknown segment 'quad5'"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "\"tri3\"", "9: error: unknown key 'taper' in shapes"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"", "9: error: shapes lacks 'curve'"},
+    {HEAD LATTICE TAIL, "\"quad4\"", "\"quad9\"", "9: error: a 'lattice' is of segments quad4"},
+    {HEAD "shapes: { aspect = 5; skew = \"45 deg\"; gap = 0.2; overhang = 0.1; };\n", "\"quad4\"", "\"tri3\"",
+     " error: scene lacks 'tiers', which follow for segments quad4 alone"},
+    {HEAD SHAPES TAIL, "\"quad4\";\norder = \"any\"", "\"tri3\";\norder = \"nearest\"",
+     "2: error: 'order' must be \"any\" for segment 'tri3'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "4", "1: error: 'segment' must be a text in quotes"},
     {HEAD SHAPES TAIL, "\"any\"", "\"some\"",
      "2: error: 'order' must be \"any\" or \"nearest\" or \"nearest-shorter\""},
@@ -354,7 +365,8 @@ static void check_parts(const struct scene *s)
 static void parts_share_nothing(void **state)
 {
     static const char *const text[] = {HEAD SHAPES TAIL, HEAD LATTICE TAIL};
-    static const char *const name[] = {"quad4", "rectangle-quad4", "bricks-quad4", "punch-quad4", "blocks-quad4"};
+    static const char *const name[] = {
+        "quad4", "rectangle-quad4", "bricks-quad4", "punch-quad4", "blocks-quad4", "tri6", "quad8"};
     struct diag d;
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -548,15 +560,71 @@ static void empty_sets_are_refused(void **state)
     free(text);
 }
 
+/* Edge of the segment whose middle is nearest to x. */
+static size_t nearest_edge(const struct segment_kind *kind, const struct sample *s, const double x[3])
+{
+    size_t nearest = 0;
+    double least = INFINITY;
+    for (size_t e = 0; e < kind->corners; e++) {
+        double middle[3];
+        for (int k = 0; k < 3; k++)
+            middle[k] = (s->x[e][k] + s->x[(e + 1) % kind->corners][k]) / 2;
+        if (distance(middle, x) < least) {
+            least = distance(middle, x);
+            nearest = e;
+        }
+    }
+    return nearest;
+}
+
+/* Curved faces of a mesh are masters, each node of theirs in its place: foot points are on the face. */
+static void meshes_of_other_kinds_are_read(void **state)
+{
+    static const struct {
+        const char *segment, *file;
+        size_t nodes;
+    } expected[] = {{"tri6", "tetra10.inp", 6}, {"quad8", "hexa20.inp", 8}};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        char here[600], segment[20];
+        struct diag d;
+        assert_non_null(getcwd(here, sizeof here));
+        snprintf(here + strlen(here), sizeof here - strlen(here), "/tests/meshes/%s", expected[i].file);
+        snprintf(segment, sizeof segment, "\"%s\"", expected[i].segment);
+        char *file = replaced(HEAD MESH TAIL, "MESH", here), *text = replaced(file, "\"quad4\"", segment);
+        struct scene *s = read_from_text(text, &d);
+        if (!s)
+            fail_msg("%s", d.text);
+        struct sample_set set = samples_of(s, PART_HELDOUT_RANDOM);
+        assert_int_equal(set.n, 40);
+        for (size_t k = 0; k < set.n; k++) {
+            assert_true(fabs(set.s[k].gap) <= 0.5);
+            for (size_t n = s->segment->corners; n < expected[i].nodes; n++)
+                assert_int_equal(nearest_edge(s->segment, &set.s[k], set.s[k].x[n]), n - s->segment->corners);
+        }
+        sample_set_free(&set);
+        scene_free(s);
+        free(text);
+        free(file);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shipped_scenes_read),        cmocka_unit_test(shipped_segments_are_found_out),
-        cmocka_unit_test(every_value_arrives),        cmocka_unit_test(malformed_scenes_are_refused),
-        cmocka_unit_test(missing_scenes_are_refused), cmocka_unit_test(parts_share_nothing),
-        cmocka_unit_test(seeds_draw_other_samples),   cmocka_unit_test(labels_are_foot_points),
-        cmocka_unit_test(shapes_keep_their_limits),   cmocka_unit_test(order_renumbers_the_corners),
-        cmocka_unit_test(lattice_labels_are_certain), cmocka_unit_test(empty_sets_are_refused),
+        cmocka_unit_test(shipped_scenes_read),
+        cmocka_unit_test(shipped_segments_are_found_out),
+        cmocka_unit_test(every_value_arrives),
+        cmocka_unit_test(malformed_scenes_are_refused),
+        cmocka_unit_test(missing_scenes_are_refused),
+        cmocka_unit_test(parts_share_nothing),
+        cmocka_unit_test(seeds_draw_other_samples),
+        cmocka_unit_test(labels_are_foot_points),
+        cmocka_unit_test(shapes_keep_their_limits),
+        cmocka_unit_test(order_renumbers_the_corners),
+        cmocka_unit_test(lattice_labels_are_certain),
+        cmocka_unit_test(empty_sets_are_refused),
+        cmocka_unit_test(meshes_of_other_kinds_are_read),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);
 }

@@ -48,7 +48,7 @@ static struct sample sample_of(const struct form *f, double scale, double offset
 static struct vary vary_of(const struct form *f, double scale, double offset)
 {
     struct sample s = sample_of(f, scale, offset);
-    return vary_measure(&(struct sample_set){.s = &s, .n = 1});
+    return vary_measure(segment_find("quad4"), &(struct sample_set){.s = &s, .n = 1});
 }
 
 static void known_shapes_anywhere(void **state)
@@ -105,13 +105,13 @@ static void the_worst_decides(void **state)
     for (int i = 0; i < 50; i++)
         s[i] = sample_of(&(struct form){i == 37 ? 0.4 : 0, 0, 0, 0}, 1 + i, 0);
     const struct sample_set set = {.s = s, .n = 50};
-    assert_int_equal(vary_measure(&set).kind, VARY_PARALLELOGRAMS);
-    assert_true(fabs(vary_measure(&set).skew - 0.4) < 1e-14);
+    assert_int_equal(vary_measure(segment_find("quad4"), &set).kind, VARY_PARALLELOGRAMS);
+    assert_true(fabs(vary_measure(segment_find("quad4"), &set).skew - 0.4) < 1e-14);
     s[12] = sample_of(&(struct form){0.1, 0, 0.1, 0}, 1, 0);
-    assert_int_equal(vary_measure(&set).kind, VARY_PLANE);
+    assert_int_equal(vary_measure(segment_find("quad4"), &set).kind, VARY_PLANE);
     memset(&s[3], 0, sizeof s[3]);
-    assert_int_equal(vary_measure(&set).kind, VARY_WARPED);
-    assert_int_equal(vary_measure(&(struct sample_set){.s = s, .n = 0}).kind, VARY_RECTANGLES);
+    assert_int_equal(vary_measure(segment_find("quad4"), &set).kind, VARY_WARPED);
+    assert_int_equal(vary_measure(segment_find("quad4"), &(struct sample_set){.s = s, .n = 0}).kind, VARY_RECTANGLES);
 }
 
 /* The frame that follows has all that its tiers name; the tiers of warped segments are those of the scene quad4. */

@@ -24,6 +24,7 @@ scene 's/"20 deg"/"20 mm"/';       refused 'wrong unit' "$work/s.scene:10: error
 scene 's/aspect = 2.0/aspect = 0.5/'; refused 'out of range' "$work/s.scene:10: error: 'aspect' must be in 1..1000"
 scene 's/training  = 700/training  = 0/'; refused 'zero samples' "$work/s.scene:8: error: 'training' must be in 1..100000000"
 scene 's/"parallelogram"/"trapezium"/'; refused 'unknown frame' "$work/s.scene:13: error: tier 'steps': cannot read frame './evolve/frames/trapezium.gen'"
+scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scene:13: error: tier 'steps': frame 'tri6' is of segments tri6"
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
 refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
 

@@ -4,20 +4,34 @@
 CC=${CC:-gcc} CXX=${CXX:-g++}
 strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -O2'
 
+# nodes KIND: numbers of the nodes below, S last
+nodes() {
+    case $1 in
+    quad4) echo 0 1 2 3 9 ;;
+    tri3) echo 0 1 3 9 ;;
+    tri6) echo 0 1 3 4 10 7 9 ;;
+    quad8) echo 0 1 2 3 4 5 6 7 9 ;;
+    quad9) echo 0 1 2 3 4 5 6 7 8 9 ;;
+    esac
+}
 for header in generated/*.h; do
     name=$(basename "$header")
     mkdir -p "$work/alone"
     cp "$header" "$work/alone/"
     functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const double xA.*/\1/p' "$header" | grep -v '^footpoint_detail_')
+    kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH$/\1/p' "$header" | tr A-Z a-z)
+    arguments=$(nodes "$kind" | sed 's/[0-9]*/n[&]/g; s/ /, /g')
+    case $kind in tri*) least=0 most=1 ;; *) least=-1 most=0 ;; esac
     {
         echo "#include \"$name\""
         echo "#include \"$name\""
         echo 'int main(void)'
         echo '{'
-        echo '    const double a[3] = {0, 0, 0}, b[3] = {1, 0, 0}, c[3] = {1.1, 1, 0}, d[3] = {0, 0.9, 0.05}, s[3] = {0.2, 0.25, 0.01};'
+        echo '    const double n[11][3] = {{0, 0, 0}, {1, 0, 0}, {1.1, 1, 0}, {0, 0.9, 0.05}, {0.5, 0, 0}, {1.05, 0.5, 0}, {0.55, 0.95, 0.025},'
+        echo '                             {0, 0.45, 0.025}, {0.525, 0.475, 0.0125}, {0.2, 0.25, 0.01}, {0.5, 0.45, 0.025}};'
         echo '    double loc[2] = {7, 7}, gap = 7;'
         for f in $functions; do
-            echo "    if ($f(a, b, c, d, s, loc, &gap) != FOOTPOINT_OK || !(loc[0] > -1 && loc[0] < 0 && loc[1] > -1 && loc[1] < 0))"
+            echo "    if ($f($arguments, loc, &gap) != FOOTPOINT_OK || !(loc[0] > $least && loc[0] < $most && loc[1] > $least && loc[1] < $most))"
             echo '        return 1;'
         done
         echo '    return 0;'
@@ -88,16 +102,16 @@ use() {
     echo '{'
     echo "    static $2 column[80][8];"
     echo '    static int status[8];'
-    echo "    const $2 *x[15];"
+    echo "    const $2 *x[30];"
     echo '    int failed = 0, k;'
-    echo '    for (k = 0; k < 15; k++)'
+    echo '    for (k = 0; k < 30; k++)'
     echo '        x[k] = column[k];'
     awk -v type="$2" '
     function flush_function(   i, call) {
         printf "    { %s out[%d]; size_t i; (void)i;\n", type, outs
         call = name at "("
         for (i = 0; i < ins; i++)
-            call = call (i ? ", " : "") (segment ? (i < 5 ? "p + " 3 * i : "") : "p[" i "]")
+            call = call (i ? ", " : "") (segment ? "p + " 3 * i : "p[" i "]")
         if (points[name]) {
             printf "      for (i = 0; i < sizeof %s_points / sizeof *%s_points; i++) {\n", name, name
             printf "          const double *p = %s_points[i];\n          %s", name, call
@@ -105,7 +119,7 @@ use() {
             printf ");\n"
             for (i = 0; i < outs; i++)
                 printf "          if (!(fabs(out[%d] - p[%d]) <= p[%d])) { failed = 1; printf(\"%s: point %%d, output %d: %%.17g\\n\", (int)i, out[%d]); }\n",
-                    i, (segment ? 15 : ins) + i, (segment ? 15 : ins) + outs + i, name, i, i
+                    i, (segment ? 3 * ins : ins) + i, (segment ? 3 * ins : ins) + outs + i, name, i, i
             printf "      }\n"
         }
         printf "      (void)out;\n      %s_n(8", name
@@ -117,8 +131,8 @@ use() {
     NR == FNR { if (/_points\[\]/) { sub(/_points.*/, "", $4); points[$4] = 1 } next }
     /^FOOTPOINT_LOOP/ { text = $0; while (text !~ /\)/) { getline; text = text " " $0 }
         name = text; sub(/^FOOTPOINT_LOOP void /, "", name); sub(/_n\(.*/, "", name)
-        segment = text ~ /\*const x\[15\]/; at = segment ? "_at" : ""
-        ins = segment ? 5 : gsub(/\*in_/, "", text); status = text ~ /\*FOOTPOINT_RESTRICT status/
+        segment = match(text, /\*const x\[[0-9]+\]/); at = segment ? "_at" : ""
+        ins = segment ? substr(text, RSTART + 9) / 3 : gsub(/\*in_/, "", text); status = text ~ /\*FOOTPOINT_RESTRICT status/
         outs = gsub(/FOOTPOINT_RESTRICT (out_|xi|eta)/, "", text)
         flush_function() }' "$1" "$1"
     echo '    (void)x;'
@@ -131,7 +145,7 @@ fused=
 mkdir "$work/fresh"
 for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     name=$(basename "$file" .gen)
-    case $name in paper-* | whole-* | punch-* | rectangle-*) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
+    case $name in paper-* | whole-* | punch-* | rectangle-* | tri6 | quad8 | quad9) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
     poles=--allow-poles
     [ "$name" != scalars ] || poles=
     for type in double float; do
@@ -146,7 +160,7 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
             [ $good -eq 0 ] || head -20 "$work/log" | sed 's/^/# /'
             report $((!good)) "$name in $type, fresh, $compiler"
         done
-        case $name in *-quad4) continue ;; esac
+        case $name in *quad* | *tri*) continue ;; esac
         if command -v nvcc > /dev/null; then
             (cd "$work/fresh" && cp use.c use.cu && nvcc -c use.cu -o use.o) > "$work/log" 2>&1
             good=$?

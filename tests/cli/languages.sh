@@ -162,8 +162,12 @@ if command -v gfortran > /dev/null; then
 fi
 
 # ---- segments ----
-for scene in quad4 paper-quad4; do
+for scene in quad4 paper-quad4 tri3; do
     file=evolve/genomes/$scene.gen
+    vectors=$(($(sed -n 's/^input //p' "$file" | wc -w) / 3)) pointers= arguments=
+    for k in $(seq 0 $((vectors - 1))); do
+        pointers="$pointers@ *, " arguments="${arguments}x + $((3 * k)), "
+    done
     for type in double float; do
         codegen "$file" --allow-poles --precision $type --prefix c -o "$work/c.h"
         codegen "$file" --allow-poles --precision $type --prefix m --language fortran -o "$work/m.f90"
@@ -172,7 +176,7 @@ for scene in quad4 paper-quad4; do
             echo '#include <stdio.h>'
             echo '#include <string.h>'
             for f in $(sed -n 's/^genome //p' "$file"); do
-                echo "void __m_MOD_m_${f}_at(const $type *, const $type *, const $type *, const $type *, const $type *, $type *, $type *);"
+                echo "void __m_MOD_m_${f}_at($(echo "$pointers" | sed "s/@/const $type/g")$type *, $type *);"
             done
             cat <<END
 int main(void)
@@ -187,8 +191,8 @@ int main(void)
         }
 END
             for f in $(sed -n 's/^genome //p' "$file"); do
-                echo "        c_${f}_at(x, x + 3, x + 6, x + 9, x + 12, c, c + 1);"
-                echo "        __m_MOD_m_${f}_at(x, x + 3, x + 6, x + 9, x + 12, f, f + 1);"
+                echo "        c_${f}_at(${arguments}c, c + 1);"
+                echo "        __m_MOD_m_${f}_at(${arguments}f, f + 1);"
                 echo '        if (memcmp(c, f, sizeof c) != 0)'
                 echo "            return printf(\"$f, point %d, \", n), 1;"
             done

@@ -1,0 +1,333 @@
+/* The certain foot point on a segment r = sum of phi_k x_k whose shape functions are polynomials of degree up to 2 in
+ * xi and in eta.  Half the square of the distance, D = |xs - r|^2 / 2, is a polynomial of degree 4 in each: its
+ * Bernstein coefficients on a box bound D, and differences of them its derivatives.  A box that D_xi or D_eta keeps off
+ * 0 holds no stationary point, one where the Hessian is positive definite at most one minimum, one where it never is
+ * holds none; any other box is halved.  In a convex box Newton's iteration in long double finds the minimum if there is
+ * one.  Where boxes get as small as rounding and nothing is settled there is no answer.  (Lane and Riesenfeld, "Bounds
+ * on a polynomial", BIT 21, 1981; bisection with convexity: Hansen, Global Optimization Using Interval Analysis, 1992.)
+ * Coordinates are relative to node A and divided by the size of the segment before anything else. */
+#include "surface.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { DEGREE = 4, SIDE = DEGREE + 1, DEPTH_MAX = 45, BOXES_MAX = 4000 };
+#define BOUND 1e-12    /* rounding of a coordinate on the bound of a box */
+#define WIDER 1e-6     /* boxes searched begin so far outside */
+#define CONVERGED 1e-6 /* how far outside its box a minimum may be found, where the box is convex with some slack */
+#define SLACK 0.99
+#define MARGIN 5e-14 /* of the largest Bernstein coefficient of all: rounding of any, and of their differences */
+
+/* v = xs - r as a polynomial: coefficient [i][j] of xi^i eta^j; in units of `size`. */
+struct local {
+    long double v[3][3][3], size;
+};
+
+struct box {
+    double lo[2], hi[2], d[SIDE][SIDE];
+    int depth;
+};
+
+struct search {
+    const struct local *local;
+    double lo[2], hi[2];
+    bool triangle, found, lost;
+    long double at[2], least; /* the nearest minimum, and D there */
+    double margin;
+    int boxes;
+};
+
+/* ---- the segment ---- */
+
+/* Coefficients of the polynomial of degree 2 with these values at -1, 0, 1. */
+static void parabola(const long double value[3], long double c[3])
+{
+    c[0] = value[1];
+    c[1] = (value[2] - value[0]) / 2;
+    c[2] = (value[2] + value[0]) / 2 - value[1];
+}
+
+static void add_node(struct local *l, const struct surface *f, size_t node, const double offset[3])
+{
+    long double c[3][3];
+    for (int j = 0; j < 3; j++) {
+        long double value[3];
+        for (int i = 0; i < 3; i++) {
+            double phi[6 * SEGMENT_VECTORS];
+            f->shape(i - 1, j - 1, phi);
+            value[i] = phi[node];
+        }
+        parabola(value, c[j]);
+    }
+    for (int i = 0; i < 3; i++) {
+        const long double value[3] = {c[0][i], c[1][i], c[2][i]};
+        long double d[3];
+        parabola(value, d);
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                l->v[k][i][j] -= d[j] * offset[k];
+    }
+}
+
+static bool localise(const struct surface *f, const struct sample *s, struct local *l)
+{
+    *l = (struct local){.size = 0};
+    for (size_t n = 1; n < f->nodes; n++) {
+        double offset[3];
+        for (int k = 0; k < 3; k++) {
+            offset[k] = s->x[n][k] - s->x[0][k];
+            l->size = fmaxl(l->size, fabsl(offset[k]));
+        }
+        add_node(l, f, n, offset);
+    }
+    for (int k = 0; k < 3; k++) {
+        l->v[k][0][0] += s->xs[k] - s->x[0][k];
+        for (int i = 0; i < 9; i++)
+            l->v[k][i / 3][i % 3] /= l->size;
+        if (!isfinite(l->v[k][0][0]))
+            return false;
+    }
+    return l->size > 0 && isfinite(l->size);
+}
+
+/* v, v_xi, v_eta, v_xixi, v_xieta, v_etaeta */
+static void evaluate(const struct local *l, long double xi, long double eta, long double v[6][3])
+{
+    for (int k = 0; k < 3; k++) {
+        long double a[3], by_eta[3];
+        for (int i = 0; i < 3; i++) {
+            const long double *c = l->v[k][i];
+            a[i] = c[0] + eta * (c[1] + eta * c[2]);
+            by_eta[i] = c[1] + 2 * eta * c[2];
+        }
+        v[0][k] = a[0] + xi * (a[1] + xi * a[2]);
+        v[1][k] = a[1] + 2 * xi * a[2];
+        v[2][k] = by_eta[0] + xi * (by_eta[1] + xi * by_eta[2]);
+        v[3][k] = 2 * a[2];
+        v[4][k] = by_eta[1] + 2 * xi * by_eta[2];
+        v[5][k] = 2 * (l->v[k][0][2] + xi * (l->v[k][1][2] + xi * l->v[k][2][2]));
+    }
+}
+
+static long double dot(const long double a[3], const long double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* ---- boxes ---- */
+
+/* From powers of t in 0..1 to Bernstein coefficients, both of degree 4; `step` apart. */
+static void to_bernstein(long double *c, int step)
+{
+    static const long double binomial[SIDE][SIDE] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
+    long double b[SIDE] = {0};
+    for (int i = 0; i < SIDE; i++)
+        for (int k = 0; k <= i; k++)
+            b[i] += binomial[i][k] / binomial[DEGREE][k] * c[k * step];
+    for (int i = 0; i < SIDE; i++)
+        c[i * step] = b[i];
+}
+
+static struct box whole_box(struct search *s)
+{
+    struct box b = {.depth = 0};
+    long double v[3][3][3], d[SIDE][SIDE] = {{0}};
+    memcpy(v, s->local->v, sizeof v);
+    for (int k = 0; k < 2; k++) {
+        b.lo[k] = s->lo[k] - WIDER;
+        b.hi[k] = s->hi[k] + WIDER;
+    }
+    const long double w = b.hi[0] - b.lo[0], h = b.hi[1] - b.lo[1], x = b.lo[0], y = b.lo[1];
+    for (int k = 0; k < 3; k++) {
+        for (int j = 0; j < 3; j++) { /* xi = x + w t */
+            v[k][0][j] += x * (v[k][1][j] + x * v[k][2][j]);
+            v[k][1][j] = w * (v[k][1][j] + 2 * x * v[k][2][j]);
+            v[k][2][j] *= w * w;
+        }
+        for (int i = 0; i < 3; i++) {
+            v[k][i][0] += y * (v[k][i][1] + y * v[k][i][2]);
+            v[k][i][1] = h * (v[k][i][1] + 2 * y * v[k][i][2]);
+            v[k][i][2] *= h * h;
+        }
+        for (int i = 0; i < 9; i++)
+            for (int j = 0; j < 9; j++)
+                d[i / 3 + j / 3][i % 3 + j % 3] += v[k][i / 3][i % 3] * v[k][j / 3][j % 3] / 2;
+    }
+    for (int i = 0; i < SIDE; i++)
+        to_bernstein(&d[0][i], SIDE);
+    for (int i = 0; i < SIDE; i++)
+        to_bernstein(d[i], 1);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        b.d[i / SIDE][i % SIDE] = (double)d[i / SIDE][i % SIDE];
+        s->margin = fmax(s->margin, MARGIN * fabs(b.d[i / SIDE][i % SIDE]));
+    }
+    return b;
+}
+
+/* Halves of a row of coefficients (de Casteljau), `step` apart. */
+static void halve_row(const double *c, double *first, double *second, int step)
+{
+    double t[SIDE];
+    for (int i = 0; i < SIDE; i++)
+        t[i] = c[i * step];
+    for (int i = 0; i < SIDE; i++) {
+        first[i * step] = t[0];
+        second[(DEGREE - i) * step] = t[DEGREE - i];
+        for (int k = 0; k < DEGREE - i; k++)
+            t[k] = (t[k] + t[k + 1]) / 2;
+    }
+}
+
+/* Across the direction in which it is longer. */
+static void halve(const struct box *b, struct box half[2])
+{
+    const int along = b->hi[1] - b->lo[1] > b->hi[0] - b->lo[0];
+    half[0] = half[1] = *b;
+    half[0].depth = half[1].depth = b->depth + 1;
+    half[0].hi[along] = half[1].lo[along] = (b->lo[along] + b->hi[along]) / 2;
+    for (int i = 0; i < SIDE; i++)
+        if (along)
+            halve_row(b->d[i], half[0].d[i], half[1].d[i], 1);
+        else
+            halve_row(&b->d[0][i], &half[0].d[0][i], &half[1].d[0][i], SIDE);
+}
+
+struct range {
+    double lo, hi;
+};
+
+/* The derivative of order (m, n) of D on the box, up to a factor. */
+static struct range range_of(const struct box *b, int m, int n)
+{
+    struct range r = {INFINITY, -INFINITY};
+    double c[SIDE][SIDE];
+    memcpy(c, b->d, sizeof c);
+    for (int k = 0; k < m; k++)
+        for (int i = 0; i < DEGREE - k; i++)
+            for (int j = 0; j < SIDE; j++)
+                c[i][j] = c[i + 1][j] - c[i][j];
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < SIDE - m; i++)
+            for (int j = 0; j < DEGREE - k; j++)
+                c[i][j] = c[i][j + 1] - c[i][j];
+    for (int i = 0; i < SIDE - m; i++)
+        for (int j = 0; j < SIDE - n; j++) {
+            r.lo = c[i][j] < r.lo ? c[i][j] : r.lo;
+            r.hi = c[i][j] > r.hi ? c[i][j] : r.hi;
+        }
+    return r;
+}
+
+enum verdict { NO_MINIMUM, CONVEX, UNSETTLED };
+
+static enum verdict judge_box(const struct search *s, const struct box *b)
+{
+    const struct range d = range_of(b, 0, 0), x = range_of(b, 1, 0), y = range_of(b, 0, 1);
+    const double margin = s->margin, factor = DEGREE - 1; /* D_xixi is 12 of its differences, D_xieta 16 */
+    if (d.lo - margin > (double)s->least || x.lo > margin || x.hi < -margin || y.lo > margin || y.hi < -margin)
+        return NO_MINIMUM;
+    const struct range xx = range_of(b, 2, 0), yy = range_of(b, 0, 2), xy = range_of(b, 1, 1);
+    const double most = fmax(fabs(xy.lo), fabs(xy.hi)) + margin, least = fmax(xy.lo, -xy.hi) - margin;
+    const double largest = factor * factor * (xx.hi + margin) * (yy.hi + margin);
+    if (xx.hi < -margin || yy.hi < -margin || (least > 0 && largest < DEGREE * DEGREE * least * least))
+        return NO_MINIMUM;
+    const bool convex = xx.lo > margin && yy.lo > margin &&
+                        SLACK * factor * factor * (xx.lo - margin) * (yy.lo - margin) > DEGREE * DEGREE * most * most;
+    return convex ? CONVEX : UNSETTLED;
+}
+
+/* ---- minima ---- */
+
+/* Newton's iteration from the middle of the box; false if it does not converge to a minimum. */
+static bool newton(const struct local *l, const struct box *b, long double at[2])
+{
+    long double last = INFINITY;
+    at[0] = (b->lo[0] + b->hi[0]) / 2;
+    at[1] = (b->lo[1] + b->hi[1]) / 2;
+    for (int i = 0; i < 60; i++) {
+        long double v[6][3];
+        evaluate(l, at[0], at[1], v);
+        const long double f1 = dot(v[0], v[1]), f2 = dot(v[0], v[2]);
+        const long double h11 = dot(v[1], v[1]) + dot(v[0], v[3]), h22 = dot(v[2], v[2]) + dot(v[0], v[5]);
+        const long double h12 = dot(v[1], v[2]) + dot(v[0], v[4]), det = h11 * h22 - h12 * h12;
+        if (!(det > 0 && h11 > 0))
+            return false;
+        const long double step[2] = {(f2 * h12 - f1 * h22) / det, (f1 * h12 - f2 * h11) / det};
+        at[0] += step[0];
+        at[1] += step[1];
+        const long double size = fabsl(step[0]) + fabsl(step[1]);
+        if (!(size < 10))
+            return false;
+        if (size <= 4 * LDBL_EPSILON || (size < 1e-12L && size >= last))
+            return true;
+        last = size;
+    }
+    return false;
+}
+
+static bool inside(const struct search *s, const long double at[2])
+{
+    for (int k = 0; k < 2; k++)
+        if (!(at[k] > s->lo[k] + BOUND && at[k] <= s->hi[k] + BOUND))
+            return false;
+    return !s->triangle || at[0] + at[1] <= s->hi[0] + BOUND;
+}
+
+/* True if the minimum that Newton's iteration finds is the box's own. */
+static bool take_minimum(struct search *s, const struct box *b)
+{
+    long double at[2], v[6][3];
+    bool own = true;
+    if (!newton(s->local, b, at))
+        return false;
+    for (int k = 0; k < 2; k++)
+        own = own && at[k] > b->lo[k] - CONVERGED && at[k] < b->hi[k] + CONVERGED;
+    evaluate(s->local, at[0], at[1], v);
+    const long double d = dot(v[0], v[0]) / 2;
+    if (own && inside(s, at) && d < s->least) {
+        memcpy(s->at, at, sizeof s->at);
+        s->least = d;
+        s->found = true;
+    }
+    return own;
+}
+
+static void search_box(struct search *s, const struct box *b)
+{
+    const enum verdict verdict = judge_box(s, b);
+    struct box half[2];
+    if (verdict == NO_MINIMUM || (verdict == CONVEX && take_minimum(s, b)))
+        return;
+    s->lost = s->lost || b->depth == DEPTH_MAX || ++s->boxes > BOXES_MAX;
+    if (s->lost)
+        return;
+    halve(b, half);
+    search_box(s, &half[0]);
+    search_box(s, &half[1]);
+}
+
+bool reference_foot_polynomial(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+{
+    struct local l;
+    struct search search = {.local = &l, .triangle = f->triangle, .least = INFINITY};
+    long double v[6][3], n[3];
+    if (!localise(f, s, &l))
+        return false;
+    memcpy(search.lo, lo, sizeof search.lo);
+    memcpy(search.hi, hi, sizeof search.hi);
+    const struct box all = whole_box(&search);
+    search_box(&search, &all);
+    if (search.lost || !search.found)
+        return false;
+    evaluate(&l, search.at[0], search.at[1], v);
+    for (int k = 0; k < 3; k++)
+        n[k] = v[1][(k + 1) % 3] * v[2][(k + 2) % 3] - v[1][(k + 2) % 3] * v[2][(k + 1) % 3];
+    const long double length = sqrtl(dot(n, n));
+    if (!(length > 0))
+        return false;
+    s->xi = (double)search.at[0];
+    s->eta = (double)search.at[1];
+    s->gap = (double)(l.size * dot(v[0], n) / length);
+    return true;
+}
