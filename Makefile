@@ -34,11 +34,13 @@ OPT_release := -O3 -DNDEBUG
 OPT_debug   := -O0 -g
 OPT_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT_fma     := -O3 -mfma -ffp-contract=fast
+# OPENMP=1: threads share the batches of the runtime library.
+THREADS     := $(if $(filter 1,$(OPENMP)),-fopenmp)
 CONTRACT    := -ffp-contract=off
 ifeq ($(CONFIG),fma)
 CONTRACT :=
 endif
-CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA_CFLAGS)
+CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(THREADS) $(EXTRA_CFLAGS)
 
 # What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
 codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
@@ -59,7 +61,7 @@ pkg     = $(shell pkg-config $(1) 2>/dev/null)
 include_dirs = $(filter -I%,$(1))
 
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
-CFLAGS_locate     := -fno-math-errno -fno-trapping-math
+CFLAGS_batch_lanes := -fno-math-errno -fno-trapping-math
 # Costs of operations are those of optimised code, in any configuration.
 CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 
@@ -131,7 +133,7 @@ $(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib))
 
 $(OBJ)/pic/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -fPIC -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -fPIC -MMD -MP -c $< -o $@
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
 $(OBJ)/methods.h: $(GENERATED) Makefile
@@ -226,7 +228,7 @@ PREFIX ?= /usr/local
 PACKAGES := gcc g++ clang make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev libflint-arb-dev libmpfr-dev libgmp-dev \
             libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
 # What `make check-long` compares with and fuzzes with; without them it skips those checks.
-PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev valgrind
+PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev libomp-14-dev valgrind
 
 deps-long: PACKAGES += $(PACKAGES_LONG)
 deps deps-long: ## install the packages that are missing (Debian; deps-long: for check-long, too); needs no privileges when all are there
@@ -240,7 +242,7 @@ deps deps-long: ## install the packages that are missing (Debian; deps-long: for
 
 install: runtime codegen evolve calibrate-program ## install library, headers and tools under PREFIX=
 	install -d $(DESTDIR)$(PREFIX)/include/footpoint $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/bin
-	install -m 644 runtime/footpoint.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 runtime/footpoint.h runtime/footpoint_batch.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 $(GENERATED) $(DESTDIR)$(PREFIX)/include/footpoint
 	install -m 644 $(LIB).a $(LIB).so $(DESTDIR)$(PREFIX)/lib
 	install -m 755 $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron) $(DESTDIR)$(PREFIX)/bin
