@@ -34,11 +34,13 @@ OPT_release := -O3 -DNDEBUG
 OPT_debug   := -O0 -g
 OPT_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT_fma     := -O3 -mfma -ffp-contract=fast
+# OPENMP=1: threads share the batches of the runtime library.
+THREADS     := $(if $(filter 1,$(OPENMP)),-fopenmp)
 CONTRACT    := -ffp-contract=off
 ifeq ($(CONFIG),fma)
 CONTRACT :=
 endif
-CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(EXTRA_CFLAGS)
+CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(THREADS) $(EXTRA_CFLAGS)
 
 # What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
 codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
@@ -62,7 +64,7 @@ pkg     = $(shell pkg-config $(1) 2>/dev/null)
 include_dirs = $(filter -I%,$(1))
 
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
-CFLAGS_locate     := -fno-math-errno -fno-trapping-math
+CFLAGS_batch_lanes := -fno-math-errno -fno-trapping-math
 # Costs of operations are those of optimised code, in any configuration.
 CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 
@@ -149,7 +151,7 @@ $(BIN)/footpoint.mod: runtime/footpoint.f90
 
 $(OBJ)/pic/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) -fPIC -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -fPIC -MMD -MP -c $< -o $@
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
 $(OBJ)/methods.h: $(GENERATED) Makefile
@@ -243,7 +245,7 @@ paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's
 PACKAGES := gcc g++ clang make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev libflint-arb-dev libmpfr-dev libgmp-dev \
             libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
 # What `make check-long` compares with and fuzzes with; without them it skips those checks.
-PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev valgrind cmake mandoc
+PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc
 
 deps-long: PACKAGES += $(PACKAGES_LONG)
 deps deps-long: ## install the packages that are missing (Debian; deps-long: for check-long, too); needs no privileges when all are there
@@ -268,6 +270,7 @@ DATADIR    := $(BINDIR)/../share/footpoint
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base.h)
 # What C++ may include is meant for others.
 PUBLIC  := $(shell grep -l 'extern "C"' runtime/*.h)
+LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := evolve/footpoint-evolve.1 codegen/footpoint-codegen.1 tests/footpoint-bench.1
 PAGES_3 := runtime/footpoint.3
@@ -279,8 +282,8 @@ put = install -d $(DESTDIR)$(2) && install -m $(or $(3),644) $(1) $(DESTDIR)$(2)
 
 install: runtime codegen evolve calibrate-program bench-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR=
 	$(Q)$(call put,$(PROGRAMS),$(BINDIR),755)
-	$(Q)$(call put,runtime/footpoint.h $(MODULE),$(INCLUDEDIR))
-	$(Q)$(call put,$(GENERATED) $(filter-out runtime/footpoint.h,$(PUBLIC)) runtime/footpoint.f90,$(INCLUDEDIR)/footpoint)
+	$(Q)$(call put,$(LIBRARY) $(MODULE),$(INCLUDEDIR))
+	$(Q)$(call put,$(GENERATED) $(filter-out $(LIBRARY),$(PUBLIC)) runtime/footpoint.f90,$(INCLUDEDIR)/footpoint)
 	$(Q)$(call put,$(LIB).a,$(LIBDIR))
 	$(Q)install -m 644 $(LIB).so $(DESTDIR)$(LIBDIR)/libfootpoint.so.$(VERSION)
 	$(Q)ln -sf libfootpoint.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
@@ -298,7 +301,7 @@ install: runtime codegen evolve calibrate-program bench-program ## install every
 uninstall: ## remove what install put there: the same variables
 	$(Q)rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/footpoint $(LIBDIR)/cmake/footpoint $(DATADIR)) \
 	    $(addprefix $(DESTDIR)$(BINDIR)/,$(notdir $(PROGRAMS))) \
-	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/,footpoint.h footpoint.mod) \
+	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/,$(notdir $(LIBRARY)) footpoint.mod) \
 	    $(addprefix $(DESTDIR)$(LIBDIR)/libfootpoint.,a so so.$(ABI) so.$(VERSION)) \
 	    $(DESTDIR)$(LIBDIR)/pkgconfig/footpoint.pc $(addprefix $(DESTDIR)$(MANDIR)/man1/,$(notdir $(PAGES_1))) \
 	    $(addprefix $(DESTDIR)$(MANDIR)/man3/,$(notdir $(PAGES_3)))

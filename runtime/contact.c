@@ -25,21 +25,45 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
     return FOOTPOINT_OK;
 }
 
+/* fm[i] = -phi_i fs */
+static void react(const double loc[2], const double fs[3], double fm[4][3])
+{
+    double phi[4];
+    footpoint_quad4_shape(loc[0], loc[1], phi);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            fm[i][k] = -phi[i] * fs[k];
+}
+
 int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3], double fm[4][3])
 {
-    double phi[4], f[3];
     if (!isfinite(gap) || !isfinite(stiffness) || !vector_finite(m) || !isfinite(loc[0]) || !isfinite(loc[1]))
         return FOOTPOINT_ERR_NOT_FINITE;
     if (stiffness < 0.0)
         return FOOTPOINT_ERR_ARGUMENT;
     const double pressure = gap < 0.0 ? -gap * stiffness : 0.0;
-    footpoint_quad4_shape(loc[0], loc[1], phi);
     for (int k = 0; k < 3; k++)
-        f[k] = pressure * m[k];
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 3; k++)
-            fm[i][k] = -phi[i] * f[k];
-    for (int k = 0; k < 3; k++)
-        fs[k] = f[k];
+        fs[k] = pressure * m[k];
+    react(loc, fs, fm);
+    return FOOTPOINT_OK;
+}
+
+int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                             const double xS[3], const double loc[2], double stiffness, double fs[3], double fm[4][3])
+{
+    double n[3], d[3];
+    if (!vector_finite(xA) || !vector_finite(xB) || !vector_finite(xC) || !vector_finite(xD) || !vector_finite(xS) ||
+        !isfinite(loc[0]) || !isfinite(loc[1]) || !isfinite(stiffness))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    if (stiffness < 0.0)
+        return FOOTPOINT_ERR_ARGUMENT;
+    const int status = footpoint_quad4_normal(xA, xB, xC, xD, loc[0], loc[1], n);
+    if (status != FOOTPOINT_OK)
+        return status;
+    footpoint_quad4_offset(xA, xB, xC, xD, xS, loc[0], loc[1], d);
+    const double k = vector_dot(d, n) < 0.0 ? stiffness : 0.0;
+    for (int i = 0; i < 3; i++)
+        fs[i] = -k * d[i];
+    react(loc, fs, fm);
     return FOOTPOINT_OK;
 }

@@ -93,6 +93,16 @@ int footpoint_newton(const double xA[3], const double xB[3], const double xC[3],
 int footpoint_select_segment(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
                              int *chosen);
 
+/** The segment that a slave node is closest to, among those that share a master node: for where (3), (4) fail.  Outside
+ *  of a ridge no segment holds the slave node, in a valley or around a reflex node several do, and what hits an edge or
+ *  a corner belongs to all segments there.  Distances are to each whole segment, its edges and corners included, of any
+ *  number of segments; collapsed ones too.  Where they are equal but for rounding, a segment that (3), (4) give comes
+ *  first, then the first in the caller's order.  About a microsecond a candidate.
+ *  @param[out] distance  to the chosen segment, mesh length, >= 0; or NULL
+ *  All else as in footpoint_select_segment; FOOTPOINT_ERR_DOMAIN only if there are no candidates. */
+int footpoint_select_closest(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
+                             int *chosen, double *distance);
+
 /** Unit normal (6) at a corner: m = c1 x c2 / |c1 x c2|, c1 the edge to the next corner, c2 to the previous one.
  *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (edges parallel or of no length) */
 int footpoint_normal(const double corner[3], const double next[3], const double previous[3], double m[3]);
@@ -104,8 +114,8 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
                   const double loc[2], const double m[3], double *gap);
 
 /** Contact forces (10), (11): fs = -gap k m on the slave node, and its reaction fm[i] = -phi_i(xi,eta) fs on corner i.
- *  (11) is printed without the minus; with it the five forces add up to zero, and so do their moments about the contact
- *  point if m is the normal there.  All forces are zero when gap >= 0.
+ *  (11) is printed without the minus; with it the five forces add up to zero to rounding, and so do their moments if m
+ * is the segment's normal at the exact foot point: see footpoint_force_balanced.  All forces are zero when gap >= 0.
  *  @param[in]  gap        mesh length
  *  @param[in]  stiffness  k >= 0, force per mesh length
  *  @param[in]  m          unit normal
@@ -115,6 +125,20 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
  *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT (k < 0) */
 int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3],
                     double fm[4][3]);
+
+/** Contact forces that balance whatever (xi,eta) is: along the offset d = xS - r(xi,eta) itself, fs = -k d on the slave
+ *  node if d . n < 0 with the segment's normal n there, and fm[i] = -phi_i(xi,eta) fs.  To rounding, the five forces
+ * add up to zero and so do their moments about any point, at an approximate foot point as at the exact one, and at a
+ * point clamped to an edge.  (With footpoint_force the moments add up to zero only if m is parallel to d, as the
+ * segment's normal at the exact foot point is, but not (6).)  At the exact foot point d = gap n, and these are (10),
+ * (11) with that normal, and the gradients of the energy k gap^2/2.  All forces are zero where d . n >= 0.
+ *  @param[in]  loc        {xi, eta}
+ *  @param[in]  stiffness  k >= 0, force per mesh length
+ *  @param[out] fs, fm     as in footpoint_force
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (no normal), FOOTPOINT_ERR_ARGUMENT (k < 0)
+ */
+int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                             const double xS[3], const double loc[2], double stiffness, double fs[3], double fm[4][3]);
 
 #ifdef __cplusplus
 }

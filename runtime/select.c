@@ -2,7 +2,7 @@
  * r x c2 and n are parallel, and the part of t along m drops out of n . (c1 x r) = n . (c1 x t).  So (3) and (4) are
  *     n . (c1 x t) > 0   and   n . (t x c2) > 0,
  * without a root or a division. */
-#include "footpoint.h"
+#include "closest.h"
 #include "vector.h"
 
 #include <float.h>
@@ -32,29 +32,41 @@ static enum place place_of(const double c1[3], const double c2[3], const double 
     return first < 0 || second < 0 ? OUTSIDE : first > 0 && second > 0 ? INSIDE : ON_EDGE;
 }
 
+/* Place of xS at the corner `master` of a segment; a status. */
+static int place_in(const double *xyz, int master, const int node[4], const double xS[3], enum place *place)
+{
+    const double *const x = xyz + 3 * (size_t)master;
+    double c1[3], c2[3], t[3];
+    int k = 0;
+    while (k < 4 && node[k] != master)
+        k++;
+    if (k == 4 || node[(k + 1) % 4] < 0 || node[(k + 3) % 4] < 0)
+        return FOOTPOINT_ERR_ARGUMENT;
+    vector_sub(xyz + 3 * (size_t)node[(k + 1) % 4], x, c1);
+    vector_sub(xyz + 3 * (size_t)node[(k + 3) % 4], x, c2);
+    vector_sub(xS, x, t);
+    if (!vector_finite(c1) || !vector_finite(c2))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    *place = place_of(c1, c2, t);
+    return FOOTPOINT_OK;
+}
+
+static int check_master(const double *xyz, int master, int candidates, const double xS[3])
+{
+    if (master < 0 || candidates < 0)
+        return FOOTPOINT_ERR_ARGUMENT;
+    return vector_finite(xS) && vector_finite(xyz + 3 * (size_t)master) ? FOOTPOINT_OK : FOOTPOINT_ERR_NOT_FINITE;
+}
+
 int footpoint_select_segment(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
                              int *chosen)
 {
-    int found = -1;
-    if (master < 0 || candidates < 0)
-        return FOOTPOINT_ERR_ARGUMENT;
-    const double *const x = xyz + 3 * (size_t)master;
-    if (!vector_finite(xS) || !vector_finite(x))
-        return FOOTPOINT_ERR_NOT_FINITE;
-    for (int s = 0; s < candidates; s++) {
-        const int *const node = seg + 4 * (size_t)s;
-        double c1[3], c2[3], t[3];
-        int k = 0;
-        while (k < 4 && node[k] != master)
-            k++;
-        if (k == 4 || node[(k + 1) % 4] < 0 || node[(k + 3) % 4] < 0)
-            return FOOTPOINT_ERR_ARGUMENT;
-        vector_sub(xyz + 3 * (size_t)node[(k + 1) % 4], x, c1);
-        vector_sub(xyz + 3 * (size_t)node[(k + 3) % 4], x, c2);
-        vector_sub(xS, x, t);
-        if (!vector_finite(c1) || !vector_finite(c2))
-            return FOOTPOINT_ERR_NOT_FINITE;
-        const enum place place = place_of(c1, c2, t);
+    int found = -1, status = check_master(xyz, master, candidates, xS);
+    for (int s = 0; status == FOOTPOINT_OK && s < candidates; s++) {
+        enum place place;
+        status = place_in(xyz, master, seg + 4 * (size_t)s, xS, &place);
+        if (status != FOOTPOINT_OK)
+            return status;
         if (place == INSIDE) {
             *chosen = s;
             return FOOTPOINT_OK;
@@ -62,8 +74,66 @@ int footpoint_select_segment(const double *xyz, int master, int candidates, cons
         if (place == ON_EDGE && found < 0)
             found = s;
     }
+    if (status != FOOTPOINT_OK)
+        return status;
     if (found < 0)
         return FOOTPOINT_ERR_DOMAIN;
     *chosen = found;
+    return FOOTPOINT_OK;
+}
+
+/* ---- by distance ---- */
+
+/* Distances that differ by less, as a fraction of the coordinates' extent, are equal but for rounding. */
+#define TIE (64.0 * DBL_EPSILON)
+
+/* Distance to a segment, and how far its corners are from xS: the scale of the rounding in that distance. */
+static int measure(const double *xyz, const int node[4], const double xS[3], double *distance, double *extent)
+{
+    const double *x[4];
+    double at[2];
+    *extent = 0.0;
+    for (int k = 0; k < 4; k++) {
+        double d[3];
+        if (node[k] < 0)
+            return FOOTPOINT_ERR_ARGUMENT;
+        x[k] = xyz + 3 * (size_t)node[k];
+        vector_sub(xS, x[k], d);
+        if (!vector_finite(d))
+            return FOOTPOINT_ERR_NOT_FINITE;
+        *extent = fmax(*extent, sqrt(vector_dot(d, d)));
+    }
+    *distance = footpoint_closest(x[0], x[1], x[2], x[3], xS, at);
+    return isfinite(*distance) ? FOOTPOINT_OK : FOOTPOINT_ERR_NOT_FINITE;
+}
+
+int footpoint_select_closest(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
+                             int *chosen, double *distance)
+{
+    double least = 0.0, margin = 0.0;
+    enum place best = OUTSIDE;
+    int found = -1, status = check_master(xyz, master, candidates, xS);
+    for (int s = 0; status == FOOTPOINT_OK && s < candidates; s++) {
+        enum place place;
+        double to, extent;
+        status = place_in(xyz, master, seg + 4 * (size_t)s, xS, &place);
+        if (status == FOOTPOINT_OK)
+            status = measure(xyz, seg + 4 * (size_t)s, xS, &to, &extent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        margin = fmax(margin, TIE * extent);
+        if (found >= 0 && !(to < least - margin) && !(to <= least + margin && place > best))
+            continue;
+        found = s;
+        best = place;
+        least = to;
+    }
+    if (status != FOOTPOINT_OK)
+        return status;
+    if (found < 0)
+        return FOOTPOINT_ERR_DOMAIN;
+    *chosen = found;
+    if (distance)
+        *distance = least;
     return FOOTPOINT_OK;
 }

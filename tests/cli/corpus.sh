@@ -10,3 +10,11 @@ for gen in tests/fuzz/corpus/*.gen; do
     [ "$good" = 1 ] || { echo "# exit status $status"; sed 's/^/#   /' "$work/stderr"; }
     report "$good" "corpus $(basename "$gen" .gen)"
 done
+
+# The searches' corpus: any numbers and indices end in a status that is right, and batches give the bits of single pairs.
+${CC:-gcc} -std=c11 -D_DEFAULT_SOURCE -O1 -ffp-contract=off tests/fuzz/fuzz_search.c tests/fuzz/replay_main.c \
+    "$BIN/libfootpoint.a" -lm -o "$work/replay" > "$work/log" 2>&1 &&
+    "$work/replay" tests/fuzz/search/*.bin > "$work/log" 2>&1 && "$work/replay" --random 3000 1 > "$work/log" 2>&1
+good=$((! $?))
+[ "$good" = 1 ] || sed 's/^/# /' "$work/log"
+report "$good" 'corpus of the searches, and random inputs'

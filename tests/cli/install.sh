@@ -20,7 +20,7 @@ find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?
 ! grep -rlIF -e "$work" -e "$PWD" "$installed" > "$work/log"; report $((! $?)) 'no file knows where it was made'
 
 # ---- the library ----
-functions_of "$include/footpoint.h" $(grep -l 'extern "C"' "$include"/footpoint/*.h) > "$work/declared"
+functions_of "$include"/*.h $(grep -l 'extern "C"' "$include"/footpoint/*.h) > "$work/declared"
 nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_0$/\1/p' | sort > "$work/exported"
 logged 'the library exports what its headers declare' diff "$work/declared" "$work/exported"
 nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_0$' > "$work/log"

@@ -1,0 +1,45 @@
+/* Blocks of pairs as columns, and the functions that work on them, once for each instruction set; for batch*.c alone.
+ */
+#ifndef FOOTPOINT_BATCH_BLOCK_H
+#define FOOTPOINT_BATCH_BLOCK_H
+
+#include "footpoint_batch.h"
+
+/* Pairs of a block: few enough for the processor to look ahead into the next one, and a multiple of LANES, which no
+ * instruction set exceeds.  Nodes are fetched into the cache that many pairs before they are gathered. */
+enum { BLOCK = 32, LANES = 8, AHEAD = 64, CACHE_LINE = 64 };
+
+struct block {
+    _Alignas(64) double x[15][BLOCK]; /* coordinate i of node k (A, B, C, D, S) in column 3 k + i */
+    double xi[BLOCK], eta[BLOCK], gap[BLOCK];
+    int64_t status[BLOCK];
+};
+
+/* Kinds of arrays: indices of 64 bits, coordinates in float, nodes x 3 in double. */
+enum { KIND_WIDE = 1, KIND_FLOAT = 2, KIND_TRIPLES = 4, KINDS = 6 };
+
+/* Counts are multiples of LANES. */
+struct lanes {
+    /* The greatest index, as an unsigned number, among the BLOCK pairs from number `first`. */
+    uint64_t (*greatest[2])(const struct footpoint_pairs *p, size_t first);
+    /* Columns x of these pairs, and a look ahead; KIND_TRIPLES reads one number behind each node. */
+    void (*gather[KINDS])(struct block *b, const struct footpoint_pairs *p, size_t first);
+    /* xi and eta from x; `prepared`, here and below, takes the corners of the first pair for all. */
+    void (*search[FOOTPOINT_TIERS])(struct block *b, size_t count);
+    void (*prepared[FOOTPOINT_TIERS])(struct block *b, size_t count);
+    /* 1 only if the status of all pairs is FOOTPOINT_OK. */
+    int (*all_good)(const struct block *b, size_t count);
+    void (*gaps)(struct block *b, size_t count);
+    /* Gaps and statuses. */
+    void (*judge)(struct block *b, size_t count);
+    void (*judge_prepared)(struct block *b, size_t count);
+};
+
+/* The set that suits this machine best. */
+const struct lanes *footpoint_batch_lanes(void);
+
+/* Number `set`, from 0 (what the compiler was told) to LANE_SETS - 1; NULL if this machine has it not. */
+enum { LANE_SETS = 3 };
+const struct lanes *footpoint_batch_lanes_of(int set);
+
+#endif
