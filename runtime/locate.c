@@ -2,6 +2,8 @@
  * which jumps about in memory, stands apart from the arithmetic on contiguous columns, which compilers vectorise. */
 #include "footpoint.h"
 
+#include "check.h"
+
 #include "../generated/footpoint_quad4.h"
 
 enum { BLOCK = 64 };
@@ -9,7 +11,16 @@ enum { BLOCK = 64 };
 int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *gap)
 {
-    return footpoint_quad4_accurate(xA, xB, xC, xD, xS, loc, gap);
+    double found[2], g;
+    const int status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, found, &g);
+    if (status != FOOTPOINT_OK)
+        return status;
+    if (!footpoint_check(xA, xB, xC, xD, xS, found[0], found[1]))
+        return FOOTPOINT_ERR_DOMAIN;
+    loc[0] = found[0];
+    loc[1] = found[1];
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* Columns of a block: 15 coordinates in, xi, eta, gap and status out; area: whether the segment has a normal there. */
@@ -70,7 +81,10 @@ static void compute(struct block *b, size_t count)
         NODES_OF(b, i);
         const double sum = (b->xi[i] - b->xi[i]) + (b->eta[i] - b->eta[i]) + (b->gap[i] - b->gap[i]);
         const int nodes = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-        const int found = b->area[i] && sum == 0.0 ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+        const int sure = footpoint_check(xA, xB, xC, xD, xS, b->xi[i], b->eta[i]);
+        const int found = !(b->area[i] && sum == 0.0) ? FOOTPOINT_ERR_DEGENERATE
+                          : sure                      ? FOOTPOINT_OK
+                                                      : FOOTPOINT_ERR_DOMAIN;
         const int status = nodes != FOOTPOINT_OK ? nodes : found;
         b->status[i] = b->status[i] != FOOTPOINT_OK ? b->status[i] : status;
     }
