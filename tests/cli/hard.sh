@@ -10,7 +10,7 @@ hard_check 'families' "$work/hard" 200
 hard_check 'certificates' "$work/hard" --certify 20000
 expect 'a table of all families' 0 21 '' sh -c "'$work/hard' 1 | grep -c ',robust,'"
 hard_replay() {
-    "${CC:-gcc}" -std=c11 -D_DEFAULT_SOURCE -O1 -DREPLAY -ffp-contract=off tests/fuzz/fuzz_search.c runtime/*.c -lm -o "$work/replay" &&
-        "$work/replay" tests/fuzz/search/*
+    "${CC:-gcc}" -std=c11 -D_DEFAULT_SOURCE -O1 -DREPLAY -ffp-contract=off tests/fuzz/fuzz_closest.c runtime/*.c -lm -o "$work/replay" &&
+        "$work/replay" tests/fuzz/closest/*
 }
 expect 'the corpus of the search functions' 0 '' '' hard_replay

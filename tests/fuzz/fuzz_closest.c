@@ -1,6 +1,6 @@
 /* Fuzzing of the search functions: 120 bytes are fifteen numbers of any kind, fewer are coordinates on a coarse grid.
  * Statuses are known ones, what is written is finite and what is not stays, and no point of a grid over the segment is
- * nearer than the closest one.  Built with clang -fsanitize=fuzzer by tests/long/fuzz_search.sh; with -DREPLAY a
+ * nearer than the closest one.  Built with clang -fsanitize=fuzzer by tests/long/fuzz_closest.sh; with -DREPLAY a
  * program that reads the files it is given. */
 #include "../../runtime/footpoint.h"
 #include "../../runtime/quad4.h"

@@ -1,8 +1,8 @@
 # Fuzzing of the search functions for half a minute; skipped where clang has no fuzzer.
 . tests/cli/expect.inc
-fuzzer=$work/fuzz_search
+fuzzer=$work/fuzz_closest
 if ! clang -std=c11 -D_DEFAULT_SOURCE -O1 -g -ffp-contract=off -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all \
-    tests/fuzz/fuzz_search.c runtime/*.c -lm -o "$fuzzer" 2> "$work/log"; then
+    tests/fuzz/fuzz_closest.c runtime/*.c -lm -o "$fuzzer" 2> "$work/log"; then
     if grep -q 'libclang_rt' "$work/log"; then
         echo 'ok 1 - fuzzing # SKIP no clang with -fsanitize=fuzzer (Debian: libclang-rt-14-dev)'
         exit 0
@@ -12,7 +12,7 @@ if ! clang -std=c11 -D_DEFAULT_SOURCE -O1 -g -ffp-contract=off -fsanitize=fuzzer
     exit 1
 fi
 mkdir "$work/corpus"
-cp tests/fuzz/search/* "$work/corpus"
+cp tests/fuzz/closest/* "$work/corpus"
 "$fuzzer" -max_len=120 -timeout=20 -max_total_time=30 -seed=1 -print_final_stats=1 -artifact_prefix="$work/" "$work/corpus" \
     > "$work/log" 2>&1
 status=$?
