@@ -118,6 +118,8 @@ static size_t locate_checked(const struct batch *batch, size_t first, size_t cou
     const size_t padded = gather_checked(batch->p, first, count, &b, &invalid);
     batch->lanes->search[batch->tier](&b, padded);
     batch->lanes->judge(&b, padded);
+    if (batch->p->sure)
+        batch->lanes->verify(&b, padded);
     for (size_t i = 0; i < count; i++)
         if (invalid >> i & 1)
             b.status[i] = FOOTPOINT_ERR_ARGUMENT;
@@ -138,8 +140,10 @@ static size_t locate_block(const struct batch *batch, size_t first)
     if (p->n - first >= AHEAD + BLOCK)
         fetch_places(&batch->to, first + AHEAD);
     lanes->search[batch->tier](&b, BLOCK);
-    if (!lanes->all_good(&b, BLOCK)) {
+    if (p->sure || !lanes->all_good(&b, BLOCK)) {
         lanes->judge(&b, BLOCK);
+        if (p->sure)
+            lanes->verify(&b, BLOCK);
         return store_judged(&batch->to, &b, first, BLOCK);
     }
     if (batch->to.gap || batch->to.gapf)

@@ -33,6 +33,8 @@ struct lanes {
     /* Gaps and statuses. */
     void (*judge)(struct block *b, size_t count);
     void (*judge_prepared)(struct block *b, size_t count);
+    /* Statuses of answers that are not sure. */
+    void (*verify)(struct block *b, size_t count);
 };
 
 /* The set that suits this machine best. */

@@ -8,6 +8,7 @@
 #endif
 
 #include "batch_block.h"
+#include "check.h"
 
 #include "../generated/footpoint_quad4.h"
 
@@ -168,6 +169,16 @@ FOOTPOINT_FN void judge(struct block *b, size_t count, int prepared)
     }
 }
 
+/* After judge: FOOTPOINT_ERR_DOMAIN where an answer is not sure. */
+FOOTPOINT_FN void verify(struct block *b, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        NODES_OF(b, b->xi, 0, i);
+        const int64_t sure = footpoint_check(xA, xB, xC, xD, xS, b->xi[i], b->eta[i]);
+        b->status[i] = (b->status[i] == FOOTPOINT_OK) & !sure ? FOOTPOINT_ERR_DOMAIN : b->status[i];
+    }
+}
+
 /* Sufficient for FOOTPOINT_OK, at half the price.  For |xi|, |eta| <= 9, |r_xi|^2 is at most 81 times the greater of
  * |AB|^2, |DC|^2, so that the product of footpoint_detail_gap's test is less than 82^2 times the one below; the other
  * limits keep everything it forms within the range of double. */
@@ -208,11 +219,13 @@ FOOTPOINT_FN int all_good(const struct block *b, size_t count)
 #define TIERS(X, suffix, attributes)                                                                                   \
     X(fast, suffix, attributes)                                                                                        \
     X(coarse, suffix, attributes)                                                                                      \
+    X(gauss2, suffix, attributes)                                                                                      \
     X(medium, suffix, attributes)                                                                                      \
     X(balanced, suffix, attributes)                                                                                    \
     X(fine, suffix, attributes)                                                                                        \
     X(precise, suffix, attributes)                                                                                     \
-    X(accurate, suffix, attributes)
+    X(accurate, suffix, attributes)                                                                                    \
+    X(full, suffix, attributes)
 
 /* What depends on the segment alone is computed once by the compiler's own doing. */
 #define SEARCH(tier, suffix, attributes)                                                                               \
@@ -279,6 +292,10 @@ FOOTPOINT_FN int all_good(const struct block *b, size_t count)
     {                                                                                                                  \
         judge(b, count, 1);                                                                                            \
     }                                                                                                                  \
+    attributes static void verify_##suffix(struct block *b, size_t count)                                              \
+    {                                                                                                                  \
+        verify(b, count);                                                                                              \
+    }                                                                                                                  \
     static const struct lanes lanes_##suffix = {                                                                       \
         {greatest32_##suffix, greatest64_##suffix},                                                                    \
         {gather0_##suffix, gather1_##suffix, gather2_##suffix, gather3_##suffix, gather4_##suffix, gather5_##suffix},  \
@@ -287,7 +304,8 @@ FOOTPOINT_FN int all_good(const struct block *b, size_t count)
         all_good_##suffix,                                                                                             \
         gaps_##suffix,                                                                                                 \
         judge_##suffix,                                                                                                \
-        judge_prepared_##suffix};
+        judge_prepared_##suffix,                                                                                       \
+        verify_##suffix};
 
 INSTRUCTIONS(plain, )
 

@@ -6,8 +6,9 @@
  * pointer to its three coordinates, which may lie anywhere in the caller's arrays.  Coordinates are in any one unit of
  * length ("mesh length"); edges between 1e-25 and 1e25 keep all products within the range of double.
  *
- * Functions return a status.  Unless it is FOOTPOINT_OK, outputs are untouched.  Nothing here allocates, prints, keeps
- * state or takes anything but a C library's <math.h>; every function may be called from several threads.
+ * Functions return a status.  Unless it is FOOTPOINT_OK, outputs are untouched, but for functions that say otherwise.
+ * Nothing here allocates, prints, keeps state or takes anything but a C library's <math.h>; every function may be
+ * called from several threads.
  *
  * Equation numbers are those of Oishi and Yoshimura, "Genetic approaches to iteration-free local contact search",
  * CMES 2008. */
@@ -39,19 +40,31 @@ extern "C" {
 #ifndef FOOTPOINT_ERR_ARGUMENT
 #define FOOTPOINT_ERR_ARGUMENT 5 /* an index, count or parameter is out of range */
 #endif
+#ifndef FOOTPOINT_OUTSIDE
+#define FOOTPOINT_OUTSIDE 6 /* the closest point of the segment lies on its edge */
+#endif
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 7 /* another point is as near, to rounding */
+#endif
+#ifndef FOOTPOINT_UNPROVED
+#define FOOTPOINT_UNPROVED 8 /* a test failed that proves an answer; the answer may be right all the same */
+#endif
 #ifndef FOOTPOINT_STATUS_COUNT
-#define FOOTPOINT_STATUS_COUNT 6
+#define FOOTPOINT_STATUS_COUNT 9
 #endif
 
 /** What a status means, as a short English phrase in lower case; "unknown status" for a number that is none. */
 const char *footpoint_strerror(int status);
 
 /** Foot point of one slave node on one segment: approximates (7), (8) by a fixed sequence of operations.  How far off
- *  it may be stands in the banner of generated/footpoint_quad4.h, for the segments named there.
+ *  it may be stands in the banner of generated/footpoint_quad4.h, and every answer is checked for it: by the residual
+ *  of (7), (8) and the Hessian's determinant, with proof that a foot point is within the worst error stated there, and
+ *  that no point of the segment is nearer.  On the segments named there this loses no answer.
  *  @param[out] loc  {xi, eta}, dimensionless; in [-1,1] if the foot point lies on the segment, not clamped to it
  *  @param[out] gap  (xS - r(xi,eta)) . n with n the segment's own unit normal r_xi x r_eta / |r_xi x r_eta| at the foot
  *                   point; mesh length, > 0 open, < 0 penetrating.  For (9) with the normal (6), call footpoint_gap.
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE */
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_DOMAIN (the answer is not as
+ *          good, or that is not certain; footpoint_robust has one) */
 int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *gap);
 
@@ -139,6 +152,66 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
  */
 int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                              const double xS[3], const double loc[2], double stiffness, double fs[3], double fm[4][3]);
+
+/* Answers with a proof.  These are for any four corners: warped, folded, crossing, with collapsed edges, of any size
+ * from denormal numbers to 1e308. */
+
+/** Proves that a foot point is near: exactly one solution of (7), (8), for the coordinates as they are to the last bit,
+ *  has |xi - loc[0]| <= rho[0] and |eta - loc[1]| <= rho[1].  Any point may be asked for, wherever it came from; the
+ *  nearer it is to a foot point, the smaller is rho, down to a few rounding errors.  The proof (Krawczyk's test, with
+ *  bounds on all rounding errors) holds with and without fused operations, but not under -ffast-math.
+ *  @param[in]  loc  {xi, eta}
+ *  @param[out] rho  half-widths in xi and in eta, dimensionless
+ *  @return FOOTPOINT_OK, FOOTPOINT_UNPROVED (too far from any solution, or too near the centre of curvature),
+ *          FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (all corners coincide),
+ *          FOOTPOINT_ERR_DOMAIN (xS is farther away than 1e12 edges) */
+int footpoint_certify(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                      const double xS[3], const double loc[2], double rho[2]);
+
+/** Closest point of the segment, -1 <= xi, eta <= 1, whatever segment and slave node: the iteration-free search, then a
+ *  proof that its answer is right and that no point of the segment is nearer; where either fails, a comparison of all
+ *  stationary points, edges and corners.  The point r(xi,eta) is right to 1e-10 of the longest edge.
+ *  @param[out] loc   {xi, eta}, in [-1,1]
+ *  @param[out] dist  |xS - r|, mesh length; with the sign of (xS - r) . n, n = r_xi x r_eta: > 0 open, < 0 behind; > 0
+ *                    where there is no normal.  At a foot point inside the segment this is the gap.
+ *  @return FOOTPOINT_OK (the foot point);
+ *          with loc and dist written: FOOTPOINT_OUTSIDE (the closest point, which lies on the edge of the segment),
+ *          FOOTPOINT_NOT_UNIQUE (one of several points that are equally near, to rounding; dist is right),
+ *          FOOTPOINT_ERR_DEGENERATE (the segment has no area: its closest point, with dist > 0);
+ *          with neither: FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DOMAIN (xS is farther away than 1e12 edges) */
+int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                     double loc[2], double *dist);
+
+enum { FOOTPOINT_STATIONARY_MOST = 8 };
+
+/** All points of the segment where (7), (8) hold, minima of the distance and others, -1 <= xi, eta <= 1, each to
+ *  rounding: from the quintic that is left of (7), (8) when xi or eta is eliminated.  There are five at most.
+ *  @param[out] loc    up to FOOTPOINT_STATIONARY_MOST x 2: xi, eta, in no particular order
+ *  @param[out] count  how many
+ *  @return FOOTPOINT_OK, FOOTPOINT_NOT_UNIQUE (some are too close together to be told apart; one stands for them);
+ *          FOOTPOINT_ERR_DEGENERATE (no area), FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DOMAIN as footpoint_certify */
+int footpoint_stationary(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                         const double xS[3], double loc[FOOTPOINT_STATIONARY_MOST][2], int *count);
+
+/** What an implicit code needs of a foot point.  Coordinate number 3 k + i is component i of node k, in the order A, B,
+ *  C, D, S. */
+struct footpoint_derivatives {
+    double phi[4];              /* shape functions of A, B, C, D */
+    double r_xi[3], r_eta[3];   /* tangents; mesh length */
+    double normal[3];           /* r_xi x r_eta / |r_xi x r_eta| */
+    double gap;                 /* (xS - r) . normal; mesh length */
+    double d_xi[15], d_eta[15]; /* derivatives of xi and eta by the coordinates; 1 over mesh length */
+    double d_gap[15];           /* derivatives of the gap: +normal for S, -phi_k normal for corner k */
+};
+
+/** Derivatives of a foot point by all fifteen coordinates, from (7), (8) by the implicit function theorem: exact, to
+ *  rounding, if loc is a foot point; if it is off by e, so are they, to first order.
+ *  @param[in]  loc  {xi, eta} as a search returned them, inside the segment or not, but no closest point on its edge
+ *  @param[out] out  all of it
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE,
+ *          FOOTPOINT_ERR_DEGENERATE (no normal; or no derivative, as xS lies at a centre of curvature) */
+int footpoint_differentiate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                            const double xS[3], const double loc[2], struct footpoint_derivatives *out);
 
 #ifdef __cplusplus
 }

@@ -22,11 +22,13 @@ extern "C" {
 enum footpoint_tier {
     FOOTPOINT_FAST,
     FOOTPOINT_COARSE,
+    FOOTPOINT_GAUSS2,
     FOOTPOINT_MEDIUM,
     FOOTPOINT_BALANCED,
     FOOTPOINT_FINE,
     FOOTPOINT_PRECISE,
     FOOTPOINT_ACCURATE,
+    FOOTPOINT_FULL,
     FOOTPOINT_TIERS
 };
 
@@ -42,14 +44,15 @@ struct footpoint_pairs {
     size_t stride;              /* 3 for nodes x 3, 1 for three columns; any other from 1 */
     const int32_t *seg, *slave; /* n x 4 node indices A, B, C, D, from 0; n node indices; or NULL, and */
     const int64_t *seg64, *slave64;
+    int sure; /* 1: FOOTPOINT_ERR_DOMAIN unless it is sure that an answer is as right as those of footpoint_locate */
 };
 
 /** Search of n pairs.
  *  @param[out] loc     n x 2: xi, eta as in footpoint_locate; untouched where the status is not FOOTPOINT_OK
  *  @param[out] gap     n, or NULL: as in footpoint_locate; likewise
- *  @param[out] status  n, or NULL: FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, or
- *                      FOOTPOINT_ERR_ARGUMENT where an index is out of range, and everywhere if the tier is, or if
- *                      coordinates, stride or indices are missing
+ *  @param[out] status  n, or NULL: FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE,
+ *                      FOOTPOINT_ERR_DOMAIN (if p->sure), or FOOTPOINT_ERR_ARGUMENT where an index is out of range, and
+ * everywhere if the tier is, or if coordinates, stride or indices are missing
  *  @return how many pairs have a status other than FOOTPOINT_OK */
 size_t footpoint_locate_batch(const struct footpoint_pairs *p, enum footpoint_tier tier, double *loc, double *gap,
                               int *status);

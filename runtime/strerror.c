@@ -10,6 +10,9 @@ const char *footpoint_strerror(int status)
         [FOOTPOINT_ERR_DOMAIN] = "outside the domain",
         [FOOTPOINT_ERR_NO_CONVERGENCE] = "the iteration did not converge",
         [FOOTPOINT_ERR_ARGUMENT] = "an argument is out of range",
+        [FOOTPOINT_OUTSIDE] = "the closest point lies on the edge of the segment",
+        [FOOTPOINT_NOT_UNIQUE] = "several points are equally near",
+        [FOOTPOINT_UNPROVED] = "the answer could not be proved",
     };
     return status >= 0 && status < FOOTPOINT_STATUS_COUNT ? text[status] : "unknown status";
 }

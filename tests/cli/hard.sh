@@ -1,0 +1,16 @@
+# The hard cases, some of each family: the search never errs without a status, footpoint_robust finds the closest point or
+# says why not, and no certificate is wrong.  long/hard.sh does so at length.
+. tests/cli/expect.inc
+. tests/hard/build.inc
+worst=$(sed -n '/^ \* footpoint_quad4_accurate$/,/^ \*\//s/.*heldout.* max \([0-9.e-]*\)$/\1/p' generated/footpoint_quad4.h | sort -g | tail -1)
+expect 'the check knows what the banner says' 0 "$worst" '' sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/check.h
+expect 'and so do the hard cases' 0 "$worst" '' sed -n 's/^#define BANNER_WORST //p' tests/hard/hard_main.c
+hard_build "$work/hard" "${CC:-gcc}" -O2 -ffp-contract=off
+hard_check 'families' "$work/hard" 200
+hard_check 'certificates' "$work/hard" --certify 20000
+expect 'a table of all families' 0 21 '' sh -c "'$work/hard' 1 | grep -c ',robust,'"
+hard_replay() {
+    "${CC:-gcc}" -std=c11 -D_DEFAULT_SOURCE -O1 -DREPLAY -ffp-contract=off tests/fuzz/fuzz_closest.c runtime/*.c -lm -o "$work/replay" &&
+        "$work/replay" tests/fuzz/closest/*
+}
+expect 'the corpus of the search functions' 0 '' '' hard_replay

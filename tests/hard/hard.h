@@ -1,0 +1,25 @@
+/* Segments and slave nodes that searches fail on, family by family, each from a seed; see hard.c. */
+#ifndef FOOTPOINT_HARD_H
+#define FOOTPOINT_HARD_H
+
+#include <stdint.h>
+
+/** Nodes A, B, C, D and the slave node. */
+struct hard_case {
+    double x[5][3];
+};
+
+struct hard_family {
+    const char *name;
+    const char *what; /* a few words for the table */
+    void (*draw)(uint64_t *stream, struct hard_case *h);
+    int finite; /* whether all coordinates are numbers */
+};
+
+extern const struct hard_family hard_families[];
+extern const int hard_family_count;
+
+/** Case number `index` of a family: the same on every machine. */
+void hard_draw(int family, uint64_t seed, uint64_t index, struct hard_case *h);
+
+#endif

@@ -1,0 +1,57 @@
+/* The closest point of a bilinear segment in extended precision, for tests: by sampling and polishing, nothing of it
+ * shared with runtime/; see truth.c. */
+#ifndef FOOTPOINT_TRUTH_H
+#define FOOTPOINT_TRUTH_H
+
+#include "hard.h"
+
+/* 113 bits of mantissa where the compiler has them. */
+#if defined(__SIZEOF_FLOAT128__)
+__extension__ typedef __float128 wide;
+#else
+typedef long double wide;
+#endif
+
+/** A segment and its slave node, times a power of two such that the longest component of its edges is about 1. */
+struct truth_surface {
+    wide c1[3], c2[3], c3[3], d0[3]; /* xS - r = d0 - c1 xi - c2 eta - c3 xi eta */
+    double scale;                    /* mesh length / this unit */
+    double distance;                 /* from the middle to xS, in this unit */
+};
+
+struct truth_point {
+    wide z[2];    /* xi, eta */
+    wide square;  /* of the distance */
+    double least; /* least eigenvalue of the free part of the Hessian of half the square, over squares of tangents */
+    int on_edge;
+};
+
+enum { TRUTH_MOST = 64 };
+
+/** Closest points of the segment, the nearest first: local minima in -1 <= xi, eta <= 1. */
+struct truth {
+    struct truth_surface surface;
+    int count;
+    struct truth_point point[TRUTH_MOST];
+};
+
+/** 0 if all corners coincide. */
+int truth_surface_of(const struct hard_case *h, struct truth_surface *f);
+
+void truth_find(const struct hard_case *h, struct truth *t);
+
+/** From (xi,eta), clamped to the segment, down to a local minimum. */
+void truth_descend(const struct truth_surface *f, const double loc[2], struct truth_point *p);
+
+/** Newton's method for (7), (8) from (xi,eta), unclamped; 0 if it does not settle. */
+int truth_stationary(const struct truth_surface *f, const double loc[2], wide z[2]);
+
+/** Of half the square of the distance. */
+void truth_gradient(const struct truth_surface *f, const wide z[2], wide g[2]);
+
+/** xS - r. */
+void truth_offset(const struct truth_surface *f, const wide z[2], wide d[3]);
+
+wide truth_square(const struct truth_surface *f, const wide z[2]);
+
+#endif
