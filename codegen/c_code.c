@@ -95,7 +95,8 @@ struct target {
 static void write_float(void *to, const char *name, long output, const char *text)
 {
     const struct target *t = to;
-    char *head = output < 0         ? new_format("    const float %s = ", name)
+    const bool constant = text[strspn(text, "-.0123456789ef")] == '\0'; /* see constant_name of phrase.c */
+    char *head = output < 0         ? new_format("    %sfloat %s = ", constant ? "" : "const ", name)
                  : t->file->segment ? new_format("    *%s = ", name)
                                     : new_format("    *out_%s = ", name);
     fputs(head, t->out);

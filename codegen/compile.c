@@ -7,6 +7,8 @@
 
 #include <stdlib.h>
 
+static const double BEHIND = 1.5; /* how dear a shape may be at first, in terms of the genome as written */
+
 double operations_cost(const struct operations *ops, const struct cost_model *m)
 {
     return m->mul * (double)ops->mul + m->add * (double)ops->add + m->div * (double)ops->div +
@@ -39,7 +41,7 @@ static void add_factored(struct search *s)
             g = NULL;
         }
         if (g)
-            search_add(s, g, combine ? "combined, multiplied out and factored" : "multiplied out and factored");
+            search_add(s, g, BEHIND, combine ? "combined, multiplied out and factored" : "multiplied out and factored");
     }
 }
 
@@ -56,8 +58,11 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
             search_free(s);
             return false;
         }
-        search_add(s, g, keep == KEEP_ALL ? "as written, named products whole" : "as written");
+        search_add(s, g, BEHIND, keep == KEEP_ALL ? "as written, named products whole" : "as written");
     }
+    struct dag *linear = shape_linear(search_first(s));
+    if (linear)
+        search_add(s, linear, 1, "linear forms written out");
     add_factored(s);
     c->removed = search_run(s, &c->emission);
     search_free(s);

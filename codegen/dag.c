@@ -374,6 +374,11 @@ struct value dag_inverse(struct dag *g, struct value a)
     return value_of(rational_inv(a.coef), inverse);
 }
 
+bool node_chooses(const struct node *n)
+{
+    return n->kind == NODE_PDIV || n->kind == NODE_MIN || n->kind == NODE_MAX;
+}
+
 /* A function that is opaque to the random points takes as its value a hash of its kind and of its arguments' values. */
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b)
 {

@@ -40,6 +40,9 @@ struct node {
     mp_limb_t mark[PRIMES]; /* values at the random points */
 };
 
+/** True for a minimum, a maximum or a protected quotient: what a compiler may make a jump of. */
+bool node_chooses(const struct node *n);
+
 /** coef * node: what an expression is. The coefficient of the value 0 is ZERO and its node NODE_ONE. */
 struct value {
     rational coef;

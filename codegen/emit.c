@@ -33,21 +33,29 @@ static void write_statement(struct emitter *e, const char *head, const char *val
     free(all);
 }
 
-void emitter_name(struct emitter *e, char prefix, long number, const char *value, char name[32])
+static void name_value(struct emitter *e, const char *type, char prefix, long number, const char *value, char name[32])
 {
     char head[64];
     snprintf(name, 32, "%c%ld", prefix, number);
-    snprintf(head, sizeof head, "const double %s = ", name);
+    snprintf(head, sizeof head, "%s %s = ", type, name);
     write_statement(e, head, value);
     e->out->ops.temporaries++;
+}
+
+void emitter_name(struct emitter *e, char prefix, long number, const char *value, char name[32])
+{
+    name_value(e, "const double", prefix, number, value, name);
+}
+
+void emitter_name_constant(struct emitter *e, long number, const char *value, char name[32])
+{
+    name_value(e, "double", 'u', number, value, name);
 }
 
 /* Where divisions are cheap, each user of an inverse divides by itself instead of multiplying by the inverse. */
 static bool divides_anew(const struct emitter *e, int n)
 {
-    const struct cost_model *m = e->s->model;
-    const int uses = e->s->uses[n];
-    return uses > 1 && !e->named[n] && (uses - 1) * m->div < uses * m->mul;
+    return e->s->uses[n] > 1 && !e->named[n] && !schedule_has_numerator(e->s, n);
 }
 
 static void print_node(struct emitter *e, int n)
@@ -79,6 +87,7 @@ static void print_node(struct emitter *e, int n)
             free(below->num);
             *below = (struct phrase){new_joined(name, "", ""), NULL, ATOM};
         }
+        t->num = phrase_numerator(e, n);
         t->den = below->level == ATOM ? new_joined(below->num, "", "") : new_joined("(", below->num, ")");
         divided_anew = divides_anew(e, n);
         e->out->ops.div += divided_anew ? e->s->uses[n] : 1;
@@ -88,7 +97,9 @@ static void print_node(struct emitter *e, int n)
     char *all = phrase_whole(t, &level);
     const bool plain =
         strcspn(all, " (/*+-") == strlen(all); /* a name or an input: an alias needs no name of its own */
-    if (!plain && !divided_anew && (e->s->uses[n] > 1 || e->named[n] || strlen(all) > INLINE_LENGTH)) {
+    const bool clamps = node->kind == NODE_MIN || node->kind == NODE_MAX;
+    if (!plain && !divided_anew &&
+        (clamps || (e->early[n] && !t->den) || e->s->uses[n] > 1 || e->named[n] || strlen(all) > INLINE_LENGTH)) {
         emitter_name(e, 't', e->out->ops.temporaries + 1 - e->helpers, all, name);
         free(t->num);
         free(t->den);
@@ -98,7 +109,8 @@ static void print_node(struct emitter *e, int n)
 }
 
 /* Values that are written twice (a square, 2x as x + x) need names; so does a divisor of more than one factor or term,
- * and what is inverted by several users. */
+ * and what is inverted by several users.  A sum that is known before a choice is computed before it, not where it is
+ * used after: else its operands would have to wait in registers. */
 static void mark_named(struct emitter *e)
 {
     const struct dag *g = e->s->dag;
@@ -113,12 +125,27 @@ static void mark_named(struct emitter *e)
             const bool divisor = n->kind == NODE_INVERSE && g->node[n->edge[k].node].kind != NODE_SUM;
             if (twice || divisor)
                 e->named[n->edge[k].node] = true;
+            e->early[n->edge[k].node] |=
+                g->node[n->edge[k].node].kind == NODE_SUM && e->s->stage[n->edge[k].node] < e->s->stage[e->s->order[i]];
         }
     }
     for (size_t i = 0; i < e->s->n; i++) {
         const int n = e->s->order[i];
         if (g->node[n].kind == NODE_INVERSE && divides_anew(e, n))
             e->named[g->node[n].edge[0].node] = true;
+    }
+}
+
+/* What reaches an output past no choice. */
+static void mark_last(struct emitter *e)
+{
+    const struct dag *g = e->s->dag;
+    for (size_t o = 0; o < g->outputs; o++)
+        e->last[g->output[o].node] = true;
+    for (size_t i = e->s->n; i-- > 0;) {
+        const struct node *n = &g->node[e->s->order[i]];
+        for (size_t k = 0; k < n->edges && e->last[e->s->order[i]] && !node_chooses(n); k++)
+            e->last[n->edge[k].node] = true;
     }
 }
 
@@ -144,7 +171,10 @@ void emit_statements(const struct genome_file *f, const struct schedule *s, stru
     e.text = new_array(s->dag->nodes, sizeof *e.text);
     e.named = new_array(s->dag->nodes, sizeof *e.named);
     e.term_named = new_array(s->terms, sizeof *e.term_named);
+    e.early = new_array(s->dag->nodes, sizeof *e.early);
+    e.last = new_array(s->dag->nodes, sizeof *e.last);
     mark_named(&e);
+    mark_last(&e);
     for (size_t i = 0; i < s->n; i++)
         print_node(&e, s->order[i]);
     for (size_t o = 0; o < s->dag->outputs; o++)
@@ -155,6 +185,9 @@ void emit_statements(const struct genome_file *f, const struct schedule *s, stru
     }
     free(e.text);
     free(e.named);
+    free(e.early);
+    free(e.last);
+    free(e.constant);
     free(e.term_named);
     out->text = e.body.text ? e.body.text : new_joined("", "", "");
 }

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MOST_SEARCHED = 64 /* constants; older ones are named anew */ };
+
 /* As an operand of a product. */
 static char *factor_text(const struct phrase *t)
 {
@@ -29,6 +31,13 @@ static bool in_range(rational r)
 {
     const fmpq *c = rational_value(r);
     return fmpz_bits(fmpq_numref(c)) < 1000 && fmpz_bits(fmpq_denref(c)) < 1000;
+}
+
+char *phrase_numerator(struct emitter *e, int n)
+{
+    const rational c = rational_mul(e->s->scale[n], e->s->scale[e->s->dag->node[n].edge[0].node]);
+    e->out->out_of_range |= !in_range(c);
+    return c == ONE ? NULL : constant_text(rational_value(c));
 }
 
 /* x + x, or that of a name for x + x: additions without rounding error. */
@@ -239,20 +248,57 @@ static char *operand_name(struct emitter *e, int n, size_t i)
     return new_joined(name, "", "");
 }
 
+/* Name of a constant that is compared.  Its variable is not const, so that gcc's front end does not see through it: it
+ * would turn the comparison round, and later passes would not find the one instruction that c < x ? c : x is. */
+static char *constant_name(struct emitter *e, rational c)
+{
+    char name[32];
+    size_t i = e->constants > MOST_SEARCHED ? e->constants - MOST_SEARCHED : 0;
+    while (i < e->constants && e->constant[i].value != c)
+        i++;
+    if (i == e->constants) {
+        grow_array(&e->constant, e->constants, &e->constant_room, sizeof *e->constant);
+        char *value = constant_text(rational_value(c));
+        e->constant[e->constants++] = (struct named_constant){c, ++e->helpers};
+        emitter_name_constant(e, e->helpers, value, name);
+        free(value);
+    }
+    return new_format("u%ld", e->constant[i].helper);
+}
+
+/* A constant comes first: c < x ? c : x passes on what is no number.  So does !(x >= c) ? x : c, which is better for
+ * the second choice of a clamp on the way to an output: in a loop it needs fewer masks. */
+static void phrase_choice(struct emitter *e, int n, struct phrase *t)
+{
+    const struct node *node = &e->s->dag->node[n];
+    const bool least = node->kind == NODE_MIN, swap = node->edge[1].node == 0,
+               constant = swap || node->edge[0].node == 0;
+    char *b = operand_name(e, n, !swap);
+    char *a = constant ? constant_name(e, schedule_coefficient(e->s, n, swap)) : operand_name(e, n, swap);
+    if (constant && e->last[n] && node_chooses(&e->s->dag->node[node->edge[!swap].node]))
+        t->num = new_format("(!(%s %s %s) ? %s : %s)", b, least ? ">=" : "<=", a, b, a);
+    else
+        t->num = new_format("(%s %s %s ? %s : %s)", a, least ? "<" : ">", b, a, b);
+    free(a);
+    free(b);
+}
+
 void phrase_function(struct emitter *e, int n, struct phrase *t)
 {
     const enum node_kind kind = e->s->dag->node[n].kind;
-    char *a = operand_name(e, n, 0), *b = e->s->dag->node[n].edges > 1 ? operand_name(e, n, 1) : NULL;
-    if (kind == NODE_SQRT || kind == NODE_ABS)
-        t->num = new_joined(kind == NODE_SQRT ? "sqrt(" : "fabs(", a, ")");
-    else if (kind == NODE_PDIV)
-        t->num = new_format("(%s == 0.0 ? 1.0 : %s / %s)", b, a, b);
-    else
-        t->num = new_format("(%s %s %s ? %s : %s)", a, kind == NODE_MIN ? "<" : ">", b, a, b);
     t->level = ATOM;
     e->out->ops.sqrt += kind == NODE_SQRT;
     e->out->ops.div += kind == NODE_PDIV;
     e->out->ops.compare += kind != NODE_SQRT;
+    if (kind == NODE_MIN || kind == NODE_MAX) {
+        phrase_choice(e, n, t);
+        return;
+    }
+    char *a = operand_name(e, n, 0), *b = kind == NODE_PDIV ? operand_name(e, n, 1) : NULL;
+    if (kind == NODE_PDIV)
+        t->num = new_format("(%s == 0.0 ? 1.0 : %s / %s)", b, a, b);
+    else
+        t->num = new_joined(kind == NODE_SQRT ? "sqrt(" : "fabs(", a, ")");
     free(a);
     free(b);
 }

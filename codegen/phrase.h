@@ -14,23 +14,39 @@ struct phrase {
     enum precedence level; /* of num */
 };
 
+/** A constant that has a name: "u" and `helper`. */
+struct named_constant {
+    rational value;
+    long helper;
+};
+
 /** A function under construction. */
 struct emitter {
     const struct genome_file *file;
     const struct schedule *s;
     struct phrase *text; /* owned; by node */
     bool *named;         /* owned: must have a name, because it is written twice */
+    bool *early;         /* owned: a sum that is used in a later stage than its own */
+    bool *last;          /* owned: reaches an output past no choice (min, max, protected quotient) */
     struct emission *out;
     struct growing body;
     long helpers;     /* named operands that are no nodes */
     long *term_named; /* owned: by place in the schedule's table, helper that is this term; 0: none yet */
+    struct named_constant *constant; /* owned */
+    size_t constants, constant_room;
 };
 
 /** Adds the statement "const double NAME = value;": a temporary, "t" or "u" and a number. */
 void emitter_name(struct emitter *e, char prefix, long number, const char *value, char name[32]);
 
+/** The same for a constant: "double uNUMBER = value;". */
+void emitter_name_constant(struct emitter *e, long number, const char *value, char name[32]);
+
 /** Numerator and denominator as one expression; a division is counted by who creates the denominator.  Caller frees. */
 char *phrase_whole(const struct phrase *t, enum precedence *level);
+
+/** Numerator of the inverse n, NULL if it is 1.  Caller frees. */
+char *phrase_numerator(struct emitter *e, int n);
 
 /** coef * text for a coefficient > 0, as a factor or term.  Caller frees. */
 char *phrase_scaled(struct emitter *e, rational coef, const struct phrase *t);

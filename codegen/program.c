@@ -226,18 +226,26 @@ static int read_repeated(struct reader *r)
     return negative && op >= 0 ? program_add(r->program, OP_NEG, op, -1) : op;
 }
 
-/* "a < b ? a : b)", "a > b ? a : b)" or "d == 0.0 ? 1.0 : n / d)" after its parenthesis. */
+/* The operator of a choice between what stands on its sides, or OP_INPUT. */
+static enum op_kind read_comparison(struct reader *r, bool inverted)
+{
+    if (inverted)
+        return accept(r, ">=") ? OP_MIN : accept(r, "<=") ? OP_MAX : OP_INPUT;
+    return accept(r, "==") ? OP_PDIV : accept(r, "<") ? OP_MIN : accept(r, ">") ? OP_MAX : OP_INPUT;
+}
+
+/* "a < b ? a : b)", "!(a >= b) ? a : b)", the same with > and <=, or "d == 0.0 ? 1.0 : n / d)" after its parenthesis.
+ */
 static int read_choice(struct reader *r)
 {
+    const char *start = r->at;
+    const bool inverted = accept(r, "!(");
+    skip_blanks(r);
     const char *a_text = r->at;
     const size_t ops = r->program->ops;
     const int a = read_repeated(r);
     const char *a_end = r->at;
-    const enum op_kind kind = a < 0             ? OP_INPUT
-                              : accept(r, "==") ? OP_PDIV
-                              : accept(r, "<")  ? OP_MIN
-                              : accept(r, ">")  ? OP_MAX
-                                                : OP_INPUT;
+    const enum op_kind kind = a < 0 ? OP_INPUT : read_comparison(r, inverted);
     int b = -1;
     bool good = kind != OP_INPUT;
     if (kind == OP_PDIV) {
@@ -249,13 +257,13 @@ static int read_choice(struct reader *r)
         const char *b_text = r->at;
         b = read_repeated(r);
         const char *b_end = r->at;
-        good = b >= 0 && accept(r, "?") && accept_again(r, a_text, a_end) && accept(r, ":") &&
-               accept_again(r, b_text, b_end) && accept(r, ")");
+        good = b >= 0 && (!inverted || accept(r, ")")) && accept(r, "?") && accept_again(r, a_text, a_end) &&
+               accept(r, ":") && accept_again(r, b_text, b_end) && accept(r, ")");
     }
     if (good)
         return kind == OP_PDIV ? program_add(r->program, kind, b, a) : program_add(r->program, kind, a, b);
     forget_ops(r->program, ops);
-    r->at = a_text;
+    r->at = start;
     return -1;
 }
 
@@ -384,18 +392,24 @@ static bool is_next_output(const struct reader *r, const char *word)
     return k < r->genome->outs && strcmp(name, r->genome->out[k].name) == 0;
 }
 
+static bool is_constant(const struct program *p, int op)
+{
+    return p->op[p->op[op].kind == OP_NEG ? p->op[op].a : op].kind == OP_CONSTANT;
+}
+
 static bool read_statement(struct reader *r)
 {
     struct program *p = r->program;
     char word[MOST_WORD + 1];
     const size_t first = p->ops;
     const bool output = accept(r, "*");
-    if (!output && (!accept(r, "const") || !accept(r, "double")))
+    const bool changes = !output && !accept(r, "const"); /* a variable, for a constant alone */
+    if (!output && !accept(r, "double"))
         return false;
     if (!read_word(r, word) || (output && !is_next_output(r, word)) || !accept(r, "="))
         return false;
     const int op = read_expression(r);
-    if (op < 0 || !accept(r, ";"))
+    if (op < 0 || !accept(r, ";") || (changes && !is_constant(p, op)))
         return false;
     if (!output) {
         add_statement(p, word, op, first, -1);

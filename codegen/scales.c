@@ -1,4 +1,5 @@
-/* A sum may be computed as any multiple of itself, since whoever uses it can take the multiple back.  A local search
+/* A sum may be computed as any multiple of itself, since whoever uses it can take the multiple back; so may an inverse
+ * that has a name, as c / d.  A local search
  * moves the scales of single sums, and of like sums together (the x, y and z of a vector), and lets everything
  * homogeneous in them follow, to leave the fewest coefficients other than 1 and -1.  Costs are kept by node, so that a
  * move touches only what depends on it. */
@@ -42,14 +43,18 @@ static bool is_wild(rational scale, int power)
     return scale == ZERO || (double)fmpq_height_bits(rational_value(scale)) * power > MOST_BITS;
 }
 
-/* Scale of a node that has no choice; ZERO if it is wild. */
-static rational derived_scale(const struct schedule *s, const struct node *node)
+/* Scale of node n when it follows its operands; ZERO if it is wild.  An inverse keeps its numerator. */
+static rational derived_scale(const struct search *x, int n)
 {
+    const struct schedule *s = x->s;
+    const struct node *node = &s->dag->node[n];
     rational scale = ONE;
     if (node->kind == NODE_ABS)
         scale = rational_abs(s->scale[node->edge[0].node]);
-    if (node->kind == NODE_INVERSE)
-        scale = rational_inv(s->scale[node->edge[0].node]);
+    if (node->kind == NODE_INVERSE) {
+        const rational numerator = rational_mul(x->best[n], x->best[node->edge[0].node]);
+        scale = rational_mul(numerator, rational_inv(s->scale[node->edge[0].node]));
+    }
     for (size_t i = 0; node->kind == NODE_PRODUCT && i < node->edges; i++) {
         const struct edge *e = &node->edge[i];
         if (is_wild(s->scale[e->node], e->power) || is_wild(scale, 1))
@@ -118,8 +123,11 @@ static double charge(struct search *x, const rational *scale, int n, int sign)
     }
     if (g->node[n].kind == NODE_SUM)
         return charge_sum(x, scale, n, sign);
-    for (size_t k = 0; g->node[n].kind >= NODE_PDIV && k < g->node[n].edges; k++)
-        cost += sign * coefficient_cost(x->s, coefficient(g, scale, n, k));
+    for (size_t k = 0; g->node[n].kind >= NODE_PDIV && k < g->node[n].edges; k++) {
+        const rational c = coefficient(g, scale, n, k);
+        const bool constant = g->node[n].edge[k].node == 0;
+        cost += constant ? 0 : sign * (coefficient_cost(x->s, c) + (c == MINUS_ONE ? NEGATION : 0));
+    }
     return cost;
 }
 
@@ -156,7 +164,7 @@ static void follow(struct search *x, int n)
 static bool alike(const struct search *x, int m, int n)
 {
     const struct node *a = &x->s->dag->node[m], *b = &x->s->dag->node[n];
-    bool same = a->kind == NODE_SUM && x->level[m] == x->level[n] && a->edges == b->edges;
+    bool same = a->kind == NODE_SUM && b->kind == NODE_SUM && x->level[m] == x->level[n] && a->edges == b->edges;
     for (size_t k = 0; same && k < a->edges; k++)
         same = a->edge[k].coef == b->edge[k].coef;
     return same;
@@ -193,7 +201,7 @@ static void try_factor(struct search *x, size_t position, rational factor, bool 
         else if (s->dag->node[m].kind == NODE_SUM)
             follow(x, m);
         else
-            s->scale[m] = derived_scale(s, &s->dag->node[m]);
+            s->scale[m] = derived_scale(x, m);
         x->dirty[m] = false;
         wild = is_wild(s->scale[m], 1);
         if (wild)
@@ -242,7 +250,7 @@ static bool passes(const struct node *n)
            (n->edge[1].coef == ONE || n->edge[1].coef == MINUS_ONE);
 }
 
-/* The coefficients with which a node, or a product that it is a factor of, stands in sums and outputs. */
+/* The coefficients with which a node, or a product that it is a factor of, stands in sums, functions and outputs. */
 static void add_user_factors(struct search *x, int n, int depth)
 {
     const struct dag *g = x->s->dag;
@@ -253,7 +261,8 @@ static void add_user_factors(struct search *x, int n, int depth)
             continue;
         }
         const struct node *user = &g->node[u];
-        for (size_t k = 0; user->kind == NODE_SUM && k < user->edges; k++)
+        const bool multiplies = user->kind == NODE_SUM || user->kind >= NODE_PDIV;
+        for (size_t k = 0; multiplies && k < user->edges; k++)
             if (user->edge[k].node == n)
                 add_factor(x, coefficient(g, x->best, u, k));
         if ((user->kind == NODE_PRODUCT || passes(user)) && depth > 0)
@@ -261,8 +270,8 @@ static void add_user_factors(struct search *x, int n, int depth)
     }
 }
 
-/* Factors that make one coefficient of the sum, or of a user, 1 or -1. */
-static void improve_sum(struct search *x, size_t position)
+/* Factors that make one coefficient of the sum, or of a user of the sum or inverse, 1 or -1. */
+static void improve_node(struct search *x, size_t position)
 {
     const int n = x->s->order[position];
     const struct node *node = &x->s->dag->node[n];
@@ -270,7 +279,7 @@ static void improve_sum(struct search *x, size_t position)
     x->factors = 0;
     add_factor(x, MINUS_ONE);
     add_factor(x, TWO);
-    for (size_t k = 0; k < node->edges && k < MOST_TERMS; k++)
+    for (size_t k = 0; node->kind == NODE_SUM && k < node->edges && k < MOST_TERMS; k++)
         add_factor(x, rational_inv(coefficient(x->s->dag, x->best, n, k)));
     add_user_factors(x, n, DEPTH);
     for (size_t i = 0; !others && i < x->s->n; i++)
@@ -340,8 +349,8 @@ double scales_improve(struct schedule *s)
     for (int sweep = 0; sweep < SWEEPS && x.improved; sweep++) {
         x.improved = false;
         for (size_t i = 0; i < s->n; i++)
-            if (s->dag->node[s->order[i]].kind == NODE_SUM)
-                improve_sum(&x, i);
+            if (s->dag->node[s->order[i]].kind == NODE_SUM || schedule_has_numerator(s, s->order[i]))
+                improve_node(&x, i);
     }
     free(x.best);
     free(x.level);

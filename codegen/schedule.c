@@ -1,4 +1,7 @@
-/* Order: depth first from the outputs.  The scales are chosen in scales.c. */
+/* Order: depth first from the outputs, but everything that no choice (min, max, protected quotient) decides before the
+ * first choice, then those choices, then everything that they alone decide, and so on.  So arithmetic stands in long
+ * runs, and the two choices of a clamp beside each other: compilers make jumps of choices, and what stands between two
+ * jumps is neither reordered nor, once they are masks of a loop, free of them.  The scales are chosen in scales.c. */
 #include "schedule.h"
 
 #include "scales.h"
@@ -43,10 +46,47 @@ static void order_nodes(struct schedule *s)
     free(seen);
 }
 
+static int find_stage(const struct node *n, const int *stage)
+{
+    const bool choice = node_chooses(n);
+    int latest = choice;
+    for (size_t i = 0; i < n->edges; i++) {
+        const int of = stage[n->edge[i].node], least = of + (of % 2 != choice);
+        latest = least > latest ? least : latest;
+    }
+    return latest;
+}
+
+/* Sorts the order by stages; inside a stage it stays. */
+static void order_stages(struct schedule *s)
+{
+    int *order = new_array(s->dag->nodes, sizeof *order), last = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        const int of = s->stage[s->order[i]] = find_stage(&s->dag->node[s->order[i]], s->stage);
+        last = of > last ? of : last;
+    }
+    size_t *next = new_array((size_t)last + 2, sizeof *next); /* place of a stage's next node */
+    for (size_t i = 0; i < s->n; i++)
+        next[s->stage[s->order[i]] + 1]++;
+    for (int k = 0; k < last; k++)
+        next[k + 1] += next[k];
+    for (size_t i = 0; i < s->n; i++)
+        order[next[s->stage[s->order[i]]]++] = s->order[i];
+    free(next);
+    free(s->order);
+    s->order = order;
+}
+
 rational schedule_coefficient(const struct schedule *s, int n, size_t i)
 {
     const struct edge *e = &s->dag->node[n].edge[i];
     return rational_mul(rational_mul(s->scale[n], e->coef), rational_inv(s->scale[e->node]));
+}
+
+bool schedule_has_numerator(const struct schedule *s, int n)
+{
+    const int uses = s->uses[n];
+    return s->dag->node[n].kind == NODE_INVERSE && uses > 1 && (uses - 1) * s->model->div >= uses * s->model->mul;
 }
 
 static int compare_addends(const void *a, const void *b)
@@ -114,12 +154,14 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     s->model = model;
     s->order = new_array(g->nodes, sizeof *s->order);
     s->uses = new_array(g->nodes, sizeof *s->uses);
+    s->stage = new_array(g->nodes, sizeof *s->stage);
     s->scale = new_array(g->nodes, sizeof *s->scale);
     for (size_t n = 0; n < g->nodes; n++) {
         s->scale[n] = ONE;
         edges += g->node[n].kind == NODE_SUM ? g->node[n].edges : 0;
     }
     order_nodes(s);
+    order_stages(s);
     if (search)
         s->work = scales_improve(s);
     for (s->terms = 16; s->terms < 2 * edges; s->terms *= 2)
@@ -138,5 +180,6 @@ void schedule_free(struct schedule *s)
     free(s->scale);
     free(s->order);
     free(s->uses);
+    free(s->stage);
     free(s);
 }

@@ -17,6 +17,7 @@ struct schedule {
     const struct cost_model *model; /* not owned */
     int *order;                     /* owned: used nodes, operands first */
     size_t n;
+    int *stage;               /* owned: by node; even for arithmetic, odd for choices, no operand's is higher */
     int *uses;                /* owned: by node, how many operands and outputs name it */
     rational *scale;          /* owned: by node; the emitted value is scale * the node's value */
     struct shared_term *term; /* owned: hash table, a power of 2 of places */
@@ -30,6 +31,9 @@ void schedule_free(struct schedule *s);
 
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */
 rational schedule_coefficient(const struct schedule *s, int n, size_t i);
+
+/** True if node n is an inverse that is computed once for several users: it may have any numerator. */
+bool schedule_has_numerator(const struct schedule *s, int n);
 
 /** A term of a sum: coef times the emitted value of an edge's node.  Terms with equal `like` have the same |coef|;
  * those of like 0 have nothing to share: constants, and terms of size ONE. */

@@ -29,12 +29,12 @@ enum {
                       * any length, never beyond the genome's own */
 };
 
-static const double TIE = 1e-3;   /* what all operations count where the longest chain is the cost */
-static const double BEHIND = 1.5; /* a shape that costs so many times the first one is given up */
-static const double HOT = 0.5;    /* multiplications by which annealing may go up at first */
+static const double TIE = 1e-3; /* what all operations count where the longest chain is the cost */
+static const double HOT = 0.5;  /* multiplications by which annealing may go up at first */
 
 struct shape {
     struct dag *dag; /* owned */
+    double behind;   /* given up if it costs so many times the first one */
     const char *what;
 };
 
@@ -89,12 +89,12 @@ void search_free(struct search *s)
     free(s);
 }
 
-void search_add(struct search *s, struct dag *g, const char *what)
+void search_add(struct search *s, struct dag *g, double behind, const char *what)
 {
     grow_array(&s->shape, s->shapes, &s->shape_room, sizeof *s->shape);
     if (s->shapes == 0)
         s->most_degree = dag_degree(g) > s->least_degree ? dag_degree(g) : s->least_degree;
-    s->shape[s->shapes++] = (struct shape){g, what};
+    s->shape[s->shapes++] = (struct shape){g, behind, what};
 }
 
 const struct dag *search_first(const struct search *s)
@@ -281,7 +281,7 @@ static void drop_shapes(struct search *s)
         struct candidate c = {.shape = i};
         if (s->work - work < s->limit / 20)
             evaluate(s, &c, NULL, 0);
-        if (c.estimate <= BEHIND * first.estimate)
+        if (c.estimate < s->shape[i].behind * first.estimate)
             s->shape[kept++] = s->shape[i];
         else
             dag_free(s->shape[i].dag);

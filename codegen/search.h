@@ -9,8 +9,9 @@ struct search;
 struct search *search_new(const struct genome_file *f, const struct compile_options *o);
 void search_free(struct search *s);
 
-/** Another shape of the same outputs; the graph becomes the search's.  `what` says in a few words how it was made. */
-void search_add(struct search *s, struct dag *g, const char *what);
+/** Another shape of the same outputs; the graph becomes the search's.  `what` says in a few words how it was made.  It is
+ *  given up if its first estimate is not below `behind` times that of the first shape. */
+void search_add(struct search *s, struct dag *g, double behind, const char *what);
 
 /** The shape that was added first. */
 const struct dag *search_first(const struct search *s);

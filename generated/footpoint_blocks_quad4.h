@@ -14,14 +14,14 @@
  *
  * footpoint_blocks_quad4_coarse
  *   genome_sha256: bf3d7c26338f071445fb21d0d76f6fc95c72885de5535e65e2e49a81148c79df
- *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
+ *   operations: 42 mul, 1 div, 49 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.54, 1.42], yC in [0.71, 1.52],
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 0.0044 (rounding error <= 6.6e-13)
- *   rounding error of xi: <= 5e-13 proved (with or without FMA), 1.4e-15 worst of 10000 points
- *   rounding error of eta: <= 4.5e-13 proved (with or without FMA), 1.5e-15 worst of 10000 points
+ *   poles: t38: proved free of zeros, |t38| >= 18 (rounding error <= 2.6e-09)
+ *   rounding error of xi: <= 4.7e-13 proved (with or without FMA), 1.3e-15 worst of 10000 points
+ *   rounding error of eta: <= 4.2e-13 proved (with or without FMA), 1.4e-15 worst of 10000 points
  *   training_xi: genes 1 mean 2.570e-04
  *   training_eta: genes 1 mean 2.615e-04
  *   heldout_xi: n 315 mean 1.207e-04 p99 6.769e-04 max 1.059e-03
@@ -31,15 +31,15 @@
  *
  * footpoint_blocks_quad4_balanced
  *   genome_sha256: cb85e50af08f99fd71a44b7561dc3d6bbdb38e3f9468b0f8c6d627785cc63c32
- *   operations: 73 mul, 2 div, 70 add, 0 sqrt, 0 compare; 45 temporaries
+ *   operations: 72 mul, 2 div, 70 add, 0 sqrt, 0 compare; 54 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.54, 1.42], yC in [0.71, 1.52],
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 0.0044 (rounding error <= 6.2e-13)
- *   poles: t39 * t39 + t41 * t44: proved free of zeros, |...| >= 0.05 (rounding error <= 2e-07)
- *   rounding error of xi: <= 1.1e-07 proved (with or without FMA), 2.8e-15 worst of 10000 points
- *   rounding error of eta: <= 9.5e-08 proved (with or without FMA), 3.7e-15 worst of 10000 points
+ *   poles: t38: proved free of zeros, |t38| >= 18 (rounding error <= 2.6e-09)
+ *   poles: t50 * t53 - t49 * t49: proved free of zeros, |...| >= 0.81 (rounding error <= 3e-06)
+ *   rounding error of xi: <= 9.8e-08 proved (with or without FMA), 3.5e-15 worst of 10000 points
+ *   rounding error of eta: <= 9e-08 proved (with or without FMA), 4.2e-15 worst of 10000 points
  *   training_xi: genes 1 mean 4.519e-08
  *   training_eta: genes 1 mean 4.403e-08
  *   heldout_xi: n 315 mean 6.267e-09 p99 6.447e-08 max 3.208e-07
@@ -49,15 +49,15 @@
  *
  * footpoint_blocks_quad4_accurate
  *   genome_sha256: e93492f39b0967005451e473d09e41a28c992e73eb3d7ece9cc45fceca2a8721
- *   operations: 91 mul, 3 div, 85 add, 0 sqrt, 0 compare; 58 temporaries
+ *   operations: 88 mul, 3 div, 85 add, 0 sqrt, 0 compare; 67 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.54, 1.42], yC in [0.71, 1.52],
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
- *   poles: t30: proved free of zeros, |t30| >= 0.0044 (rounding error <= 6.7e-13)
- *   poles: t37 * t45 - t43 * t43: proved free of zeros, |...| >= 0.05 (rounding error <= 5.3e-07)
- *   poles: t54 * t57 - t52 * t52: proved free of zeros, |...| >= 0.05 (rounding error <= 0.0011)
- *   rounding error of xi: no bound found, 2.6e-15 worst of 10000 points
+ *   poles: t39: proved free of zeros, |t39| >= 18 (rounding error <= 2.6e-09)
+ *   poles: t46 * t54 - t52 * t52: proved free of zeros, |...| >= 0.81 (rounding error <= 7.2e-06)
+ *   poles: t63 * t66 - t61 * t61: proved free of zeros, |...| >= 0.81 (rounding error <= 0.016)
+ *   rounding error of xi: no bound found, 2.8e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 2.1e-15 worst of 10000 points
  *   training_xi: genes 1 mean 1.061e-13
  *   training_eta: genes 1 mean 1.102e-13
@@ -171,42 +171,51 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 42 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_blocks_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                    const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (t1 - 2.0 * (xA[2] - xS[2])) + t3;
-    const double t15 = (t5 - 2.0 * (xA[1] - xS[1])) + t7;
-    const double t16 = t11 - (2.0 * (xA[0] - xS[0]) - t9);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t13 * t17 - t18 * t19;
-    const double t21 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t22 = t18 * t21 - t13 * t13;
-    const double t23 = t22 * t22;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = t23 + (t25 * t21 - t24 * t13) * t20;
-    const double t27 = t13 * t19 - t21 * t17;
-    const double t28 = (t24 * t18 - t25 * t13) * t27;
-    const double t29 = t22 * (t28 + t26);
-    const double t30 = 1.0 / t29;
-    *xi = t20 * t26 * t30;
-    *eta = t27 * (t23 + t28) * t30;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t2 - t1;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t5 - t4;
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t8 - t7;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t11 - t10;
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t14 - t13;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t4 - 4.0 * xS[2] + t5;
+    const double t21 = t10 - 4.0 * xS[1] + t11;
+    const double t22 = t16 - 4.0 * xS[0] + t17;
+    const double t23 = t6 * t20 + t12 * t21 + t18 * t22;
+    const double t24 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t25 = t3 * t20 + t9 * t21 + t15 * t22;
+    const double t26 = t24 * t25 - t19 * t23;
+    const double t27 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t28 = t27 * t24 - t19 * t19;
+    const double t29 = t28 * t28;
+    const double t30 = t1 + t2;
+    const double t31 = t7 + t8;
+    const double t32 = t13 + t14;
+    const double t33 = t30 * t3 + t31 * t9 + t32 * t15;
+    const double t34 = t30 * t6 + t31 * t12 + t32 * t18;
+    const double t35 = (t34 * t27 - t33 * t19) * t26;
+    const double t36 = t27 * t23 - t19 * t25;
+    const double t37 = (t33 * t24 - t34 * t19) * t36 - t29;
+    const double t38 = t28 * (t35 + t37);
+    const double t39 = 1.0 / t38;
+    *xi = t26 * (t35 - t29) * t39;
+    *eta = t36 * t37 * t39;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -245,68 +254,77 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_n(size_t n, const double *cons
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89627262456131385, 0.45969434561809663, 2.7039108803162634e-15, 2.3909455469337248e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0035021046623617009, -1.1307917370644485, 3.9540149675452719e-16, 2.7362460874376632e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389772231864731, 0.72914548167288518, 2.886416067511911e-15, 2.2299885094427755e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25154108595170083, 0.97906158517635056, 9.0960433320049945e-16, 3.2162676999731335e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1518206395220905, -0.95696634636119526, 2.4555586074467013e-15, 2.380113527675847e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.35808958808438207, -1.2059788231194037, 1.1645403067995378e-15, 3.0492237289289336e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5534303016965263, -0.49824939949565294, 3.3040383051733501e-15, 1.4629802537042418e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37886805297608522, -1.1033764470364822, 9.9520760283958302e-16, 2.8534548100436794e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89627262456131385, 0.45969434561809663, 3.4145678947687271e-15, 2.294449847368792e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0035021046623617009, -1.1307917370644485, 4.5111093623297498e-16, 2.1807546863690319e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389772231864731, 0.72914548167288518, 3.4017161354100458e-15, 1.8977409925057257e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25154108595170083, 0.97906158517635056, 9.6189223238291443e-16, 2.6932848317907026e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1518206395220905, -0.95696634636119526, 2.9913376509028113e-15, 2.0017390410798778e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.35808958808438207, -1.2059788231194037, 1.3133891363253847e-15, 2.5796824252000615e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5534303016965263, -0.49824939949565294, 4.0398497302800153e-15, 1.2550521197888598e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37886805297608522, -1.1033764470364822, 1.1393034021107823e-15, 2.2097545422087037e-15},
 };
 #endif
 
-/* 73 mul, 2 div, 70 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 72 mul, 2 div, 70 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_blocks_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                      const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = (xA[2] - xD[2]) + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = (xA[0] - xD[0]) + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[1] - xB[1];
-    const double t10 = 0.5 * (xD[1] - xC[1] - t9);
-    const double t11 = xA[1] - xD[1] + t10;
-    const double t12 = t9 + t10;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = t1 + t2 - 4.0 * xS[2];
+    const double t5 = xD[1] + xC[1];
+    const double t6 = xB[1] + xA[1];
+    const double t7 = t6 - t5;
+    const double t8 = t5 + t6 - 4.0 * xS[1];
+    const double t9 = xD[0] + xC[0];
+    const double t10 = xB[0] + xA[0];
+    const double t11 = t10 - t9;
+    const double t12 = t9 + t10 - 4.0 * xS[0];
     const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t3 + (t1 - 2.0 * (xA[2] - xS[2]));
-    const double t15 = t7 + (t5 - 2.0 * (xA[0] - xS[0]));
-    const double t16 = t9 - 2.0 * (xA[1] - xS[1]) + t11;
-    const double t17 = t2 * t4 + t10 * t12 + t6 * t8;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t4 + t12 * t12 + t8 * t8;
-    const double t20 = t18 * t19 - t13 * t13;
-    const double t21 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t22 = t21 * t19 - t17 * t13;
-    const double t23 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t24 = t3 * t14 + (t7 * t15 + t11 * t16);
-    const double t25 = t18 * t23 - t13 * t24;
-    const double t26 = t17 * t18 - t21 * t13;
-    const double t27 = t13 * t23 - t19 * t24;
-    const double t28 = t20 * t20 - t22 * t25 + t26 * t27;
-    const double t29 = t20 * t28;
-    const double t30 = 1.0 / t29;
-    const double t31 = t28 * t30;
-    const double t32 = t20 * t25 * t27 * t30;
-    const double t33 = t31 * (t25 - t26 * t32);
-    const double t34 = t31 * (t27 + t22 * t32);
-    const double t35 = t2 * t2 + t10 * t10 + t6 * t6;
-    const double t36 = t21 - t35 * t33;
-    const double t37 = t34 * t36;
-    const double t38 = t17 * t33 - t37;
-    const double t39 = t13 + (t2 * t14 + t6 * t15 + t10 * t16) - 2.0 * t38;
-    const double t40 = t24 + t33 * (t37 - t38);
-    const double t41 = t33 * (t21 + t36) - t18;
-    const double t42 = t17 + t35 * t34;
-    const double t43 = t23 + t34 * (t33 * t42 + t38);
-    const double t44 = t19 + t34 * (t17 + t42);
-    const double t45 = 1.0 / (t39 * t39 + t41 * t44);
-    *xi = -(t39 * t40 + t41 * t43) * t45;
-    *eta = (t44 * t40 - t39 * t43) * t45;
+    const double t14 = xC[2] - xD[2];
+    const double t15 = xA[2] - xB[2];
+    const double t16 = t15 - t14;
+    const double t17 = xC[1] - xD[1];
+    const double t18 = xA[1] - xB[1];
+    const double t19 = t18 - t17;
+    const double t20 = xC[0] - xD[0];
+    const double t21 = xA[0] - xB[0];
+    const double t22 = t21 - t20;
+    const double t23 = t3 * t16 + t7 * t19 + t11 * t22;
+    const double t24 = t3 * t3 + t7 * t7 + t11 * t11;
+    const double t25 = t16 * t16 + t19 * t19 + t22 * t22;
+    const double t26 = t24 * t25 - t23 * t23;
+    const double t27 = t14 + t15;
+    const double t28 = t17 + t18;
+    const double t29 = t20 + t21;
+    const double t30 = t16 * t27 + t19 * t28 + t22 * t29;
+    const double t31 = t3 * t27 + t7 * t28 + t11 * t29;
+    const double t32 = t31 * t25 - t30 * t23;
+    const double t33 = t16 * t4 + t19 * t8 + t22 * t12;
+    const double t34 = t24 * t33 - t23 * t13;
+    const double t35 = t30 * t24 - t31 * t23;
+    const double t36 = t25 * t13 - t23 * t33;
+    const double t37 = t32 * t34 - t26 * t26 + t35 * t36;
+    const double t38 = t26 * t37;
+    const double t39 = 1.0 / t38;
+    const double t40 = t37 * t39;
+    const double t41 = t26 * t36 * t34 * t39;
+    const double t42 = t40 * (t34 - t35 * t41);
+    const double t43 = t40 * (t36 - t32 * t41);
+    const double t44 = t27 * t27 + t28 * t28 + t29 * t29;
+    const double t45 = t31 - t44 * t42;
+    const double t46 = t43 * t45;
+    const double t47 = t30 * t42 + t46;
+    const double t48 = t13 - t42 * t46 - t42 * t47;
+    const double t49 = t27 * t4 + t28 * t8 + t29 * t12 + t23 - 2.0 * t47;
+    const double t50 = t24 - t42 * (t31 + t45);
+    const double t51 = t30 - t44 * t43;
+    const double t52 = t33 - t43 * t42 * t51 - t43 * t47;
+    const double t53 = t25 - t43 * (t30 + t51);
+    const double t54 = 1.0 / (t50 * t53 - t49 * t49);
+    *xi = (t50 * t52 - t48 * t49) * t54;
+    *eta = (t53 * t48 - t52 * t49) * t54;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -345,81 +363,90 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_n(size_t n, const double *co
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89871218319092372, 0.46362051504237911, 4.3361292992825088e-15, 3.8346658272035319e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184343293097471, -1.130797386241724, 5.3279274465320444e-16, 1.9046586348382061e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.240986974158242, 0.7270224027729707, 3.2868866014272607e-15, 3.0815216467584523e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25181207807067735, 0.97811576489467777, 1.2653214799338824e-15, 3.0239365471977257e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514706135318129, -0.9560799103768266, 2.5627791444107619e-15, 1.9987795276991722e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36759997153230511, -1.2029902167607374, 1.1075467887457439e-15, 2.3303166772160323e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626106951178, -0.49797410215405097, 3.4637322462373042e-15, 1.3599125425963424e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559132537601153, -1.1015748181760567, 1.30341322717864e-15, 2.0625428841624822e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89871218319092372, 0.46362051504237911, 4.8753099238899662e-15, 4.2907710185776482e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184343293097471, -1.130797386241724, 7.5033406790591387e-16, 2.1560353639482053e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.240986974158242, 0.7270224027729707, 3.1432466241459742e-15, 3.1070723008021262e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25181207807067735, 0.97811576489467777, 1.36630554157889e-15, 3.263424227266276e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514706135318129, -0.9560799103768266, 2.600784598726136e-15, 2.1708566266987403e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36759997153230511, -1.2029902167607374, 1.3541994435910089e-15, 2.6306440397896815e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626106951178, -0.49797410215405097, 3.3761416944927677e-15, 1.4211731412872642e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559132537601153, -1.1015748181760567, 1.3568068392166564e-15, 2.2922723253301482e-15},
 };
 #endif
 
-/* 91 mul, 3 div, 85 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 88 mul, 3 div, 85 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_blocks_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                      const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xB[2] - xA[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t2 - t1;
-    const double t5 = xB[1] - xA[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] + t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t6 - t5;
-    const double t9 = xB[0] - xA[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] + t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t10 - t9;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = 2.0 * (xS[2] - xA[2]) - t1 + t3;
-    const double t15 = 2.0 * (xS[1] - xA[1]) - t5 + t7;
-    const double t16 = 2.0 * (xS[0] - xA[0]) - t9 + t11;
-    const double t17 = t13 + (t2 * t14 + t6 * t15 + t10 * t16);
-    const double t18 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t19 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t20 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t21 = t18 * t19 - t20 * t13;
-    const double t22 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t23 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t24 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t25 = t23 * t24 - t13 * t22;
-    const double t26 = t19 * t23 - t13 * t13;
-    const double t27 = t20 * t23 - t18 * t13;
-    const double t28 = t19 * t22 - t13 * t24;
-    const double t29 = t26 * t26 - t21 * t25 - t27 * t28;
-    const double t30 = t26 * t29;
-    const double t31 = 1.0 / t30;
-    const double t32 = t29 * t31;
-    const double t33 = t26 * t25 * t28 * t31;
-    const double t34 = t32 * (t28 + t21 * t33);
-    const double t35 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t36 = t20 - t35 * t34;
-    const double t37 = t19 - t34 * (t20 + t36);
-    const double t38 = t32 * (t25 + t27 * t33);
-    const double t39 = t18 - t35 * t38;
-    const double t40 = t38 * t36;
-    const double t41 = t18 * t34 + t40;
-    const double t42 = t22 - t38 * (t34 * t39 + t41);
-    const double t43 = 2.0 * t41 - t17;
-    const double t44 = t24 - t34 * (t40 + t41);
-    const double t45 = t23 - t38 * (t18 + t39);
-    const double t46 = 1.0 / (t37 * t45 - t43 * t43);
-    const double t47 = (t37 * t42 + t43 * t44) * t46;
-    const double t48 = (t43 * t42 + t45 * t44) * t46;
-    const double t49 = t20 - t35 * t47;
-    const double t50 = t48 * t49;
-    const double t51 = t18 * t47 + t50;
-    const double t52 = t17 - 2.0 * t51;
-    const double t53 = t24 - t47 * (t50 + t51);
-    const double t54 = t19 - t47 * (t20 + t49);
-    const double t55 = t18 - t35 * t48;
-    const double t56 = t48 * (t47 * t55 + t51) - t22;
-    const double t57 = t23 - t48 * (t18 + t55);
-    const double t58 = 1.0 / (t54 * t57 - t52 * t52);
-    *xi = (t52 * t53 + t54 * t56) * t58;
-    *eta = -(t52 * t56 + t57 * t53) * t58;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t1 + t2;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t4 - 4.0 * xS[2] + t5;
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t7 + t8;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t10 - 4.0 * xS[1] + t11;
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t13 + t14;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t16 - 4.0 * xS[0] + t17;
+    const double t19 = t5 - t4;
+    const double t20 = t2 - t1;
+    const double t21 = t11 - t10;
+    const double t22 = t8 - t7;
+    const double t23 = t17 - t16;
+    const double t24 = t14 - t13;
+    const double t25 = t19 * t20 + t21 * t22 + t23 * t24;
+    const double t26 = t3 * t6 + t9 * t12 + t15 * t18 + t25;
+    const double t27 = t20 * t3 + t22 * t9 + t24 * t15;
+    const double t28 = t19 * t19 + t21 * t21 + t23 * t23;
+    const double t29 = t20 * t20 + t22 * t22 + t24 * t24;
+    const double t30 = t25 * t25 - t28 * t29;
+    const double t31 = t19 * t3 + t21 * t9 + t23 * t15;
+    const double t32 = t31 * t29 - t25 * t27;
+    const double t33 = t19 * t6 + t21 * t12 + t23 * t18;
+    const double t34 = t20 * t6 + t22 * t12 + t24 * t18;
+    const double t35 = t28 * t34 - t25 * t33;
+    const double t36 = t28 * t27 - t31 * t25;
+    const double t37 = t25 * t34 - t29 * t33;
+    const double t38 = t30 * t30 - t32 * t35 + t36 * t37;
+    const double t39 = t30 * t38;
+    const double t40 = 1.0 / t39;
+    const double t41 = t38 * t40;
+    const double t42 = t30 * t35 * t37 * t40;
+    const double t43 = t41 * (t35 - t36 * t42);
+    const double t44 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t45 = t31 + t44 * t43;
+    const double t46 = t28 + t43 * (t31 + t45);
+    const double t47 = t41 * (t37 + t32 * t42);
+    const double t48 = t27 - t44 * t47;
+    const double t49 = t47 * t45;
+    const double t50 = t27 * t43 - t49;
+    const double t51 = t34 + t47 * (t43 * t48 + t50);
+    const double t52 = t26 + 2.0 * t50;
+    const double t53 = t33 + t43 * (t49 - t50);
+    const double t54 = t29 - t47 * (t27 + t48);
+    const double t55 = 1.0 / (t46 * t54 - t52 * t52);
+    const double t56 = (t46 * t51 - t52 * t53) * t55;
+    const double t57 = (t54 * t53 - t52 * t51) * t55;
+    const double t58 = t31 - t44 * t56;
+    const double t59 = t57 * t58;
+    const double t60 = t27 * t56 + t59;
+    const double t61 = 2.0 * t60 - t26;
+    const double t62 = t33 - t56 * (t59 + t60);
+    const double t63 = t28 - t56 * (t31 + t58);
+    const double t64 = t27 - t44 * t57;
+    const double t65 = t34 - t57 * (t56 * t64 + t60);
+    const double t66 = t29 - t57 * (t27 + t64);
+    const double t67 = 1.0 / (t63 * t66 - t61 * t61);
+    *xi = (t61 * t62 + t63 * t65) * t67;
+    *eta = (t66 * t62 + t61 * t65) * t67;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -458,14 +485,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_n(size_t n, const double *co
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.8987263040775092, 0.46363480751365754, 4.4617925233585057e-15, 4.0670118541966543e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.004218435120746951, -1.1307974169046231, 6.3181679549329559e-16, 2.0305416928129578e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334135573, 0.72702034751867484, 3.1647868601700063e-15, 3.0697925219417682e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25181228599422839, 0.97811568791366155, 1.3504186851107188e-15, 3.2453465893395439e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704903045567, -0.95607982949118497, 2.492935139186893e-15, 2.111100946189161e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36762074613180673, -1.2029514492724971, 1.1548100606634343e-15, 2.4924249603873464e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626034483304, -0.4979740879830955, 3.2714589019739946e-15, 1.349277060018258e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559418638466913, -1.1015789727909562, 1.2194305676998162e-15, 2.1681853236252062e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.8987263040775092, 0.46363480751365754, 4.6291116436088253e-15, 4.1873285801287985e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.004218435120746951, -1.1307974169046231, 6.8598659958326564e-16, 2.0292529859753159e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334135573, 0.72702034751867484, 3.1130494550605156e-15, 3.0433775440420367e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25181228599422839, 0.97811568791366155, 1.294270759896143e-15, 3.1331477027173943e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704903045567, -0.95607982949118497, 2.5512145099449508e-15, 2.1108452150169582e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36762074613180673, -1.2029514492724971, 1.168164805339941e-15, 2.4919509111373477e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626034483304, -0.4979740879830955, 3.3430214147556403e-15, 1.3477330982045367e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559418638466913, -1.1015789727909562, 1.204656316690792e-15, 2.1680720271063858e-15},
 };
 #endif
 

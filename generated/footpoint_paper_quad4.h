@@ -14,14 +14,14 @@
  *
  * footpoint_paper_quad4_fast
  *   genome_sha256: dd28728a47180d74ea18065b10682ba499a0c289d20a269ac29ac3ce8d67b9d7
- *   operations: 32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 32 temporaries
+ *   operations: 32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t18 * t18 - t20 * t10: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   rounding error of xi: <= 6.3e-05 proved (with or without FMA), 1.1e-14 worst of 10000 points
- *   rounding error of eta: <= 6.8e-05 proved (with or without FMA), 1.5e-14 worst of 10000 points
+ *   rounding error of xi: <= 6.2e-05 proved (with or without FMA), 7.6e-15 worst of 10000 points
+ *   rounding error of eta: <= 6.7e-05 proved (with or without FMA), 1.1e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 7 mean 1.687e-02
@@ -33,14 +33,14 @@
  *
  * footpoint_paper_quad4_taper
  *   genome_sha256: cd84a89b66c154fcbf9ba2e5b417a6ceaa3c23fa549f838cb570d972aaa582ea
- *   operations: 49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 35 temporaries
+ *   operations: 47 mul, 1 div, 52 add, 0 sqrt, 5 compare; 40 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   rounding error of xi: no bound found, 1.1e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 9.1e-14 worst of 10000 points
+ *   poles: t13 * t13 - t18 * t20: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
+ *   rounding error of xi: no bound found, 1.4e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 8.1e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 9.886e-03
@@ -52,14 +52,14 @@
  *
  * footpoint_paper_quad4_newton1
  *   genome_sha256: d9260c33257c07438c4788fb81fd8b28afd4905909cba575d6164e5bf2b7e938
- *   operations: 76 mul, 2 div, 75 add, 0 sqrt, 10 compare; 60 temporaries
+ *   operations: 74 mul, 2 div, 75 add, 0 sqrt, 10 compare; 66 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t10 * t20 - t14 * t14: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles: t46: proved free of zeros, |t46| >= 1e-09 (rounding error <= 6.2e+76)
- *   rounding error of xi: no bound found, 2.1e-13 worst of 10000 points
+ *   poles: t49: proved free of zeros, |t49| >= 1e-09 (rounding error <= 5.7e+76)
+ *   rounding error of xi: no bound found, 2e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 7.7e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
@@ -72,16 +72,16 @@
  *
  * footpoint_paper_quad4_newton2
  *   genome_sha256: df68b5ad9da9c495f50e39ce56d92b0647ecbeb080bb32dc87c54c505d7e228f
- *   operations: 97 mul, 3 div, 93 add, 0 sqrt, 15 compare; 82 temporaries
+ *   operations: 95 mul, 3 div, 93 add, 0 sqrt, 15 compare; 87 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t10 * t20 - t14 * t14: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles: t47: proved free of zeros, |t47| >= 1e-09 (rounding error <= 1.2e+78)
- *   poles: t67: proved free of zeros, |t67| >= 1.5e-09
+ *   poles: t49: proved free of zeros, |t49| >= 1e-09 (rounding error <= 7.8e+77)
+ *   poles: t69: proved free of zeros, |t69| >= 1.5e-09
  *   rounding error of xi: no bound found, 8.2e-14 worst of 10000 points
- *   rounding error of eta: no bound found, 1.3e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 1.4e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 1.239e-04
@@ -93,7 +93,7 @@
  *
  * footpoint_paper_quad4_coarse
  *   genome_sha256: 75c61adadc2ddaaa60eff67c0f8be524670e5a31f51cd78d221cbf0062f0b5de
- *   operations: 60 mul, 1 div, 59 add, 0 sqrt, 13 compare; 51 temporaries
+ *   operations: 60 mul, 1 div, 59 add, 0 sqrt, 13 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
@@ -112,13 +112,13 @@
  *
  * footpoint_paper_quad4_balanced
  *   genome_sha256: 6588062e874e008dfb682559a7007bfc529abb1d62f35b49c57cc916e7f461c6
- *   operations: 100 mul, 2 div, 102 add, 0 sqrt, 34 compare; 103 temporaries
+ *   operations: 100 mul, 2 div, 102 add, 0 sqrt, 34 compare; 110 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles: t51 * t58 - t68 * t68: proved free of zeros, |...| >= 4e-08 (rounding error <= 1.2e+122)
+ *   poles: t57 * t59 - t72 * t72: proved free of zeros, |...| >= 4e-08 (rounding error <= 8e+121)
  *   rounding error of xi: no bound found, 1.8e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 1.5e-11 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
@@ -132,16 +132,16 @@
  *
  * footpoint_paper_quad4_accurate
  *   genome_sha256: fa9673cba18b52d89d086edd5430ff31391e2531b2dfec2830ad70893cfd12e4
- *   operations: 137 mul, 3 div, 142 add, 0 sqrt, 51 compare; 150 temporaries
+ *   operations: 137 mul, 3 div, 142 add, 0 sqrt, 51 compare; 157 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   poles: t51 * t58 - t68 * t68: proved free of zeros, |...| >= 4e-08 (rounding error <= 9.4e+123)
- *   poles: t112: proved free of zeros, |t112| >= 1.4e-09
- *   rounding error of xi: no bound found, 8.5e-12 worst of 9259 points
- *   rounding error of eta: no bound found, 5.5e-13 worst of 9259 points
+ *   poles: t57 * t59 - t72 * t72: proved free of zeros, |...| >= 4e-08 (rounding error <= 4.7e+123)
+ *   poles: t118: proved free of zeros, |t118| >= 1.4e-09
+ *   rounding error of xi: no bound found, 8.6e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 5.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 3.406e-05
@@ -260,39 +260,40 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[1] - xB[1];
-    const double t2 = xC[1] - xD[1] + t1;
+    const double t1 = xA[2] - xB[2];
+    const double t2 = xC[2] - xD[2] + t1;
     const double u1 = 0.25 * t2;
-    const double t3 = xA[1] - xD[1] - u1;
-    const double t4 = xA[2] - xB[2];
-    const double t5 = xC[2] - xD[2] + t4;
+    const double t3 = xA[2] - xD[2] - u1;
+    const double t4 = xA[1] - xB[1];
+    const double t5 = xC[1] - xD[1] + t4;
     const double u2 = 0.25 * t5;
-    const double t6 = xA[2] - xD[2] - u2;
+    const double t6 = xA[1] - xD[1] - u2;
     const double t7 = xA[0] - xB[0];
     const double t8 = xC[0] - xD[0] + t7;
     const double u3 = 0.25 * t8;
     const double t9 = xA[0] - xD[0] - u3;
     const double t10 = t3 * t3 + t6 * t6 + t9 * t9;
-    const double t11 = t7 - u3;
-    const double t12 = (xA[0] - xS[0]) - 0.25 * (t7 + t9);
-    const double t13 = t1 - u1;
-    const double t14 = (xA[1] - xS[1]) - 0.25 * (t1 + t3);
-    const double t15 = t4 - u2;
-    const double t16 = xA[2] - xS[2] - 0.25 * (t4 + t6);
+    const double t11 = t1 - u1;
+    const double t12 = (xA[2] - xS[2]) - 0.25 * (t1 + t3);
+    const double t13 = t4 - u2;
+    const double t14 = (xA[1] - xS[1]) - 0.25 * (t4 + t6);
+    const double t15 = t7 - u3;
+    const double t16 = (xA[0] - xS[0]) - 0.25 * (t7 + t9);
     const double t17 = t11 * t12 + t13 * t14 + t15 * t16;
-    const double t18 = t6 * t15 + t3 * t13 + t9 * t11;
-    const double t19 = t9 * t12 + t3 * t14 + t6 * t16;
-    const double t20 = t15 * t15 + t13 * t13 + t11 * t11;
+    const double t18 = t3 * t11 + t6 * t13 + t9 * t15;
+    const double t19 = t3 * t12 + t6 * t14 + t9 * t16;
+    const double t20 = t11 * t11 + t13 * t13 + t15 * t15;
     const double t21 = 1.0 / (t18 * t18 - t20 * t10);
     const double t22 = (t18 * t19 - t10 * t17) * t21;
-    const double t23 = (0.25 < t22 ? 0.25 : t22);
-    const double t24 = (-0.25 > t23 ? -0.25 : t23);
-    const double t25 = (t20 * t19 - t18 * t17) * t21;
-    const double u4 = -t25;
-    const double t26 = (0.25 < u4 ? 0.25 : u4);
-    const double t27 = (-0.25 > t26 ? -0.25 : t26);
-    const double t28 = t27 * (t24 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
-    *xi = -(t24 * (t27 - 2.0) + 0.5);
+    const double t23 = (t18 * t17 - t20 * t19) * t21;
+    double u4 = 0.25;
+    const double t24 = (u4 < t22 ? u4 : t22);
+    double u5 = -0.25;
+    const double t25 = (!(t24 <= u5) ? t24 : u5);
+    const double t26 = (u4 < t23 ? u4 : t23);
+    const double t27 = (!(t26 <= u5) ? t26 : u5);
+    const double t28 = t27 * (t25 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
+    *xi = -(t25 * (t27 - 2.0) + 0.5);
     *eta = -1.443034844 * t28;
 }
 
@@ -348,56 +349,61 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x
 static const double footpoint_paper_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.0625, -1.09018967775, 2.9837243786802477e-16, 5.3769229091804807e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3513525327245735e-16, 2.8116086760184018e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983425e-16, 2.811626997030751e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.0625, -0.090189677750000002, 6.2450045135171033e-17, 1.577579888390067e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.0625, -0.90981032225000003, 7.6327832942987068e-17, 4.5274615568102511e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.4580325123531848e-15, 6.8978737874160464e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.4797928365232744e-15, 4.2498583456827634e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.370116209169433e-15, 6.7569112442495791e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056937e-15, 4.347011532545874e-16},
 };
 #endif
 
-/* 49 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 47 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = 0.25 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
+    const double t3 = xD[2] - xA[2] - t2;
     const double t4 = t1 + t2;
     const double t5 = xA[1] - xB[1];
     const double t6 = 0.25 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
+    const double t7 = xD[1] - xA[1] - t6;
     const double t8 = t5 + t6;
     const double t9 = xA[0] - xB[0];
     const double t10 = 0.25 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
+    const double t11 = xD[0] - xA[0] - t10;
     const double t12 = t9 + t10;
     const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t1 - 4.0 * (xA[2] - xS[2]) + t3;
-    const double t15 = t5 - 4.0 * (xA[1] - xS[1]) + t7;
-    const double t16 = t9 - 4.0 * (xA[0] - xS[0]) + t11;
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
+    const double t14 = (xA[2] - xS[2]) - 0.25 * (t1 - t3);
+    const double t15 = 0.25 * (t9 - t11) - (xA[0] - xS[0]);
+    const double t16 = xA[1] - xS[1] - 0.25 * (t5 - t7);
+    const double t17 = t11 * t15 - t3 * t14 - t7 * t16;
     const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
+    const double t19 = t4 * t14 - t12 * t15 + t8 * t16;
     const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
-    const double t22 = (t18 * t19 - t13 * t17) * t21;
+    const double t21 = 2.0 / (t13 * t13 - t18 * t20);
+    const double t22 = (t13 * t17 + t18 * t19) * t21;
     const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
     const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = (t20 * t17 - t13 * t19) * t21;
-    const double t26 = (t24 * t18 - t23 * t13) * t21 * t25;
+    const double t25 = (t20 * t17 + t13 * t19) * t21;
+    const double t26 = (t23 * t13 - t24 * t18) * t21 * t25;
     const double t27 = (t23 * t20 - t24 * t13) * t21 * t22;
     const double t28 = t27 + 1.0 + t26;
-    const double t29 = (0.6 > t28 ? 0.6 : t28);
-    const double t30 = t22 * (t26 * t29 + 1.0) + 1.0;
-    const double u1 = -0.5 * t30;
-    const double t31 = (0.0 < u1 ? 0.0 : u1);
-    const double t32 = t25 * (t27 * t29 + 1.0) + 1.0;
-    const double u2 = -0.5 * t32;
-    const double t33 = (0.0 < u2 ? 0.0 : u2);
-    *xi = (-1.0 > t31 ? -1.0 : t31);
-    *eta = (-1.0 > t33 ? -1.0 : t33);
+    double u1 = 0.6;
+    const double t29 = (u1 > t28 ? u1 : t28);
+    const double t30 = t22 * (t26 * t29 + 1.0) + 0.5;
+    const double t31 = t25 * (t27 * t29 + 1.0) + 0.5;
+    const double u2 = -t30;
+    double u3 = 0.0;
+    const double t32 = (u3 < u2 ? u3 : u2);
+    double u4 = -1.0;
+    const double t33 = (!(t32 <= u4) ? t32 : u4);
+    const double u5 = -t31;
+    const double t34 = (u3 < u5 ? u3 : u5);
+    const double t35 = (!(t34 <= u4) ? t34 : u4);
+    *xi = t33;
+    *eta = t35;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -451,17 +457,17 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98511773079722809, -1, 2.4300969661480205e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22030682964152024, 0, 7.2340366569724932e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98511773079722809, -1, 2.3796010699382019e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22030682964152024, 0, 7.1890489903477466e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.2077108029802541, -0.43273142132960285, 1.8742768413585536e-14, 3.9308261833743767e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.31623701154788547, -1, 9.8315991826179331e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.63062225585464771, 0, 2.4162072434190505e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.2077108029802541, -0.43273142132960285, 1.8456575745862447e-14, 3.8982308034917877e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.31623701154788547, -1, 9.9655472636224991e-16, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.63062225585464771, 0, 2.3439801272621212e-15, 9.8813129168249309e-324},
 };
 #endif
 
-/* 76 mul, 2 div, 75 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 74 mul, 2 div, 75 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_paper_quad4_newton1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                    const double xS[3], double *xi, double *eta)
 {
@@ -496,37 +502,43 @@ FOOTPOINT_FN void footpoint_paper_quad4_newton1_at(const double xA[3], const dou
     const double t26 = (t24 * t10 - t23 * t14) * t21 * t25;
     const double t27 = (t23 * t20 - t24 * t14) * t21 * t22;
     const double t28 = t27 + 1.0 + t26;
-    const double t29 = (0.6 > t28 ? 0.6 : t28);
-    const double t30 = t22 * (t26 * t29 + 1.0);
-    const double t31 = (0.25 < t30 ? 0.25 : t30);
-    const double t32 = (-0.25 > t31 ? -0.25 : t31);
-    const double t33 = t2 * t2 + t5 * t5 + t8 * t8;
-    const double t34 = t23 - t33 * t32;
-    const double t35 = t10 - t32 * (t23 + t34);
-    const double t36 = t25 * (t27 * t29 + 1.0);
-    const double t37 = (0.25 < t36 ? 0.25 : t36);
-    const double t38 = (-0.25 > t37 ? -0.25 : t37);
-    const double t39 = t24 - t33 * t38;
-    const double t40 = t20 - t38 * (t24 + t39);
-    const double t41 = t35 * t40;
-    const double t42 = t38 * t34;
-    const double t43 = t24 * t32 + t42;
-    const double t44 = t14 + (t2 * t15 + t5 * t16 + t8 * t17) - 2.0 * t43;
-    const double t45 = t41 - t44 * t44;
-    const double u4 = 0.02 * t41;
-    const double t46 = (t45 > u4 ? t45 : u4);
-    const double t47 = 1.0 / t46;
-    const double t48 = t18 - t32 * (t42 + t43);
-    const double t49 = t19 - t38 * (t32 * t39 + t43);
-    const double t50 = t45 - t46;
-    const double t51 = t47 * (t35 * t49 - t44 * t48 - t32 * t50) - 0.25;
-    const double u5 = 2.0 * t51;
-    const double t52 = (0.0 < u5 ? 0.0 : u5);
-    const double t53 = t47 * (t40 * t48 - t44 * t49 - t38 * t50) - 0.25;
-    const double u6 = 2.0 * t53;
-    const double t54 = (0.0 < u6 ? 0.0 : u6);
-    *xi = (-1.0 > t52 ? -1.0 : t52);
-    *eta = (-1.0 > t54 ? -1.0 : t54);
+    const double t29 = t2 * t2 + t5 * t5 + t8 * t8;
+    const double t30 = t2 * t15 + t5 * t16 + t8 * t17;
+    double u4 = 0.6;
+    const double t31 = (u4 > t28 ? u4 : t28);
+    const double t32 = t22 * (t26 * t31 + 1.0);
+    const double t33 = t25 * (t27 * t31 + 1.0);
+    double u5 = 0.25;
+    const double t34 = (u5 < t32 ? u5 : t32);
+    double u6 = -0.25;
+    const double t35 = (u6 > t34 ? u6 : t34);
+    const double t36 = (u5 < t33 ? u5 : t33);
+    const double t37 = (u6 > t36 ? u6 : t36);
+    const double t38 = t23 - t29 * t35;
+    const double t39 = t10 - t35 * (t23 + t38);
+    const double t40 = t24 - t29 * t37;
+    const double t41 = t20 - t37 * (t24 + t40);
+    const double t42 = t39 * t41;
+    const double t43 = t37 * t38;
+    const double t44 = t24 * t35 + t43;
+    const double t45 = t14 + t30 - 2.0 * t44;
+    const double t46 = t42 - t45 * t45;
+    const double t47 = t18 - t35 * (t43 + t44);
+    const double t48 = t19 - t37 * (t35 * t40 + t44);
+    const double u7 = 0.02 * t42;
+    const double t49 = (t46 > u7 ? t46 : u7);
+    const double t50 = 2.0 / t49;
+    const double t51 = t46 - t49;
+    const double t52 = t50 * (t39 * t48 - t45 * t47 - t35 * t51) - 0.5;
+    const double t53 = t50 * (t41 * t47 - t45 * t48 - t37 * t51) - 0.5;
+    double u8 = 0.0;
+    const double t54 = (u8 < t52 ? u8 : t52);
+    double u9 = -1.0;
+    const double t55 = (!(t54 <= u9) ? t54 : u9);
+    const double t56 = (u8 < t53 ? u8 : t53);
+    const double t57 = (!(t56 <= u9) ? t56 : u9);
+    *xi = t55;
+    *eta = t57;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -581,16 +593,16 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_newton1_n(size_t n, const double *cons
 static const double footpoint_paper_quad4_newton1_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24140387133577426, 0, 9.1712155683100288e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.0014374354981709e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24140387133577426, 0, 9.1712155683100031e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.0014374354981681e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27124510001223073, -1, 1.3295642914004798e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27124510001223073, -1, 1.3295642914004757e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
 
-/* 97 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 95 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_paper_quad4_newton2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                    const double xS[3], double *xi, double *eta)
 {
@@ -625,59 +637,64 @@ FOOTPOINT_FN void footpoint_paper_quad4_newton2_at(const double xA[3], const dou
     const double t26 = (t24 * t10 - t23 * t14) * t21 * t25;
     const double t27 = (t23 * t20 - t24 * t14) * t21 * t22;
     const double t28 = t27 + 1.0 + t26;
-    const double t29 = (0.6 > t28 ? 0.6 : t28);
-    const double t30 = t22 * (t26 * t29 + 1.0);
-    const double t31 = (0.25 < t30 ? 0.25 : t30);
-    const double t32 = (-0.25 > t31 ? -0.25 : t31);
-    const double t33 = t2 * t2 + t5 * t5 + t8 * t8;
-    const double t34 = t23 - t33 * t32;
-    const double t35 = t10 - t32 * (t23 + t34);
-    const double t36 = t25 * (t27 * t29 + 1.0);
-    const double t37 = (0.25 < t36 ? 0.25 : t36);
-    const double t38 = (-0.25 > t37 ? -0.25 : t37);
-    const double t39 = t24 - t33 * t38;
-    const double t40 = t20 - t38 * (t24 + t39);
-    const double t41 = t35 * t40;
-    const double t42 = t14 + (t2 * t15 + t5 * t16 + t8 * t17);
-    const double t43 = t38 * t34;
-    const double t44 = t24 * t32 + t43;
-    const double t45 = t42 - 2.0 * t44;
-    const double t46 = t41 - t45 * t45;
-    const double u4 = 0.02 * t41;
-    const double t47 = (t46 > u4 ? t46 : u4);
-    const double t48 = 1.0 / t47;
-    const double t49 = t18 - t32 * (t43 + t44);
-    const double t50 = t19 - t38 * (t32 * t39 + t44);
-    const double t51 = t46 - t47;
-    const double t52 = t48 * (t35 * t50 - t45 * t49 - t32 * t51);
-    const double t53 = (0.25 < t52 ? 0.25 : t52);
-    const double t54 = (-0.25 > t53 ? -0.25 : t53);
-    const double t55 = t23 - t33 * t54;
-    const double t56 = t10 - t54 * (t23 + t55);
-    const double t57 = t48 * (t40 * t49 - t45 * t50 - t38 * t51);
-    const double t58 = (0.25 < t57 ? 0.25 : t57);
-    const double t59 = (-0.25 > t58 ? -0.25 : t58);
-    const double t60 = t24 - t33 * t59;
-    const double t61 = t20 - t59 * (t24 + t60);
-    const double t62 = t56 * t61;
-    const double t63 = t59 * t55;
-    const double t64 = t24 * t54 + t63;
-    const double t65 = t42 - 2.0 * t64;
+    const double t29 = t2 * t2 + t5 * t5 + t8 * t8;
+    const double t30 = t14 + (t2 * t15 + t5 * t16 + t8 * t17);
+    double u4 = 0.6;
+    const double t31 = (u4 > t28 ? u4 : t28);
+    const double t32 = t22 * (t26 * t31 + 1.0);
+    const double t33 = t25 * (t27 * t31 + 1.0);
+    double u5 = 0.25;
+    const double t34 = (u5 < t32 ? u5 : t32);
+    double u6 = -0.25;
+    const double t35 = (u6 > t34 ? u6 : t34);
+    const double t36 = (u5 < t33 ? u5 : t33);
+    const double t37 = (u6 > t36 ? u6 : t36);
+    const double t38 = t23 - t29 * t35;
+    const double t39 = t10 - t35 * (t23 + t38);
+    const double t40 = t24 - t29 * t37;
+    const double t41 = t20 - t37 * (t24 + t40);
+    const double t42 = t39 * t41;
+    const double t43 = t37 * t38;
+    const double t44 = t24 * t35 + t43;
+    const double t45 = t30 - 2.0 * t44;
+    const double t46 = t42 - t45 * t45;
+    const double t47 = t18 - t35 * (t43 + t44);
+    const double t48 = t19 - t37 * (t35 * t40 + t44);
+    const double u7 = 0.02 * t42;
+    const double t49 = (t46 > u7 ? t46 : u7);
+    const double t50 = 1.0 / t49;
+    const double t51 = t46 - t49;
+    const double t52 = t50 * (t39 * t48 - t45 * t47 - t35 * t51);
+    const double t53 = t50 * (t41 * t47 - t45 * t48 - t37 * t51);
+    const double t54 = (u5 < t52 ? u5 : t52);
+    const double t55 = (u6 > t54 ? u6 : t54);
+    const double t56 = (u5 < t53 ? u5 : t53);
+    const double t57 = (u6 > t56 ? u6 : t56);
+    const double t58 = t23 - t29 * t55;
+    const double t59 = t10 - t55 * (t23 + t58);
+    const double t60 = t24 - t29 * t57;
+    const double t61 = t20 - t57 * (t24 + t60);
+    const double t62 = t59 * t61;
+    const double t63 = t57 * t58;
+    const double t64 = t24 * t55 + t63;
+    const double t65 = t30 - 2.0 * t64;
     const double t66 = t62 - t65 * t65;
-    const double u5 = 0.02 * t62;
-    const double t67 = (t66 > u5 ? t66 : u5);
-    const double t68 = 1.0 / t67;
-    const double t69 = t18 - t54 * (t63 + t64);
-    const double t70 = t19 - t59 * (t54 * t60 + t64);
-    const double t71 = t66 - t67;
-    const double t72 = t68 * (t56 * t70 - t65 * t69 - t54 * t71) - 0.25;
-    const double u6 = 2.0 * t72;
-    const double t73 = (0.0 < u6 ? 0.0 : u6);
-    const double t74 = t68 * (t61 * t69 - t65 * t70 - t59 * t71) - 0.25;
-    const double u7 = 2.0 * t74;
-    const double t75 = (0.0 < u7 ? 0.0 : u7);
-    *xi = (-1.0 > t73 ? -1.0 : t73);
-    *eta = (-1.0 > t75 ? -1.0 : t75);
+    const double t67 = t18 - t55 * (t63 + t64);
+    const double t68 = t19 - t57 * (t55 * t60 + t64);
+    const double u8 = 0.02 * t62;
+    const double t69 = (t66 > u8 ? t66 : u8);
+    const double t70 = 2.0 / t69;
+    const double t71 = t66 - t69;
+    const double t72 = t70 * (t59 * t68 - t65 * t67 - t55 * t71) - 0.5;
+    const double t73 = t70 * (t61 * t67 - t65 * t68 - t57 * t71) - 0.5;
+    double u9 = 0.0;
+    const double t74 = (u9 < t72 ? u9 : t72);
+    double u10 = -1.0;
+    const double t75 = (!(t74 <= u10) ? t74 : u10);
+    const double t76 = (u9 < t73 ? u9 : t73);
+    const double t77 = (!(t76 <= u10) ? t76 : u10);
+    *xi = t75;
+    *eta = t77;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -730,14 +747,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_newton2_n(size_t n, const double *cons
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_newton2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.89064515330129657, 1.110223024625157e-16, 2.2312564536085939e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 7.0968160846079534e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23120099721652182, 0, 1.0340188249971962e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.2933759578715644, 0, 1.8859217737697542e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.89064515330129657, 1.110223024625157e-16, 2.2312564536085899e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 7.0968160846079487e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23120099721652182, 0, 1.0340188249971915e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.2933759578715644, 0, 1.8859217737697388e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29867317151099543, -1, 1.6380930055744351e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.34735492450535199, 0, 3.40964242231983e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29867317151099543, -1, 1.63809300557443e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.34735492450535199, 0, 3.409642422319828e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -770,34 +787,41 @@ FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const doub
     const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
     const double t21 = 1.0 / (t13 * t13 - t18 * t20);
     const double t22 = (t13 * t17 - t18 * t19) * t21;
-    const double t23 = (t20 * t17 - t13 * t19) * t21;
+    const double t23 = (t13 * t19 - t20 * t17) * t21;
     const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
     const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
     const double t26 = (t25 * t13 - t18 * t24) * t21;
     const double t27 = t23 * t26;
     const double t28 = (t25 * t20 - t24 * t13) * t21;
     const double t29 = t28 * t22;
-    const double t30 = t29 - 1.0 + t27;
-    const double u4 = -t30;
-    const double t31 = (0.6 > u4 ? 0.6 : u4);
-    const double t32 = t22 * (t27 * t31 - 1.0);
-    const double u5 = -t32;
-    const double t33 = (0.25 < u5 ? 0.25 : u5);
-    const double t34 = (-0.25 > t33 ? -0.25 : t33);
-    const double t35 = t21 * (t2 * t14 + t6 * t15 + t10 * t16 + t17 * t28 - t19 * t26);
-    const double t36 = t23 * (t29 * t31 - 1.0);
-    const double t37 = (0.25 < t36 ? 0.25 : t36);
-    const double t38 = (-0.25 > t37 ? -0.25 : t37);
-    const double t39 = t18 * t35 * t38;
-    const double t40 = (0.075 < t39 ? 0.075 : t39);
-    const double t41 = t34 + (-0.075 > t40 ? -0.075 : t40);
-    const double t42 = (0.25 < t41 ? 0.25 : t41);
-    const double t43 = t35 * (t20 * t34 - t13 * t38);
-    const double t44 = (0.075 < t43 ? 0.075 : t43);
-    const double t45 = t38 + (-0.075 > t44 ? -0.075 : t44);
-    const double t46 = (0.25 < t45 ? 0.25 : t45);
-    *xi = 2.0 * ((-0.25 > t42 ? -0.25 : t42) - 0.25);
-    *eta = 2.0 * ((-0.25 > t46 ? -0.25 : t46) - 0.25);
+    const double t30 = t27 + 1.0 - t29;
+    const double t31 = t21 * (t2 * t14 + t6 * t15 + t10 * t16 + t17 * t28 - t19 * t26);
+    double u4 = 0.6;
+    const double t32 = (u4 > t30 ? u4 : t30);
+    const double t33 = t22 * (t27 * t32 + 1.0);
+    const double t34 = t23 * (1.0 - t29 * t32);
+    double u5 = 0.25;
+    const double t35 = (u5 < t33 ? u5 : t33);
+    double u6 = -0.25;
+    const double t36 = (u6 > t35 ? u6 : t35);
+    const double t37 = (u5 < t34 ? u5 : t34);
+    const double t38 = (u6 > t37 ? u6 : t37);
+    const double t39 = t18 * t31 * t38;
+    const double t40 = t31 * (t20 * t36 - t13 * t38);
+    double u7 = 0.075;
+    const double t41 = (u7 < t39 ? u7 : t39);
+    double u8 = -0.075;
+    const double t42 = (u8 > t41 ? u8 : t41);
+    const double t43 = (u7 < t40 ? u7 : t40);
+    const double t44 = (u8 > t43 ? u8 : t43);
+    const double t45 = t36 + t42;
+    const double t46 = t38 + t44;
+    const double t47 = (u5 < t45 ? u5 : t45);
+    const double t48 = (!(t47 <= u6) ? t47 : u6);
+    const double t49 = (u5 < t46 ? u5 : t46);
+    const double t50 = (!(t49 <= u6) ? t49 : u6);
+    *xi = 2.0 * (t48 - 0.25);
+    *eta = 2.0 * (t50 - 0.25);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -851,13 +875,13 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.99454269876060708, -0.009419332158369256, 3.005846159548035e-14, 5.1460221577980917e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98947297499683495, -1, 2.4665934063361437e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22593361298873954, -0.012488609683776452, 7.6086191393702152e-16, 3.3889385967150305e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98947297499683495, -1, 2.4386106997067223e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22593361298873954, -0.012488609683776452, 7.6086191393702103e-16, 3.3889385967150305e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -0.98258681631141831, -0.080013110723799089, 6.4010087502484049e-15, 2.8247142990827598e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.21032367589664211, -0.47843691478932032, 2.0546334414603389e-14, 4.2292638851562038e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.26195730925986482, -1, 1.094935916789085e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.63580143828854085, 0, 3.5417436032597417e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.21032367589664211, -0.47843691478932032, 2.0546334414603379e-14, 4.2292638851562032e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.26195730925986482, -1, 1.0891857505664073e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.63580143828854085, 0, 3.5417436032597405e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -866,10 +890,10 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
+    const double t2 = xD[2] - xC[2] - t1;
     const double u1 = 0.25 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
+    const double t3 = xA[2] - xD[2] + u1;
+    const double t4 = t1 + u1;
     const double t5 = xA[1] - xB[1];
     const double t6 = xC[1] - xD[1] + t5;
     const double u2 = 0.25 * t6;
@@ -890,86 +914,93 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
     const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
     const double t21 = 1.0 / (t18 * t20 - t13 * t13);
     const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
+    const double t23 = t6 * t7 - t2 * t3 + t10 * t11;
+    const double t24 = t6 * t8 - t2 * t4 + t10 * t12;
     const double t25 = (t24 * t18 - t23 * t13) * t21;
     const double t26 = (t20 * t17 - t13 * t19) * t21;
     const double t27 = t25 * t26;
     const double t28 = (t23 * t20 - t24 * t13) * t21;
     const double t29 = t28 * t22;
     const double t30 = t29 + 1.0 + t27;
-    const double t31 = (0.6 > t30 ? 0.6 : t30);
-    const double t32 = t22 * (t27 * t31 + 1.0);
-    const double t33 = (0.25 < t32 ? 0.25 : t32);
-    const double t34 = (-0.25 > t33 ? -0.25 : t33);
-    const double t35 = t2 * t14 + t6 * t15 + t10 * t16;
-    const double t36 = t21 * (t35 - t17 * t28 - t19 * t25);
-    const double t37 = t26 * (t29 * t31 + 1.0);
-    const double t38 = (0.25 < t37 ? 0.25 : t37);
-    const double t39 = (-0.25 > t38 ? -0.25 : t38);
-    const double t40 = t18 * t36 * t39;
-    const double u4 = -t40;
-    const double t41 = (0.075 < u4 ? 0.075 : u4);
-    const double t42 = t34 + (-0.075 > t41 ? -0.075 : t41);
-    const double t43 = (0.25 < t42 ? 0.25 : t42);
-    const double t44 = (-0.25 > t43 ? -0.25 : t43);
-    const double t45 = t44 - 0.25;
-    const double t46 = (-0.25 > t45 ? -0.25 : t45);
-    const double t47 = t44 + 0.25;
-    const double t48 = (0.25 < t47 ? 0.25 : t47);
-    const double t49 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t50 = t23 - t49 * t44;
-    const double t51 = t18 - t44 * (t23 + t50);
-    const double t52 = t36 * (t20 * t34 - t13 * t39);
-    const double u5 = -t52;
-    const double t53 = (0.075 < u5 ? 0.075 : u5);
-    const double t54 = t39 + (-0.075 > t53 ? -0.075 : t53);
-    const double t55 = (0.25 < t54 ? 0.25 : t54);
-    const double t56 = (-0.25 > t55 ? -0.25 : t55);
-    const double t57 = t24 - t49 * t56;
-    const double t58 = t20 - t56 * (t24 + t57);
-    const double t59 = t50 * t56;
-    const double t60 = t24 * t44 + t59;
-    const double t61 = t13 - t60;
-    const double t62 = fabs(t61);
-    const double t63 = (t58 < t51 ? t58 : t51);
-    const double u6 = 0.98 * t63;
-    const double t64 = (t62 > u6 ? t62 : u6);
-    const double t65 = t13 + t35;
-    const double t66 = t65 - 2.0 * t60;
-    const double t67 = (t64 < t66 ? t64 : t66);
-    const double u7 = -t64;
-    const double t68 = (u7 > t67 ? u7 : t67);
-    const double t69 = 1.0 / (t51 * t58 - t68 * t68);
-    const double t70 = t60 + t66 - t68;
-    const double t71 = t17 - t44 * (t59 + t70);
-    const double t72 = t19 - t56 * (t44 * t57 + t70);
-    const double t73 = t69 * (t51 * t72 - t68 * t71);
-    const double t74 = (t48 < t73 ? t48 : t73);
-    const double t75 = (t46 > t74 ? t46 : t74);
-    const double t76 = t75 - 0.04;
-    const double t77 = (-0.25 > t76 ? -0.25 : t76);
-    const double t78 = t75 + 0.04;
-    const double t79 = (0.25 < t78 ? 0.25 : t78);
-    const double t80 = t56 - 0.25;
-    const double t81 = (-0.25 > t80 ? -0.25 : t80);
-    const double t82 = t56 + 0.25;
-    const double t83 = (0.25 < t82 ? 0.25 : t82);
-    const double t84 = t69 * (t58 * t71 - t68 * t72);
-    const double t85 = (t83 < t84 ? t83 : t84);
-    const double t86 = (t81 > t85 ? t81 : t85);
-    const double t87 = t17 - t75 * (t65 - t24 * t75) - t86 * (t18 - t75 * (2.0 * t23 - t49 * t75));
-    const double t88 = t19 - t86 * (t65 - t23 * t86) - t75 * (t20 - t86 * (2.0 * t24 - t49 * t86));
-    const double t89 = t75 + t69 * (t51 * t88 - t68 * t87);
-    const double t90 = (t79 < t89 ? t79 : t89);
-    const double t91 = t86 - 0.04;
-    const double t92 = (-0.25 > t91 ? -0.25 : t91);
-    const double t93 = t86 + 0.04;
-    const double t94 = (0.25 < t93 ? 0.25 : t93);
-    const double t95 = t86 + t69 * (t58 * t87 - t68 * t88);
-    const double t96 = (t94 < t95 ? t94 : t95);
-    *xi = 2.0 * ((t77 > t90 ? t77 : t90) - 0.25);
-    *eta = 2.0 * ((t92 > t96 ? t92 : t96) - 0.25);
+    const double t31 = t2 * t14 - t6 * t15 - t10 * t16;
+    const double t32 = t21 * (t31 + t17 * t28 + t19 * t25);
+    const double t33 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t34 = t13 - t31;
+    double u4 = 0.6;
+    const double t35 = (u4 > t30 ? u4 : t30);
+    const double t36 = t22 * (t27 * t35 + 1.0);
+    const double t37 = t26 * (t29 * t35 + 1.0);
+    double u5 = 0.25;
+    const double t38 = (u5 < t36 ? u5 : t36);
+    double u6 = -0.25;
+    const double t39 = (u6 > t38 ? u6 : t38);
+    const double t40 = (u5 < t37 ? u5 : t37);
+    const double t41 = (u6 > t40 ? u6 : t40);
+    const double t42 = t18 * t32 * t41;
+    const double t43 = t32 * (t20 * t39 - t13 * t41);
+    double u7 = 0.075;
+    const double t44 = (u7 < t42 ? u7 : t42);
+    double u8 = -0.075;
+    const double t45 = (u8 > t44 ? u8 : t44);
+    const double t46 = (u7 < t43 ? u7 : t43);
+    const double t47 = (u8 > t46 ? u8 : t46);
+    const double t48 = t39 + t45;
+    const double t49 = t41 + t47;
+    const double t50 = (u5 < t48 ? u5 : t48);
+    const double t51 = (u6 > t50 ? u6 : t50);
+    const double t52 = (u5 < t49 ? u5 : t49);
+    const double t53 = (u6 > t52 ? u6 : t52);
+    const double t54 = t51 - 0.25;
+    const double t55 = t51 + 0.25;
+    const double t56 = t23 - t33 * t51;
+    const double t57 = t18 - t51 * (t23 + t56);
+    const double t58 = t24 - t33 * t53;
+    const double t59 = t20 - t53 * (t24 + t58);
+    const double t60 = t56 * t53;
+    const double t61 = t24 * t51 + t60;
+    const double t62 = t13 - t61;
+    const double t63 = fabs(t62);
+    const double t64 = t34 - 2.0 * t61;
+    const double t65 = t53 - 0.25;
+    const double t66 = t53 + 0.25;
+    const double t67 = (u6 > t54 ? u6 : t54);
+    const double t68 = (u5 < t55 ? u5 : t55);
+    const double t69 = (t59 < t57 ? t59 : t57);
+    const double u9 = 0.98 * t69;
+    const double t70 = (t63 > u9 ? t63 : u9);
+    const double t71 = (t70 < t64 ? t70 : t64);
+    const double u10 = -t70;
+    const double t72 = (u10 > t71 ? u10 : t71);
+    const double t73 = (u6 > t65 ? u6 : t65);
+    const double t74 = (u5 < t66 ? u5 : t66);
+    const double t75 = 1.0 / (t57 * t59 - t72 * t72);
+    const double t76 = t61 + t64 - t72;
+    const double t77 = t17 - t51 * (t60 + t76);
+    const double t78 = t19 - t53 * (t51 * t58 + t76);
+    const double t79 = t75 * (t57 * t78 - t72 * t77);
+    const double t80 = t75 * (t59 * t77 - t72 * t78);
+    const double t81 = (t68 < t79 ? t68 : t79);
+    const double t82 = (t67 > t81 ? t67 : t81);
+    const double t83 = (t74 < t80 ? t74 : t80);
+    const double t84 = (t73 > t83 ? t73 : t83);
+    const double t85 = t82 - 0.04;
+    const double t86 = t82 + 0.04;
+    const double t87 = t17 - t82 * (t34 - t24 * t82) - t84 * (t18 - t82 * (2.0 * t23 - t33 * t82));
+    const double t88 = t19 - t84 * (t34 - t23 * t84) - t82 * (t20 - t84 * (2.0 * t24 - t33 * t84));
+    const double t89 = t82 + t75 * (t57 * t88 - t72 * t87);
+    const double t90 = t84 - 0.04;
+    const double t91 = t84 + 0.04;
+    const double t92 = t84 + t75 * (t59 * t87 - t72 * t88);
+    const double t93 = (u6 > t85 ? u6 : t85);
+    const double t94 = (u5 < t86 ? u5 : t86);
+    const double t95 = (t94 < t89 ? t94 : t89);
+    const double t96 = (t93 > t95 ? t93 : t95);
+    const double t97 = (u6 > t90 ? u6 : t90);
+    const double t98 = (u5 < t91 ? u5 : t91);
+    const double t99 = (t98 < t92 ? t98 : t92);
+    const double t100 = (t97 > t99 ? t97 : t99);
+    *xi = 2.0 * (t96 - 0.25);
+    *eta = 2.0 * (t100 - 0.25);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1022,14 +1053,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.58941933215836928, 2.2204460492503772e-16, 5.3147658727030327e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.40947297499683499, -1, 2.3682792789322807e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23826485206546533, 0, 7.7433856113583895e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.58941933215836928, 2.2204460492503772e-16, 5.3147658727030181e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.40947297499683499, -1, 2.3682792789322815e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23826485206546533, 0, 7.7433856113583885e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.55324927674242352, 0, 1.7481693927052238e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.7903236758966421, 0, 2.070058321220741e-14, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30435115461637641, -1, 1.4308137695687942e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.055801438288540874, 0, 3.583414951438343e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.7903236758966421, 0, 2.0700583212207422e-14, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30435115461637641, -1, 1.4308137695687938e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.055801438288540874, 0, 3.5834149514383422e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -1038,10 +1069,10 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
+    const double t2 = xD[2] - xC[2] - t1;
     const double u1 = 0.25 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
+    const double t3 = xA[2] - xD[2] + u1;
+    const double t4 = t1 + u1;
     const double t5 = xA[1] - xB[1];
     const double t6 = xC[1] - xD[1] + t5;
     const double u2 = 0.25 * t6;
@@ -1062,133 +1093,140 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
     const double t21 = 1.0 / (t18 * t20 - t13 * t13);
     const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
+    const double t23 = t6 * t7 - t2 * t3 + t10 * t11;
+    const double t24 = t6 * t8 - t2 * t4 + t10 * t12;
     const double t25 = (t24 * t18 - t23 * t13) * t21;
     const double t26 = (t20 * t17 - t13 * t19) * t21;
     const double t27 = t25 * t26;
     const double t28 = (t23 * t20 - t24 * t13) * t21;
     const double t29 = t28 * t22;
     const double t30 = t29 + 1.0 + t27;
-    const double t31 = (0.6 > t30 ? 0.6 : t30);
-    const double t32 = t22 * (t27 * t31 + 1.0);
-    const double t33 = (0.25 < t32 ? 0.25 : t32);
-    const double t34 = (-0.25 > t33 ? -0.25 : t33);
-    const double t35 = t2 * t14 + t6 * t15 + t10 * t16;
-    const double t36 = t21 * (t35 - t17 * t28 - t19 * t25);
-    const double t37 = t26 * (t29 * t31 + 1.0);
-    const double t38 = (0.25 < t37 ? 0.25 : t37);
-    const double t39 = (-0.25 > t38 ? -0.25 : t38);
-    const double t40 = t18 * t36 * t39;
-    const double u4 = -t40;
-    const double t41 = (0.075 < u4 ? 0.075 : u4);
-    const double t42 = t34 + (-0.075 > t41 ? -0.075 : t41);
-    const double t43 = (0.25 < t42 ? 0.25 : t42);
-    const double t44 = (-0.25 > t43 ? -0.25 : t43);
-    const double t45 = t44 - 0.25;
-    const double t46 = (-0.25 > t45 ? -0.25 : t45);
-    const double t47 = t44 + 0.25;
-    const double t48 = (0.25 < t47 ? 0.25 : t47);
-    const double t49 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t50 = t23 - t49 * t44;
-    const double t51 = t18 - t44 * (t23 + t50);
-    const double t52 = t36 * (t20 * t34 - t13 * t39);
-    const double u5 = -t52;
-    const double t53 = (0.075 < u5 ? 0.075 : u5);
-    const double t54 = t39 + (-0.075 > t53 ? -0.075 : t53);
-    const double t55 = (0.25 < t54 ? 0.25 : t54);
-    const double t56 = (-0.25 > t55 ? -0.25 : t55);
-    const double t57 = t24 - t49 * t56;
-    const double t58 = t20 - t56 * (t24 + t57);
-    const double t59 = t50 * t56;
-    const double t60 = t24 * t44 + t59;
-    const double t61 = t13 - t60;
-    const double t62 = fabs(t61);
-    const double t63 = (t58 < t51 ? t58 : t51);
-    const double u6 = 0.98 * t63;
-    const double t64 = (t62 > u6 ? t62 : u6);
-    const double t65 = t13 + t35;
-    const double t66 = t65 - 2.0 * t60;
-    const double t67 = (t64 < t66 ? t64 : t66);
-    const double u7 = -t64;
-    const double t68 = (u7 > t67 ? u7 : t67);
-    const double t69 = 1.0 / (t51 * t58 - t68 * t68);
-    const double t70 = t60 + t66 - t68;
-    const double t71 = t17 - t44 * (t59 + t70);
-    const double t72 = t19 - t56 * (t44 * t57 + t70);
-    const double t73 = t69 * (t51 * t72 - t68 * t71);
-    const double t74 = (t48 < t73 ? t48 : t73);
-    const double t75 = (t46 > t74 ? t46 : t74);
-    const double t76 = t75 - 0.04;
-    const double t77 = (-0.25 > t76 ? -0.25 : t76);
-    const double t78 = t75 + 0.04;
-    const double t79 = (0.25 < t78 ? 0.25 : t78);
-    const double t80 = t56 - 0.25;
-    const double t81 = (-0.25 > t80 ? -0.25 : t80);
-    const double t82 = t56 + 0.25;
-    const double t83 = (0.25 < t82 ? 0.25 : t82);
-    const double t84 = t69 * (t58 * t71 - t68 * t72);
-    const double t85 = (t83 < t84 ? t83 : t84);
-    const double t86 = (t81 > t85 ? t81 : t85);
-    const double u8 = 2.0 * t23;
-    const double t87 = t17 - t75 * (t65 - t24 * t75) - t86 * (t18 - t75 * (u8 - t49 * t75));
-    const double u9 = 2.0 * t24;
-    const double t88 = t19 - t86 * (t65 - t23 * t86) - t75 * (t20 - t86 * (u9 - t49 * t86));
-    const double t89 = t75 + t69 * (t51 * t88 - t68 * t87);
-    const double t90 = (t79 < t89 ? t79 : t89);
-    const double t91 = (t77 > t90 ? t77 : t90);
-    const double t92 = t91 - 0.12;
-    const double t93 = (-0.25 > t92 ? -0.25 : t92);
-    const double t94 = t91 + 0.12;
-    const double t95 = (0.25 < t94 ? 0.25 : t94);
-    const double t96 = t23 - t49 * t91;
-    const double t97 = t18 - t91 * (t23 + t96);
-    const double t98 = t86 - 0.04;
-    const double t99 = (-0.25 > t98 ? -0.25 : t98);
-    const double t100 = t86 + 0.04;
-    const double t101 = (0.25 < t100 ? 0.25 : t100);
-    const double t102 = t86 + t69 * (t58 * t87 - t68 * t88);
-    const double t103 = (t101 < t102 ? t101 : t102);
-    const double t104 = (t99 > t103 ? t99 : t103);
-    const double t105 = t24 - t49 * t104;
-    const double t106 = t20 - t104 * (t24 + t105);
-    const double t107 = t97 * t106;
-    const double t108 = t104 * t96;
-    const double t109 = t24 * t91 + t108;
-    const double t110 = t65 - 2.0 * t109;
+    const double t31 = t2 * t14 - t6 * t15 - t10 * t16;
+    const double t32 = t21 * (t31 + t17 * t28 + t19 * t25);
+    const double t33 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t34 = t13 - t31;
+    double u4 = 0.6;
+    const double t35 = (u4 > t30 ? u4 : t30);
+    const double t36 = t22 * (t27 * t35 + 1.0);
+    const double t37 = t26 * (t29 * t35 + 1.0);
+    double u5 = 0.25;
+    const double t38 = (u5 < t36 ? u5 : t36);
+    double u6 = -0.25;
+    const double t39 = (u6 > t38 ? u6 : t38);
+    const double t40 = (u5 < t37 ? u5 : t37);
+    const double t41 = (u6 > t40 ? u6 : t40);
+    const double t42 = t18 * t32 * t41;
+    const double t43 = t32 * (t20 * t39 - t13 * t41);
+    double u7 = 0.075;
+    const double t44 = (u7 < t42 ? u7 : t42);
+    double u8 = -0.075;
+    const double t45 = (u8 > t44 ? u8 : t44);
+    const double t46 = (u7 < t43 ? u7 : t43);
+    const double t47 = (u8 > t46 ? u8 : t46);
+    const double t48 = t39 + t45;
+    const double t49 = t41 + t47;
+    const double t50 = (u5 < t48 ? u5 : t48);
+    const double t51 = (u6 > t50 ? u6 : t50);
+    const double t52 = (u5 < t49 ? u5 : t49);
+    const double t53 = (u6 > t52 ? u6 : t52);
+    const double t54 = t51 - 0.25;
+    const double t55 = t51 + 0.25;
+    const double t56 = t23 - t33 * t51;
+    const double t57 = t18 - t51 * (t23 + t56);
+    const double t58 = t24 - t33 * t53;
+    const double t59 = t20 - t53 * (t24 + t58);
+    const double t60 = t56 * t53;
+    const double t61 = t24 * t51 + t60;
+    const double t62 = t13 - t61;
+    const double t63 = fabs(t62);
+    const double t64 = t34 - 2.0 * t61;
+    const double t65 = t53 - 0.25;
+    const double t66 = t53 + 0.25;
+    const double t67 = (u6 > t54 ? u6 : t54);
+    const double t68 = (u5 < t55 ? u5 : t55);
+    const double t69 = (t59 < t57 ? t59 : t57);
+    const double u9 = 0.98 * t69;
+    const double t70 = (t63 > u9 ? t63 : u9);
+    const double t71 = (t70 < t64 ? t70 : t64);
+    const double u10 = -t70;
+    const double t72 = (u10 > t71 ? u10 : t71);
+    const double t73 = (u6 > t65 ? u6 : t65);
+    const double t74 = (u5 < t66 ? u5 : t66);
+    const double t75 = 1.0 / (t57 * t59 - t72 * t72);
+    const double t76 = t61 + t64 - t72;
+    const double t77 = t17 - t51 * (t60 + t76);
+    const double t78 = t19 - t53 * (t51 * t58 + t76);
+    const double t79 = t75 * (t57 * t78 - t72 * t77);
+    const double t80 = t75 * (t59 * t77 - t72 * t78);
+    const double t81 = (t68 < t79 ? t68 : t79);
+    const double t82 = (t67 > t81 ? t67 : t81);
+    const double t83 = (t74 < t80 ? t74 : t80);
+    const double t84 = (t73 > t83 ? t73 : t83);
+    const double t85 = t82 - 0.04;
+    const double t86 = t82 + 0.04;
+    const double u11 = 2.0 * t23;
+    const double t87 = t17 - t82 * (t34 - t24 * t82) - t84 * (t18 - t82 * (u11 - t33 * t82));
+    const double u12 = 2.0 * t24;
+    const double t88 = t19 - t84 * (t34 - t23 * t84) - t82 * (t20 - t84 * (u12 - t33 * t84));
+    const double t89 = t82 + t75 * (t57 * t88 - t72 * t87);
+    const double t90 = t84 - 0.04;
+    const double t91 = t84 + 0.04;
+    const double t92 = t84 + t75 * (t59 * t87 - t72 * t88);
+    const double t93 = (u6 > t85 ? u6 : t85);
+    const double t94 = (u5 < t86 ? u5 : t86);
+    const double t95 = (t94 < t89 ? t94 : t89);
+    const double t96 = (t93 > t95 ? t93 : t95);
+    const double t97 = (u6 > t90 ? u6 : t90);
+    const double t98 = (u5 < t91 ? u5 : t91);
+    const double t99 = (t98 < t92 ? t98 : t92);
+    const double t100 = (t97 > t99 ? t97 : t99);
+    const double t101 = t96 - 0.12;
+    const double t102 = t96 + 0.12;
+    const double t103 = t23 - t33 * t96;
+    const double t104 = t18 - t96 * (t23 + t103);
+    const double t105 = t24 - t33 * t100;
+    const double t106 = t20 - t100 * (t24 + t105);
+    const double t107 = t104 * t106;
+    const double t108 = t100 * t103;
+    const double t109 = t24 * t96 + t108;
+    const double t110 = t34 - 2.0 * t109;
     const double t111 = t107 - t110 * t110;
-    const double u10 = 0.02 * t107;
-    const double t112 = (t111 > u10 ? t111 : u10);
-    const double t113 = 1.0 / t112;
-    const double t114 = t17 - t91 * (t108 + t109);
-    const double t115 = t19 - t104 * (t91 * t105 + t109);
-    const double t116 = t111 - t112;
-    const double t117 = t113 * (t97 * t115 - t110 * t114 - t91 * t116);
-    const double t118 = (t95 < t117 ? t95 : t117);
-    const double t119 = (t93 > t118 ? t93 : t118);
-    const double t120 = t119 - 0.04;
-    const double t121 = (-0.25 > t120 ? -0.25 : t120);
-    const double t122 = t119 + 0.04;
-    const double t123 = (0.25 < t122 ? 0.25 : t122);
-    const double t124 = t104 - 0.12;
-    const double t125 = (-0.25 > t124 ? -0.25 : t124);
-    const double t126 = t104 + 0.12;
-    const double t127 = (0.25 < t126 ? 0.25 : t126);
-    const double t128 = t113 * (t106 * t114 - t110 * t115 - t104 * t116);
-    const double t129 = (t127 < t128 ? t127 : t128);
-    const double t130 = (t125 > t129 ? t125 : t129);
-    const double t131 = t17 - t119 * (t65 - t24 * t119) - t130 * (t18 - t119 * (u8 - t49 * t119));
-    const double t132 = t19 - t130 * (t65 - t23 * t130) - t119 * (t20 - t130 * (u9 - t49 * t130));
-    const double t133 = t119 + t113 * (t97 * t132 - t110 * t131);
-    const double t134 = (t123 < t133 ? t123 : t133);
-    const double t135 = t130 - 0.04;
-    const double t136 = (-0.25 > t135 ? -0.25 : t135);
-    const double t137 = t130 + 0.04;
-    const double t138 = (0.25 < t137 ? 0.25 : t137);
-    const double t139 = t130 + t113 * (t106 * t131 - t110 * t132);
-    const double t140 = (t138 < t139 ? t138 : t139);
-    *xi = 2.0 * ((t121 > t134 ? t121 : t134) - 0.25);
-    *eta = 2.0 * ((t136 > t140 ? t136 : t140) - 0.25);
+    const double t112 = t17 - t96 * (t108 + t109);
+    const double t113 = t19 - t100 * (t96 * t105 + t109);
+    const double t114 = t100 - 0.12;
+    const double t115 = t100 + 0.12;
+    const double t116 = (u6 > t101 ? u6 : t101);
+    const double t117 = (u5 < t102 ? u5 : t102);
+    const double u13 = 0.02 * t107;
+    const double t118 = (t111 > u13 ? t111 : u13);
+    const double t119 = (u6 > t114 ? u6 : t114);
+    const double t120 = (u5 < t115 ? u5 : t115);
+    const double t121 = 1.0 / t118;
+    const double t122 = t111 - t118;
+    const double t123 = t121 * (t104 * t113 - t110 * t112 - t96 * t122);
+    const double t124 = t121 * (t106 * t112 - t110 * t113 - t100 * t122);
+    const double t125 = (t117 < t123 ? t117 : t123);
+    const double t126 = (t116 > t125 ? t116 : t125);
+    const double t127 = (t120 < t124 ? t120 : t124);
+    const double t128 = (t119 > t127 ? t119 : t127);
+    const double t129 = t126 - 0.04;
+    const double t130 = t126 + 0.04;
+    const double t131 = t17 - t126 * (t34 - t24 * t126) - t128 * (t18 - t126 * (u11 - t33 * t126));
+    const double t132 = t19 - t128 * (t34 - t23 * t128) - t126 * (t20 - t128 * (u12 - t33 * t128));
+    const double t133 = t126 + t121 * (t104 * t132 - t110 * t131);
+    const double t134 = t128 - 0.04;
+    const double t135 = t128 + 0.04;
+    const double t136 = t128 + t121 * (t106 * t131 - t110 * t132);
+    const double t137 = (u6 > t129 ? u6 : t129);
+    const double t138 = (u5 < t130 ? u5 : t130);
+    const double t139 = (t138 < t133 ? t138 : t133);
+    const double t140 = (t137 > t139 ? t137 : t139);
+    const double t141 = (u6 > t134 ? u6 : t134);
+    const double t142 = (u5 < t135 ? u5 : t135);
+    const double t143 = (t142 < t136 ? t142 : t136);
+    const double t144 = (t141 > t143 ? t141 : t143);
+    *xi = 2.0 * (t140 - 0.25);
+    *eta = 2.0 * (t144 - 0.25);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1241,9 +1279,9 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.90941933215836923, 2.2204460492503772e-16, 5.3311287689121331e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.089472974996834972, -1, 2.3900456510245049e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23270971169445051, 0, 8.0621054532370507e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.90941933215836923, 2.2204460492503772e-16, 5.3311287689121224e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.089472974996834972, -1, 2.3900456510245042e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23270971169445051, 0, 8.0621054532370517e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.30633548457000942, 0, 1.7746172919999613e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -0.68000000000000005, 0, 2.1038726316648635e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},

@@ -14,12 +14,12 @@
  *
  * footpoint_parallelogram_quad4_exact
  *   genome_sha256: 8a945912a2ea7a53c9adcfe21443857a753ad5ea824195a6ad486fdb814ce6fb
- *   operations: 24 mul, 1 div, 24 add, 0 sqrt, 0 compare; 16 temporaries
+ *   operations: 23 mul, 1 div, 24 add, 0 sqrt, 0 compare; 15 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.53, 4.53],
  *     yC in [0.14, 5.00], zC in [-0.01, 0.01], xD in [-3.53, 3.53], yD in [0.14, 5.00], zD = 0.00,
  *     xS in [-3.67, 4.48], yS in [-0.50, 5.48], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t15: proved free of zeros, |t15| >= 0.0093 (rounding error <= 1.2e-14)
+ *   poles: t13 * t14 - t11 * t11: proved free of zeros, |...| >= 0.018 (rounding error <= 2.4e-14)
  *   rounding error of xi: <= 1.5e-10 proved (with or without FMA), 4.7e-12 worst of 10000 points
  *   rounding error of eta: <= 4.1e-11 proved (with or without FMA), 1.4e-12 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding
@@ -136,28 +136,27 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 24 mul, 1 div, 24 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 23 mul, 1 div, 24 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_parallelogram_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                          const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[1] - xS[1];
-    const double t2 = xA[1] - xB[1];
-    const double t3 = xA[0] - xS[0];
-    const double t4 = xA[0] - xB[0];
-    const double t5 = xA[2] - xS[2];
-    const double t6 = xA[2] - xB[2];
+    const double t1 = xA[2] - xS[2];
+    const double t2 = xA[2] - xD[2];
+    const double t3 = xA[1] - xS[1];
+    const double t4 = xA[1] - xD[1];
+    const double t5 = xA[0] - xS[0];
+    const double t6 = xA[0] - xD[0];
     const double t7 = t1 * t2 + t3 * t4 + t5 * t6;
-    const double t8 = xA[2] - xD[2];
-    const double t9 = xA[1] - xD[1];
-    const double t10 = xA[0] - xD[0];
-    const double t11 = t8 * t8 + t9 * t9 + t10 * t10;
-    const double t12 = t5 * t8 + t1 * t9 + t3 * t10;
-    const double t13 = t6 * t8 + t2 * t9 + t4 * t10;
-    const double t14 = t6 * t6 + t2 * t2 + t4 * t4;
-    const double t15 = 0.5 * (t14 * t11 - t13 * t13);
-    const double t16 = 1.0 / t15;
-    *xi = (t7 * t11 - t12 * t13 - t15) * t16;
-    *eta = ((t14 * t12 - t7 * t13) - t15) * t16;
+    const double t8 = xA[2] - xB[2];
+    const double t9 = xA[1] - xB[1];
+    const double t10 = xA[0] - xB[0];
+    const double t11 = t2 * t8 + t4 * t9 + t6 * t10;
+    const double t12 = t1 * t8 + t3 * t9 + t5 * t10;
+    const double t13 = t2 * t2 + t4 * t4 + t6 * t6;
+    const double t14 = t8 * t8 + t9 * t9 + t10 * t10;
+    const double t15 = 2.0 / (t13 * t14 - t11 * t11);
+    *xi = (t12 * t13 - t7 * t11) * t15 - 1.0;
+    *eta = (t7 * t14 - t12 * t11) * t15 - 1.0;
     (void)xC;
 }
 
@@ -197,14 +196,14 @@ FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_n(size_t n, const double
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_parallelogram_quad4_exact_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.46875, 4.84375, -0.01, -0.40625, 4.40625, 0, -1.3125, 1.90625, -0.017578125, -3.2734929078014185, -0.13475177304964539, 3.298047610866632e-15, 8.7183990329813614e-16},
-    {0, 0, 0, 1, 0, 0, -2.21875, 3.03125, -0.01, -0.71875, 1.375, 0, 0.75, 4.40625, 0.14453125, 5.1065340909090908, 5.4090909090909092, 9.586970558850118e-15, 9.6454561385289364e-15},
-    {0, 0, 0, 1, 0, 0, -0.875, 4.375, -0.01, -1.25, 4.5, 0, -1.1875, 1.4375, -0.04296875, -2.5763888888888888, -0.3611111111111111, 3.0528015935809035e-15, 8.4722086151014565e-16},
-    {0, 0, 0, 1, 0, 0, 1.75, 4.8125, -0.01, 0.1875, 3.78125, 0, 2.1875, -0.28125, 0.02734375, 3.4028925619834709, -1.1487603305785123, 4.4625151681379947e-15, 6.6167114186852341e-16},
-    {0, 0, 0, 1, 0, 0, 2.3125, 3.78125, -0.01, -2.28125, 3.9375, 0, -2.875, 3.0625, 0.142578125, -3.2013888888888888, 0.55555555555555558, 7.6721285156594717e-15, 2.3878311081137284e-15},
-    {0, 0, 0, 1, 0, 0, 1.96875, 1.03125, -0.01, 3.4375, 2.4375, 0, 2, 5.3125, -0.11328125, -11.983974358974359, 3.358974358974359, 4.5112164979560562e-14, 1.2871381381341992e-14},
-    {0, 0, 0, 1, 0, 0, 2.0625, 3, -0.01, 2.875, 4.15625, 0, 3.125, 0.96875, -0.11328125, 3.9097744360902253, -0.53383458646616544, 8.6742033942712493e-15, 1.4842658435140457e-15},
-    {0, 0, 0, 1, 0, 0, -0.90625, 4.4375, -0.01, -2.40625, 0.15625, 0, 2.1875, 1.21875, 0.142578125, 40.912500000000001, 14.6, 8.0013833966539837e-12, 3.2237625902161928e-12},
+    {0, 0, 0, 1, 0, 0, 1.46875, 4.84375, -0.01, -0.40625, 4.40625, 0, -1.3125, 1.90625, -0.017578125, -3.2734929078014185, -0.13475177304964539, 3.0760030057347846e-15, 1.0340426999547216e-15},
+    {0, 0, 0, 1, 0, 0, -2.21875, 3.03125, -0.01, -0.71875, 1.375, 0, 0.75, 4.40625, 0.14453125, 5.1065340909090908, 5.4090909090909092, 9.8090151639819477e-15, 9.867500743660766e-15},
+    {0, 0, 0, 1, 0, 0, -0.875, 4.375, -0.01, -1.25, 4.5, 0, -1.1875, 1.4375, -0.04296875, -2.5763888888888888, -0.3611111111111111, 2.8307569884490537e-15, 9.0889991849120516e-16},
+    {0, 0, 0, 1, 0, 0, 1.75, 4.8125, -0.01, 0.1875, 3.78125, 0, 2.1875, -0.28125, 0.02734375, 3.4028925619834709, -1.1487603305785123, 4.6845597732698235e-15, 4.3962653673667732e-16},
+    {0, 0, 0, 1, 0, 0, 2.3125, 3.78125, -0.01, -2.28125, 3.9375, 0, -2.875, 3.0625, 0.142578125, -3.2013888888888888, 0.55555555555555558, 7.450083910527609e-15, 2.6098757132455616e-15},
+    {0, 0, 0, 1, 0, 0, 1.96875, 1.03125, -0.01, 3.4375, 2.4375, 0, 2, 5.3125, -0.11328125, -11.983974358974359, 3.358974358974359, 4.4890120333865829e-14, 1.3093425986473821e-14},
+    {0, 0, 0, 1, 0, 0, 2.0625, 3, -0.01, 2.875, 4.15625, 0, 3.125, 0.96875, -0.11328125, 3.9097744360902253, -0.53383458646616544, 8.8962479994030742e-15, 1.469240268730673e-15},
+    {0, 0, 0, 1, 0, 0, -0.90625, 4.4375, -0.01, -2.40625, 0.15625, 0, 2.1875, 1.21875, 0.142578125, 40.912500000000001, 14.6, 8.0016054412590573e-12, 3.2239846348211009e-12},
 };
 #endif
 

@@ -14,12 +14,12 @@
  *
  * footpoint_plane_quad4_coarse
  *   genome_sha256: c467f062c0077720b7b9a91517399a0e2b39c97fcf388e8592c53ce14431645a
- *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
+ *   operations: 42 mul, 1 div, 49 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.94, 6.02],
  *     yC in [0.08, 10.21], zC in [-0.01, 0.01], xD in [-5.06, 6.04], yD in [0.08, 10.20], zD = 0.00,
  *     xS in [-4.91, 5.42], yS in [-0.78, 9.32], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 1.1e-08 (rounding error <= 0.00048)
+ *   poles: t38: proved free of zeros, |t38| >= 4.6e-05 (rounding error <= 1.8)
  *   rounding error of xi: no bound found, 8e-09 worst of 10000 points
  *   rounding error of eta: no bound found, 6.2e-09 worst of 10000 points
  *   found_xi: seed 1 generations 20 islands 2
@@ -33,14 +33,14 @@
  *
  * footpoint_plane_quad4_exact
  *   genome_sha256: fcc34592427f6670460d9c6b004044beec332e1ce5831e0fba2be6cf18b3daf0
- *   operations: 50 mul, 1 div, 52 add, 1 sqrt, 1 compare; 37 temporaries
+ *   operations: 47 mul, 1 div, 52 add, 1 sqrt, 1 compare; 44 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.94, 6.02],
  *     yC in [0.08, 10.21], zC in [-0.01, 0.01], xD in [-5.06, 6.04], yD in [0.08, 10.20], zD = 0.00,
  *     xS in [-4.91, 5.42], yS in [-0.78, 9.32], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t32: proved free of zeros, |t32| >= 1.1e-08 (rounding error <= 4.4e+03)
+ *   poles: t41: proved free of zeros, |t41| >= 2.3e-05 (rounding error <= 8e+06)
  *   rounding error of xi: no bound found, 3.9e-11 worst of 10000 points
- *   rounding error of eta: no bound found, 3.8e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 3.2e-12 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding
  *   exact_eta: nothing evolved, the frame's value is right to rounding
  *   training_xi: genes 1 mean 1.587e-16
@@ -155,42 +155,51 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 42 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_plane_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                   const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (t1 - 2.0 * (xA[2] - xS[2])) + t3;
-    const double t15 = (t5 - 2.0 * (xA[1] - xS[1])) + t7;
-    const double t16 = t11 - (2.0 * (xA[0] - xS[0]) - t9);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t13 * t17 - t18 * t19;
-    const double t21 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t22 = t18 * t21 - t13 * t13;
-    const double t23 = t22 * t22;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = t23 + (t25 * t21 - t24 * t13) * t20;
-    const double t27 = t13 * t19 - t21 * t17;
-    const double t28 = (t24 * t18 - t25 * t13) * t27;
-    const double t29 = t22 * (t28 + t26);
-    const double t30 = 1.0 / t29;
-    *xi = t20 * t26 * t30;
-    *eta = t27 * (t23 + t28) * t30;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t2 - t1;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t5 - t4;
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t8 - t7;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t11 - t10;
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t14 - t13;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t4 - 4.0 * xS[2] + t5;
+    const double t21 = t10 - 4.0 * xS[1] + t11;
+    const double t22 = t16 - 4.0 * xS[0] + t17;
+    const double t23 = t6 * t20 + t12 * t21 + t18 * t22;
+    const double t24 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t25 = t3 * t20 + t9 * t21 + t15 * t22;
+    const double t26 = t24 * t25 - t19 * t23;
+    const double t27 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t28 = t27 * t24 - t19 * t19;
+    const double t29 = t28 * t28;
+    const double t30 = t1 + t2;
+    const double t31 = t7 + t8;
+    const double t32 = t13 + t14;
+    const double t33 = t30 * t3 + t31 * t9 + t32 * t15;
+    const double t34 = t30 * t6 + t31 * t12 + t32 * t18;
+    const double t35 = (t34 * t27 - t33 * t19) * t26;
+    const double t36 = t27 * t23 - t19 * t25;
+    const double t37 = (t33 * t24 - t34 * t19) * t36 - t29;
+    const double t38 = t28 * (t35 + t37);
+    const double t39 = 1.0 / t38;
+    *xi = t26 * (t35 - t29) * t39;
+    *eta = t36 * t37 * t39;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -229,60 +238,67 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_plane_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642484862867824, -1.1264003889950702, 1.9413815642207082e-14, 6.2715765158747299e-15},
-    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.68827457392475266, 1.5640347703108071, 2.3325582677379363e-15, 4.7962887906839652e-15},
-    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.2944454744074062, 2.0266809738707239, 2.9980131649202014e-15, 2.1325392703684399e-14},
-    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -2.0991597801617154, 1.3831847629241441, 6.7257234845783816e-15, 4.8631764157318272e-15},
-    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, -5.4644177314247617, 9.9387815349361972, 3.3692676905792845e-13, 3.5993954845812865e-13},
-    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.47575571127423399, 3.7965911690725953, 3.1882471188599321e-15, 1.9419839968614167e-14},
-    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3643676946584051, -0.71031377956956088, 3.8988182824940795e-14, 2.4472251017021558e-15},
-    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -5.1535332580416018, -0.69396579238648282, 2.7045342118411583e-14, 2.6927248172808639e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642484862867824, -1.1264003889950702, 1.9543686595257791e-14, 5.7518043518011715e-15},
+    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.68827457392475266, 1.5640347703108071, 2.3852684571700586e-15, 3.9859435594953116e-15},
+    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.2944454744074062, 2.0266809738707239, 2.9262296520563011e-15, 1.9378222626846767e-14},
+    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -2.0991597801617154, 1.3831847629241441, 7.5233331982916934e-15, 4.6319643292724537e-15},
+    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, -5.4644177314247617, 9.9387815349361972, 3.3813668293822248e-13, 3.5788525999252263e-13},
+    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.47575571127423399, 3.7965911690725953, 3.3532796038958413e-15, 1.8549504033268074e-14},
+    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3643676946584051, -0.71031377956956088, 4.3151106754710941e-14, 2.2413334475455002e-15},
+    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -5.1535332580416018, -0.69396579238648282, 2.9574732468549413e-14, 2.0532413296714343e-15},
 };
 #endif
 
-/* 50 mul, 1 div, 52 add, 1 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 47 mul, 1 div, 52 add, 1 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_plane_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                  const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xD[2] - xC[2] - t1;
-    const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] + u1;
-    const double t4 = t1 + u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xD[1] - xC[1] - t5;
-    const double u2 = 0.5 * t6;
-    const double t7 = xA[1] - xD[1] + u2;
-    const double t8 = t5 + u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xD[0] - xC[0] - t9;
-    const double u3 = 0.5 * t10;
-    const double t11 = xA[0] - xD[0] + u3;
-    const double t12 = t9 + u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t1 - 2.0 * (xA[2] - xS[2]) + t3;
-    const double t15 = t5 - 2.0 * (xA[1] - xS[1]) + t7;
-    const double t16 = t9 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t13 * t17 - t18 * t19;
-    const double t21 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t22 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t23 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t24 = t23 * t17 - t13 * t19;
-    const double t25 = (t22 * t18 - t21 * t13) * t24;
-    const double t26 = t18 * t23 - t13 * t13;
-    const double t27 = (t21 * t23 - t22 * t13) * t20;
-    const double t28 = t26 * t26 + 0.5 * (t27 - t25);
-    const double t29 = t25 * t27 + t28 * t28;
-    const double u4 = 65536.0 * t29;
-    const double t30 = (0.0 > u4 ? 0.0 : u4);
-    const double t31 = t28 + 0.00390625 * sqrt(t30);
-    const double t32 = t26 * t31;
-    const double t33 = 1.0 / t32;
-    *xi = t20 * (t25 + t31) * t33;
-    *eta = t24 * (t27 - t31) * t33;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t1 - t2;
+    const double t4 = xC[2] - xD[2];
+    const double t5 = xA[2] - xB[2];
+    const double t6 = t5 - t4;
+    const double t7 = xD[1] + xC[1];
+    const double t8 = xB[1] + xA[1];
+    const double t9 = t8 - t7;
+    const double t10 = xC[1] - xD[1];
+    const double t11 = xA[1] - xB[1];
+    const double t12 = t11 - t10;
+    const double t13 = xD[0] + xC[0];
+    const double t14 = xB[0] + xA[0];
+    const double t15 = t14 - t13;
+    const double t16 = xC[0] - xD[0];
+    const double t17 = xA[0] - xB[0];
+    const double t18 = t17 - t16;
+    const double t19 = t9 * t12 - t3 * t6 + t15 * t18;
+    const double t20 = t1 + t2 - 4.0 * xS[2];
+    const double t21 = t7 + t8 - 4.0 * xS[1];
+    const double t22 = t13 + t14 - 4.0 * xS[0];
+    const double t23 = t3 * t20 - t9 * t21 - t15 * t22;
+    const double t24 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t25 = t6 * t20 + t12 * t21 + t18 * t22;
+    const double t26 = t19 * t23 + t24 * t25;
+    const double t27 = t4 + t5;
+    const double t28 = t10 + t11;
+    const double t29 = t16 + t17;
+    const double t30 = t9 * t28 - t3 * t27 + t15 * t29;
+    const double t31 = t6 * t27 + t12 * t28 + t18 * t29;
+    const double t32 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t33 = t19 * t25 + t32 * t23;
+    const double t34 = (t31 * t24 - t30 * t19) * t33;
+    const double t35 = t24 * t32 - t19 * t19;
+    const double t36 = (t30 * t32 - t31 * t19) * t26;
+    const double t37 = 0.5 * (t36 - t35 * t35 - t34);
+    const double t38 = t34 * t36 + t37 * t37;
+    const double u1 = 4.0 * t38;
+    double u2 = 0.0;
+    const double t39 = (u2 > u1 ? u2 : u1);
+    const double t40 = t37 - 0.5 * sqrt(t39);
+    const double t41 = t35 * t40;
+    const double t42 = 1.0 / t41;
+    *xi = t26 * (t34 + t40) * t42;
+    *eta = t33 * (t36 - t40) * t42;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -321,14 +337,14 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_exact_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_plane_quad4_exact_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642846267014288, -1.126405014029171, 1.9414694308400687e-14, 5.754657381702686e-15},
-    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.71909875350520558, 1.5603815368580416, 2.7058203626246816e-15, 4.2028987579897788e-15},
-    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.32357821137700865, 2.013295220598335, 3.9407070599008534e-15, 1.9928802011069177e-14},
-    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -1.858204267951312, 1.3134795072450716, 7.2147432356537499e-15, 4.6553947811401162e-15},
-    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 1.558617480812712, 4.8839315177455456, 7.3110394066354813e-15, 5.6146857090199319e-14},
-    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.62479530434588149, 3.764247185136524, 3.4223846937417974e-15, 1.7608360125985276e-14},
-    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3101948912085835, -0.76153071785484372, 3.8280137686506022e-14, 2.0735275126537104e-15},
-    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -4.4528136547797565, -0.80824282207157183, 1.8275139148235916e-14, 1.8500498481954394e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642846267014288, -1.126405014029171, 1.9685618296317155e-14, 5.7648937016038802e-15},
+    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.71909875350520558, 1.5603815368580416, 2.4810609090304753e-15, 3.9158709151924056e-15},
+    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.32357821137700865, 2.013295220598335, 3.7101767542753465e-15, 1.8670602554740165e-14},
+    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -1.858204267951312, 1.3134795072450716, 7.4907136761774442e-15, 4.9147384806835576e-15},
+    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 1.558617480812712, 4.8839315177455456, 7.1953475013314727e-15, 5.5064098912544502e-14},
+    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.62479530434588149, 3.764247185136524, 3.3922224186862714e-15, 1.7856331766458818e-14},
+    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3101948912085835, -0.76153071785484372, 3.8527621161571329e-14, 2.1308931433665838e-15},
+    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -4.4528136547797565, -0.80824282207157183, 1.897256381566719e-14, 1.8940930349001478e-15},
 };
 #endif
 

@@ -14,14 +14,14 @@
  *
  * footpoint_punch_quad4_coarse
  *   genome_sha256: f534a5ff011e0c8bf26deba8e887d9cf9405282286dac5389d699a6e24a93b4a
- *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
+ *   operations: 42 mul, 1 div, 49 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 0.00076 (rounding error <= 2.7e-12)
- *   rounding error of xi: <= 6.6e-12 proved (with or without FMA), 1.9e-15 worst of 10000 points
- *   rounding error of eta: <= 4.7e-12 proved (with or without FMA), 2.1e-15 worst of 10000 points
+ *   poles: t38: proved free of zeros, |t38| >= 3.1 (rounding error <= 1.1e-08)
+ *   rounding error of xi: <= 6.2e-12 proved (with or without FMA), 1.9e-15 worst of 10000 points
+ *   rounding error of eta: <= 4.4e-12 proved (with or without FMA), 1.7e-15 worst of 10000 points
  *   training_xi: genes 1 mean 3.997e-04
  *   training_eta: genes 1 mean 4.087e-04
  *   heldout_xi: n 609 mean 2.795e-04 p99 1.628e-03 max 2.365e-03
@@ -31,15 +31,15 @@
  *
  * footpoint_punch_quad4_balanced
  *   genome_sha256: aaf58b93efbfbb4a01657d8219d3f332df7dc97333a51cd43434c732fce8f628
- *   operations: 73 mul, 2 div, 70 add, 0 sqrt, 0 compare; 45 temporaries
+ *   operations: 72 mul, 2 div, 70 add, 0 sqrt, 0 compare; 54 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 0.00076 (rounding error <= 2.6e-12)
- *   poles: t39 * t39 + t41 * t44: proved free of zeros, |...| >= 0.024 (rounding error <= 0.0073)
- *   rounding error of xi: no bound found, 3e-15 worst of 10000 points
- *   rounding error of eta: no bound found, 4.1e-15 worst of 10000 points
+ *   poles: t38: proved free of zeros, |t38| >= 3.1 (rounding error <= 1.1e-08)
+ *   poles: t50 * t53 - t49 * t49: proved free of zeros, |...| >= 0.39 (rounding error <= 0.11)
+ *   rounding error of xi: no bound found, 3.3e-15 worst of 10000 points
+ *   rounding error of eta: no bound found, 4.3e-15 worst of 10000 points
  *   training_xi: genes 1 mean 5.971e-08
  *   training_eta: genes 1 mean 5.929e-08
  *   heldout_xi: n 609 mean 2.910e-08 p99 6.958e-07 max 1.458e-06
@@ -49,16 +49,16 @@
  *
  * footpoint_punch_quad4_accurate
  *   genome_sha256: 64b8d4878daf2ec9263b3e032ccb650126fdfd5465f9409e997cc26e4a96597f
- *   operations: 91 mul, 3 div, 85 add, 0 sqrt, 0 compare; 58 temporaries
+ *   operations: 88 mul, 3 div, 85 add, 0 sqrt, 0 compare; 67 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t30: proved free of zeros, |t30| >= 0.00076 (rounding error <= 2.7e-12)
- *   poles: t37 * t45 - t43 * t43: proved free of zeros, |...| >= 0.024 (rounding error <= 0.029)
- *   poles: t54 * t57 - t52 * t52: proved free of zeros, |...| >= 0.023
- *   rounding error of xi: no bound found, 3.8e-15 worst of 10000 points
- *   rounding error of eta: no bound found, 3.5e-15 worst of 10000 points
+ *   poles: t39: proved free of zeros, |t39| >= 3.1 (rounding error <= 1.1e-08)
+ *   poles: t46 * t54 - t52 * t52: proved free of zeros, |...| >= 0.39 (rounding error <= 0.41)
+ *   poles: t63 * t66 - t61 * t61: proved free of zeros, |...| >= 0.37
+ *   rounding error of xi: no bound found, 3.6e-15 worst of 10000 points
+ *   rounding error of eta: no bound found, 4.8e-15 worst of 10000 points
  *   training_xi: genes 1 mean 2.498e-13
  *   training_eta: genes 1 mean 2.903e-13
  *   heldout_xi: n 609 mean 5.447e-15 p99 1.540e-13 max 1.207e-12
@@ -171,42 +171,51 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 42 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_punch_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                   const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (t1 - 2.0 * (xA[2] - xS[2])) + t3;
-    const double t15 = (t5 - 2.0 * (xA[1] - xS[1])) + t7;
-    const double t16 = t11 - (2.0 * (xA[0] - xS[0]) - t9);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t13 * t17 - t18 * t19;
-    const double t21 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t22 = t18 * t21 - t13 * t13;
-    const double t23 = t22 * t22;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = t23 + (t25 * t21 - t24 * t13) * t20;
-    const double t27 = t13 * t19 - t21 * t17;
-    const double t28 = (t24 * t18 - t25 * t13) * t27;
-    const double t29 = t22 * (t28 + t26);
-    const double t30 = 1.0 / t29;
-    *xi = t20 * t26 * t30;
-    *eta = t27 * (t23 + t28) * t30;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t2 - t1;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t5 - t4;
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t8 - t7;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t11 - t10;
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t14 - t13;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t4 - 4.0 * xS[2] + t5;
+    const double t21 = t10 - 4.0 * xS[1] + t11;
+    const double t22 = t16 - 4.0 * xS[0] + t17;
+    const double t23 = t6 * t20 + t12 * t21 + t18 * t22;
+    const double t24 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t25 = t3 * t20 + t9 * t21 + t15 * t22;
+    const double t26 = t24 * t25 - t19 * t23;
+    const double t27 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t28 = t27 * t24 - t19 * t19;
+    const double t29 = t28 * t28;
+    const double t30 = t1 + t2;
+    const double t31 = t7 + t8;
+    const double t32 = t13 + t14;
+    const double t33 = t30 * t3 + t31 * t9 + t32 * t15;
+    const double t34 = t30 * t6 + t31 * t12 + t32 * t18;
+    const double t35 = (t34 * t27 - t33 * t19) * t26;
+    const double t36 = t27 * t23 - t19 * t25;
+    const double t37 = (t33 * t24 - t34 * t19) * t36 - t29;
+    const double t38 = t28 * (t35 + t37);
+    const double t39 = 1.0 / t38;
+    *xi = t26 * (t35 - t29) * t39;
+    *eta = t36 * t37 * t39;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -245,68 +254,77 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61171617863643613, 0.46163347421768564, 3.6820697757789334e-15, 3.2041942224841925e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.86965899224683951, -1.1286699529257, 2.6588232088679447e-15, 3.0063370137109476e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1410697747148886, 1.2032734138056824, 3.4461402755784322e-15, 4.4310841045669488e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31046800230233634, 1.2936324398461851, 1.057048653242559e-15, 4.3679329099523451e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.35297556462227475, -1.2158474165834268, 1.3034709593400536e-15, 2.9637834322956144e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.42162366717296323, -1.145842820460713, 2.1017492737915132e-15, 3.6299056956841016e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40722571963472154, -0.67869116154095754, 1.6012864388659713e-15, 1.993539287754521e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.869742653019141, -0.19508703172678765, 1.8894938564450728e-15, 6.8279748135416073e-16},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61171617863643613, 0.46163347421768564, 4.2465616163192782e-15, 3.0786857288384448e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.86965899224683951, -1.1286699529257, 3.0947014000528096e-15, 2.5122794159790821e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1410697747148886, 1.2032734138056824, 3.8864303141590659e-15, 3.8751554712340266e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31046800230233634, 1.2936324398461851, 1.1095580392941087e-15, 3.6587353000312665e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.35297556462227475, -1.2158474165834268, 1.474648761268752e-15, 2.5271932915852623e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.42162366717296323, -1.145842820460713, 2.3412074482618224e-15, 2.8646556048752372e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40722571963472154, -0.67869116154095754, 1.8470800704889703e-15, 1.640898145336221e-15},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.869742653019141, -0.19508703172678765, 2.2878462054905025e-15, 5.9752604486259965e-16},
 };
 #endif
 
-/* 73 mul, 2 div, 70 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 72 mul, 2 div, 70 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_punch_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                     const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = (xA[2] - xD[2]) + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = (xA[0] - xD[0]) + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[1] - xB[1];
-    const double t10 = 0.5 * (xD[1] - xC[1] - t9);
-    const double t11 = xA[1] - xD[1] + t10;
-    const double t12 = t9 + t10;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = t1 + t2 - 4.0 * xS[2];
+    const double t5 = xD[1] + xC[1];
+    const double t6 = xB[1] + xA[1];
+    const double t7 = t6 - t5;
+    const double t8 = t5 + t6 - 4.0 * xS[1];
+    const double t9 = xD[0] + xC[0];
+    const double t10 = xB[0] + xA[0];
+    const double t11 = t10 - t9;
+    const double t12 = t9 + t10 - 4.0 * xS[0];
     const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t3 + (t1 - 2.0 * (xA[2] - xS[2]));
-    const double t15 = t7 + (t5 - 2.0 * (xA[0] - xS[0]));
-    const double t16 = t9 - 2.0 * (xA[1] - xS[1]) + t11;
-    const double t17 = t2 * t4 + t10 * t12 + t6 * t8;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t4 + t12 * t12 + t8 * t8;
-    const double t20 = t18 * t19 - t13 * t13;
-    const double t21 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t22 = t21 * t19 - t17 * t13;
-    const double t23 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t24 = t3 * t14 + (t7 * t15 + t11 * t16);
-    const double t25 = t18 * t23 - t13 * t24;
-    const double t26 = t17 * t18 - t21 * t13;
-    const double t27 = t13 * t23 - t19 * t24;
-    const double t28 = t20 * t20 - t22 * t25 + t26 * t27;
-    const double t29 = t20 * t28;
-    const double t30 = 1.0 / t29;
-    const double t31 = t28 * t30;
-    const double t32 = t20 * t25 * t27 * t30;
-    const double t33 = t31 * (t25 - t26 * t32);
-    const double t34 = t31 * (t27 + t22 * t32);
-    const double t35 = t2 * t2 + t10 * t10 + t6 * t6;
-    const double t36 = t21 - t35 * t33;
-    const double t37 = t34 * t36;
-    const double t38 = t17 * t33 - t37;
-    const double t39 = t13 + (t2 * t14 + t6 * t15 + t10 * t16) - 2.0 * t38;
-    const double t40 = t24 + t33 * (t37 - t38);
-    const double t41 = t33 * (t21 + t36) - t18;
-    const double t42 = t17 + t35 * t34;
-    const double t43 = t23 + t34 * (t33 * t42 + t38);
-    const double t44 = t19 + t34 * (t17 + t42);
-    const double t45 = 1.0 / (t39 * t39 + t41 * t44);
-    *xi = -(t39 * t40 + t41 * t43) * t45;
-    *eta = (t44 * t40 - t39 * t43) * t45;
+    const double t14 = xC[2] - xD[2];
+    const double t15 = xA[2] - xB[2];
+    const double t16 = t15 - t14;
+    const double t17 = xC[1] - xD[1];
+    const double t18 = xA[1] - xB[1];
+    const double t19 = t18 - t17;
+    const double t20 = xC[0] - xD[0];
+    const double t21 = xA[0] - xB[0];
+    const double t22 = t21 - t20;
+    const double t23 = t3 * t16 + t7 * t19 + t11 * t22;
+    const double t24 = t3 * t3 + t7 * t7 + t11 * t11;
+    const double t25 = t16 * t16 + t19 * t19 + t22 * t22;
+    const double t26 = t24 * t25 - t23 * t23;
+    const double t27 = t14 + t15;
+    const double t28 = t17 + t18;
+    const double t29 = t20 + t21;
+    const double t30 = t16 * t27 + t19 * t28 + t22 * t29;
+    const double t31 = t3 * t27 + t7 * t28 + t11 * t29;
+    const double t32 = t31 * t25 - t30 * t23;
+    const double t33 = t16 * t4 + t19 * t8 + t22 * t12;
+    const double t34 = t24 * t33 - t23 * t13;
+    const double t35 = t30 * t24 - t31 * t23;
+    const double t36 = t25 * t13 - t23 * t33;
+    const double t37 = t32 * t34 - t26 * t26 + t35 * t36;
+    const double t38 = t26 * t37;
+    const double t39 = 1.0 / t38;
+    const double t40 = t37 * t39;
+    const double t41 = t26 * t36 * t34 * t39;
+    const double t42 = t40 * (t34 - t35 * t41);
+    const double t43 = t40 * (t36 - t32 * t41);
+    const double t44 = t27 * t27 + t28 * t28 + t29 * t29;
+    const double t45 = t31 - t44 * t42;
+    const double t46 = t43 * t45;
+    const double t47 = t30 * t42 + t46;
+    const double t48 = t13 - t42 * t46 - t42 * t47;
+    const double t49 = t27 * t4 + t28 * t8 + t29 * t12 + t23 - 2.0 * t47;
+    const double t50 = t24 - t42 * (t31 + t45);
+    const double t51 = t30 - t44 * t43;
+    const double t52 = t33 - t43 * t42 * t51 - t43 * t47;
+    const double t53 = t25 - t43 * (t30 + t51);
+    const double t54 = 1.0 / (t50 * t53 - t49 * t49);
+    *xi = (t50 * t52 - t48 * t49) * t54;
+    *eta = (t53 * t48 - t52 * t49) * t54;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -345,81 +363,90 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61847817339363886, 0.46825452187366118, 7.9352202034041647e-15, 6.3031350908753597e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108822948744247, -1.1309463753888818, 3.262010046933339e-15, 2.7980849256492185e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1617230324736803, 1.19299943467206, 4.7248938368872805e-15, 6.4669577392072201e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515093199269606, 1.2893128504577771, 1.4807831524291293e-15, 4.1116935913436957e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32974557759731482, -1.2108433127169225, 1.4533445966864154e-15, 2.2453419005307282e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43704800193361781, -1.1592006948431226, 4.3022055481351914e-15, 4.8855399589793435e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690430028014102, -0.6789523449748589, 2.1272178700921814e-15, 1.7419580532850933e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995780908824893, -0.19552227474244627, 1.9452032364629082e-15, 6.6101831993610409e-16},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61847817339363886, 0.46825452187366118, 8.8754597896901395e-15, 6.9279114948645288e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108822948744247, -1.1309463753888818, 3.5030720268305785e-15, 2.9988381363042588e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1617230324736803, 1.19299943467206, 4.5393389826444395e-15, 6.3354556676214722e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515093199269606, 1.2893128504577771, 1.5286336207548765e-15, 4.314407378138003e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32974557759731482, -1.2108433127169225, 1.5781341996603207e-15, 2.4900048751800545e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43704800193361781, -1.1592006948431226, 4.4059347723469181e-15, 4.8946107217014388e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690430028014102, -0.6789523449748589, 2.334922105123753e-15, 1.852174673688433e-15},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995780908824893, -0.19552227474244627, 1.9726516331786163e-15, 6.7338266740737957e-16},
 };
 #endif
 
-/* 91 mul, 3 div, 85 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 88 mul, 3 div, 85 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_punch_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                     const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xB[2] - xA[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t2 - t1;
-    const double t5 = xB[1] - xA[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] + t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t6 - t5;
-    const double t9 = xB[0] - xA[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] + t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t10 - t9;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = 2.0 * (xS[2] - xA[2]) - t1 + t3;
-    const double t15 = 2.0 * (xS[1] - xA[1]) - t5 + t7;
-    const double t16 = 2.0 * (xS[0] - xA[0]) - t9 + t11;
-    const double t17 = t13 + (t2 * t14 + t6 * t15 + t10 * t16);
-    const double t18 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t19 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t20 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t21 = t18 * t19 - t20 * t13;
-    const double t22 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t23 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t24 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t25 = t23 * t24 - t13 * t22;
-    const double t26 = t19 * t23 - t13 * t13;
-    const double t27 = t20 * t23 - t18 * t13;
-    const double t28 = t19 * t22 - t13 * t24;
-    const double t29 = t26 * t26 - t21 * t25 - t27 * t28;
-    const double t30 = t26 * t29;
-    const double t31 = 1.0 / t30;
-    const double t32 = t29 * t31;
-    const double t33 = t26 * t25 * t28 * t31;
-    const double t34 = t32 * (t28 + t21 * t33);
-    const double t35 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t36 = t20 - t35 * t34;
-    const double t37 = t19 - t34 * (t20 + t36);
-    const double t38 = t32 * (t25 + t27 * t33);
-    const double t39 = t18 - t35 * t38;
-    const double t40 = t38 * t36;
-    const double t41 = t18 * t34 + t40;
-    const double t42 = t22 - t38 * (t34 * t39 + t41);
-    const double t43 = 2.0 * t41 - t17;
-    const double t44 = t24 - t34 * (t40 + t41);
-    const double t45 = t23 - t38 * (t18 + t39);
-    const double t46 = 1.0 / (t37 * t45 - t43 * t43);
-    const double t47 = (t37 * t42 + t43 * t44) * t46;
-    const double t48 = (t43 * t42 + t45 * t44) * t46;
-    const double t49 = t20 - t35 * t47;
-    const double t50 = t48 * t49;
-    const double t51 = t18 * t47 + t50;
-    const double t52 = t17 - 2.0 * t51;
-    const double t53 = t24 - t47 * (t50 + t51);
-    const double t54 = t19 - t47 * (t20 + t49);
-    const double t55 = t18 - t35 * t48;
-    const double t56 = t48 * (t47 * t55 + t51) - t22;
-    const double t57 = t23 - t48 * (t18 + t55);
-    const double t58 = 1.0 / (t54 * t57 - t52 * t52);
-    *xi = (t52 * t53 + t54 * t56) * t58;
-    *eta = -(t52 * t56 + t57 * t53) * t58;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t1 + t2;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t4 - 4.0 * xS[2] + t5;
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t7 + t8;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t10 - 4.0 * xS[1] + t11;
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t13 + t14;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t16 - 4.0 * xS[0] + t17;
+    const double t19 = t5 - t4;
+    const double t20 = t2 - t1;
+    const double t21 = t11 - t10;
+    const double t22 = t8 - t7;
+    const double t23 = t17 - t16;
+    const double t24 = t14 - t13;
+    const double t25 = t19 * t20 + t21 * t22 + t23 * t24;
+    const double t26 = t3 * t6 + t9 * t12 + t15 * t18 + t25;
+    const double t27 = t20 * t3 + t22 * t9 + t24 * t15;
+    const double t28 = t19 * t19 + t21 * t21 + t23 * t23;
+    const double t29 = t20 * t20 + t22 * t22 + t24 * t24;
+    const double t30 = t25 * t25 - t28 * t29;
+    const double t31 = t19 * t3 + t21 * t9 + t23 * t15;
+    const double t32 = t31 * t29 - t25 * t27;
+    const double t33 = t19 * t6 + t21 * t12 + t23 * t18;
+    const double t34 = t20 * t6 + t22 * t12 + t24 * t18;
+    const double t35 = t28 * t34 - t25 * t33;
+    const double t36 = t28 * t27 - t31 * t25;
+    const double t37 = t25 * t34 - t29 * t33;
+    const double t38 = t30 * t30 - t32 * t35 + t36 * t37;
+    const double t39 = t30 * t38;
+    const double t40 = 1.0 / t39;
+    const double t41 = t38 * t40;
+    const double t42 = t30 * t35 * t37 * t40;
+    const double t43 = t41 * (t35 - t36 * t42);
+    const double t44 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t45 = t31 + t44 * t43;
+    const double t46 = t28 + t43 * (t31 + t45);
+    const double t47 = t41 * (t37 + t32 * t42);
+    const double t48 = t27 - t44 * t47;
+    const double t49 = t47 * t45;
+    const double t50 = t27 * t43 - t49;
+    const double t51 = t34 + t47 * (t43 * t48 + t50);
+    const double t52 = t26 + 2.0 * t50;
+    const double t53 = t33 + t43 * (t49 - t50);
+    const double t54 = t29 - t47 * (t27 + t48);
+    const double t55 = 1.0 / (t46 * t54 - t52 * t52);
+    const double t56 = (t46 * t51 - t52 * t53) * t55;
+    const double t57 = (t54 * t53 - t52 * t51) * t55;
+    const double t58 = t31 - t44 * t56;
+    const double t59 = t57 * t58;
+    const double t60 = t27 * t56 + t59;
+    const double t61 = 2.0 * t60 - t26;
+    const double t62 = t33 - t56 * (t59 + t60);
+    const double t63 = t28 - t56 * (t31 + t58);
+    const double t64 = t27 - t44 * t57;
+    const double t65 = t34 - t57 * (t56 * t64 + t60);
+    const double t66 = t29 - t57 * (t27 + t64);
+    const double t67 = 1.0 / (t63 * t66 - t61 * t61);
+    *xi = (t61 * t62 + t63 * t65) * t67;
+    *eta = (t66 * t62 + t61 * t65) * t67;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -458,14 +485,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859058243966925, 0.46834769258711151, 8.4065981043858104e-15, 6.7210568186215131e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699828557934, -1.1309451544313882, 3.2919013044275724e-15, 2.9077116144140197e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.161924982070893, 1.1926655934632304, 4.586649425971299e-15, 6.2888220653877227e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515853809249705, 1.2892726053382693, 1.5300883857030134e-15, 4.350091825987594e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965400986298848, -1.2105913933302037, 1.4305669829737041e-15, 2.3418690331890295e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43723360046922993, -1.1593258055274376, 4.1391230483157018e-15, 4.7683776393559669e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424734643732, -0.6789523826466104, 1.980097406927205e-15, 1.7020286091029656e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995773169683055, -0.19552224603296881, 1.8619463587264993e-15, 6.7618012886312044e-16},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859058243966925, 0.46834769258711151, 8.6553231963572003e-15, 6.8532284256926229e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699828557934, -1.1309451544313882, 3.3595883193896084e-15, 2.9068256500815575e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.161924982070893, 1.1926655934632304, 4.4989819380851349e-15, 6.2069256745346557e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515853809249705, 1.2892726053382693, 1.4524785230358844e-15, 4.1580667174332288e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965400986298848, -1.2105913933302037, 1.4990733341202589e-15, 2.3408774921498025e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43723360046922993, -1.1593258055274376, 4.2111826883964732e-15, 4.7694765051094751e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424734643732, -0.6789523826466104, 2.0552257315303827e-15, 1.7045417770977627e-15},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995773169683055, -0.19552224603296881, 1.8957257626927768e-15, 6.7011725424466226e-16},
 };
 #endif
 

@@ -14,14 +14,14 @@
  *
  * footpoint_quad4_fast
  *   genome_sha256: 272a3bdadc6b0bfeaeb7fc609bd3179470ade4faaf01ae05fc7254f0044058a2
- *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
+ *   operations: 26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   rounding error of xi: <= 0.00051 proved (with or without FMA), 1.8e-13 worst of 10000 points
- *   rounding error of eta: <= 0.00036 proved (with or without FMA), 2.3e-14 worst of 10000 points
+ *   poles: t18 * t20 - t17 * t17: proved free of zeros, |...| >= 0.054 (rounding error <= 9.2e-11)
+ *   rounding error of xi: <= 0.00045 proved (with or without FMA), 1.4e-13 worst of 10000 points
+ *   rounding error of eta: <= 0.00031 proved (with or without FMA), 3.1e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 5.360e-02
@@ -33,14 +33,14 @@
  *
  * footpoint_quad4_coarse
  *   genome_sha256: 3fb5586163afdbd66eefffda807a380fe8772fd58543119714387dce7ebc301a
- *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
+ *   operations: 42 mul, 1 div, 49 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 1e-08 (rounding error <= 0.00056)
+ *   poles: t38: proved free of zeros, |t38| >= 4.4e-05 (rounding error <= 2.1)
  *   rounding error of xi: no bound found, 2.1e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 1.3e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 9.6e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 4.812e-03
@@ -52,14 +52,14 @@
  *
  * footpoint_quad4_medium
  *   genome_sha256: fb04538d924481ac411ab29a87c284cf3bc54880d895051e02be75c6c79a4f21
- *   operations: 66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
+ *   operations: 64 mul, 2 div, 67 add, 0 sqrt, 0 compare; 48 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t10 * t20 - t14 * t14: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   poles: t36 * t36 - t30 * t38: proved free of zeros, |...| >= 0.00033 (rounding error <= 6.7e+65)
- *   rounding error of xi: no bound found, 1.8e-11 worst of 10000 points
+ *   poles: t26 * t24 - t23 * t23: proved free of zeros, |...| >= 0.054 (rounding error <= 9.2e-11)
+ *   poles: t47 * t43 - t45 * t45: proved free of zeros, |...| >= 0.0053 (rounding error <= 8.2e+66)
+ *   rounding error of xi: no bound found, 1.7e-11 worst of 10000 points
  *   rounding error of eta: no bound found, 1.1e-11 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
@@ -72,15 +72,15 @@
  *
  * footpoint_quad4_balanced
  *   genome_sha256: ea104ef07dd41849305c5406f08771b8d0f73e5509db6370d9f30ddec567c9c8
- *   operations: 73 mul, 2 div, 70 add, 0 sqrt, 0 compare; 45 temporaries
+ *   operations: 72 mul, 2 div, 70 add, 0 sqrt, 0 compare; 54 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t29: proved free of zeros, |t29| >= 1e-08 (rounding error <= 0.00053)
- *   poles: t39 * t39 + t41 * t44: proved free of zeros, |...| >= 0.00027 (rounding error <= 2.2e+142)
- *   rounding error of xi: no bound found, 1.9e-11 worst of 10000 points
- *   rounding error of eta: no bound found, 9.8e-12 worst of 10000 points
+ *   poles: t38: proved free of zeros, |t38| >= 4.4e-05 (rounding error <= 2.1)
+ *   poles: t50 * t53 - t49 * t49: proved free of zeros, |...| >= 0.0043 (rounding error <= 2.2e+143)
+ *   rounding error of xi: no bound found, 1.6e-11 worst of 10000 points
+ *   rounding error of eta: no bound found, 8.4e-12 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 4.603e-05
@@ -92,16 +92,16 @@
  *
  * footpoint_quad4_fine
  *   genome_sha256: 564a11760b80dc3e1d134a8913105f90d489b99d3a6b24b9a595012517551942
- *   operations: 83 mul, 3 div, 78 add, 0 sqrt, 0 compare; 50 temporaries
+ *   operations: 83 mul, 3 div, 79 add, 0 sqrt, 0 compare; 59 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t21: proved free of zeros, |t21| >= 0.0034 (rounding error <= 6.6e-12)
- *   poles: t32 * t32 - t30 * t31: proved free of zeros, |...| >= 1.6e-11 (rounding error <= 5.4)
- *   poles: t46 * t49 - t44 * t44: proved free of zeros, |...| >= 0.00021
- *   rounding error of xi: no bound found, 1.2e-11 worst of 10000 points
- *   rounding error of eta: no bound found, 3.9e-12 worst of 10000 points
+ *   poles: t30: proved free of zeros, |t30| >= 0.054 (rounding error <= 9.2e-11)
+ *   poles: t41 * t41 - t37 * t40: proved free of zeros, |...| >= 1e-06 (rounding error <= 3.1e+05)
+ *   poles: t55 * t58 - t53 * t53: proved free of zeros, |...| >= 0.0035
+ *   rounding error of xi: no bound found, 1.3e-10 worst of 10000 points
+ *   rounding error of eta: no bound found, 5.2e-11 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 3.486e-06
@@ -113,15 +113,15 @@
  *
  * footpoint_quad4_precise
  *   genome_sha256: 3c2e027268b1e20d3d3e6e4aa04072ba788f6247fddec05eaf9c710e6940aead
- *   operations: 91 mul, 3 div, 85 add, 0 sqrt, 0 compare; 58 temporaries
+ *   operations: 88 mul, 3 div, 85 add, 0 sqrt, 0 compare; 67 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t30: proved free of zeros, |t30| >= 1e-08 (rounding error <= 0.00057)
- *   poles: t37 * t45 - t43 * t43: proved free of zeros, |...| >= 0.00027 (rounding error <= 1.1e+144)
- *   poles: t54 * t57 - t52 * t52: proved free of zeros, |...| >= 0.00022
- *   rounding error of xi: no bound found, 2.9e-13 worst of 10000 points
+ *   poles: t39: proved free of zeros, |t39| >= 4.4e-05 (rounding error <= 2.1)
+ *   poles: t46 * t54 - t52 * t52: proved free of zeros, |...| >= 0.0043 (rounding error <= 8.3e+144)
+ *   poles: t63 * t66 - t61 * t61: proved free of zeros, |...| >= 0.0036
+ *   rounding error of xi: no bound found, 2.4e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 3.3e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
@@ -134,17 +134,17 @@
  *
  * footpoint_quad4_accurate
  *   genome_sha256: f6ecad97b5202e728ea6fa0d858c78f55efd0b924b409720c44c6bb33f1385db
- *   operations: 109 mul, 4 div, 100 add, 0 sqrt, 0 compare; 70 temporaries
+ *   operations: 109 mul, 4 div, 100 add, 0 sqrt, 0 compare; 81 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t30: proved free of zeros, |t30| >= 1e-08 (rounding error <= 0.00057)
- *   poles: t40 * t40 - t45 * t42: proved free of zeros, |...| >= 0.00027 (rounding error <= 3.6e+145)
- *   poles: t54 * t57 - t52 * t52: proved free of zeros, |...| >= 0.00022
- *   poles: t66 * t69 - t64 * t64: proved free of zeros, |...| >= 0.00021
- *   rounding error of xi: no bound found, 2.4e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 2.7e-13 worst of 10000 points
+ *   poles: t39: proved free of zeros, |t39| >= 4.4e-05 (rounding error <= 2.1)
+ *   poles: t52 * t56 - t51 * t51: proved free of zeros, |...| >= 0.0043 (rounding error <= 1.2e+149)
+ *   poles: t65 * t68 - t63 * t63: proved free of zeros, |...| >= 0.0036
+ *   poles: t77 * t80 - t75 * t75: proved free of zeros, |...| >= 0.0034
+ *   rounding error of xi: no bound found, 8.3e-14 worst of 10000 points
+ *   rounding error of eta: no bound found, 4.7e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 4.141e-10
@@ -259,36 +259,33 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.5 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.5 * t10;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = t1 + t2 - 4.0 * xS[2];
+    const double t5 = xD[1] + xC[1];
+    const double t6 = xB[1] + xA[1];
+    const double t7 = t6 - t5;
+    const double t8 = t5 + t6 - 4.0 * xS[1];
+    const double t9 = xD[0] + xC[0];
+    const double t10 = xB[0] + xA[0];
+    const double t11 = t10 - t9;
+    const double t12 = t9 + t10 - 4.0 * xS[0];
     const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t1 - 2.0 * (xA[2] - xS[2]) + t3;
-    const double t15 = t5 - 2.0 * (xA[1] - xS[1]) + t7;
-    const double t16 = t9 - 2.0 * (xA[0] - xS[0]) + t11;
+    const double t14 = xD[2] - xC[2] - xB[2] + xA[2];
+    const double t15 = xD[1] - xC[1] - xB[1] + xA[1];
+    const double t16 = xD[0] - xC[0] - xB[0] + xA[0];
     const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
     const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
     const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
-    *xi = -(t18 * t19 - t13 * t17) * t21;
-    *eta = -(t20 * t17 - t13 * t19) * t21;
+    const double t20 = t14 * t14 + t15 * t15 + t16 * t16;
+    const double t21 = 1.0 / (t18 * t20 - t17 * t17);
+    *xi = (t18 * t19 - t13 * t17) * t21;
+    *eta = (t13 * t20 - t19 * t17) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -327,53 +324,62 @@ FOOTPOINT_LOOP void footpoint_quad4_fast_n(size_t n, const double *const x[15],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.17851747968018908, -1.0322821663401478, 1.673566162808864e-14, 9.3185993271589266e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 1.551555612150219, 1.4327639409772415, 4.147776082236048e-15, 3.2036449379891577e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.24149774496830348, 0.70810029543459707, 1.2470307448034178e-15, 1.5874231227886047e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.90501063355014244, 1.1923951131095567, 3.5329766465122072e-15, 3.6437988410107785e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 2.355027231585451, 0.60523614913625301, 6.4294241329321403e-15, 4.375643788737942e-15},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.7466173710815861, -0.11916371672938557, 2.1616589960064144e-15, 6.1331984403234131e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 2.4148839970634839, 1.2519818881192839, 5.4394229209436731e-15, 3.6463201256765362e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 1.8802800238365061, 1.1203844988928506, 4.1174151226187956e-15, 2.5729537355160316e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.17851747968018908, -1.0322821663401478, 1.6967993097495995e-14, 9.4053945596972529e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 1.551555612150219, 1.4327639409772415, 3.5693811327160862e-15, 2.930954874031569e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.24149774496830348, 0.70810029543459707, 8.9498269346149001e-16, 1.4751123293174093e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.90501063355014244, 1.1923951131095567, 3.478324426039656e-15, 3.5959392295127987e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 2.355027231585451, 0.60523614913625301, 5.9308511400767636e-15, 3.9628351199652061e-15},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.7466173710815861, -0.11916371672938557, 2.1284571961865142e-15, 6.0350109899512723e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 2.4148839970634839, 1.2519818881192839, 5.0890942918385579e-15, 3.4054601205213873e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 1.8802800238365061, 1.1203844988928506, 3.4409034532698306e-15, 2.3775234498195826e-15},
 };
 #endif
 
-/* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 42 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                             const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (t1 - 2.0 * (xA[2] - xS[2])) + t3;
-    const double t15 = (t5 - 2.0 * (xA[1] - xS[1])) + t7;
-    const double t16 = t11 - (2.0 * (xA[0] - xS[0]) - t9);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t13 * t17 - t18 * t19;
-    const double t21 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t22 = t18 * t21 - t13 * t13;
-    const double t23 = t22 * t22;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = t23 + (t25 * t21 - t24 * t13) * t20;
-    const double t27 = t13 * t19 - t21 * t17;
-    const double t28 = (t24 * t18 - t25 * t13) * t27;
-    const double t29 = t22 * (t28 + t26);
-    const double t30 = 1.0 / t29;
-    *xi = t20 * t26 * t30;
-    *eta = t27 * (t23 + t28) * t30;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t2 - t1;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t5 - t4;
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t8 - t7;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t11 - t10;
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t14 - t13;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t4 - 4.0 * xS[2] + t5;
+    const double t21 = t10 - 4.0 * xS[1] + t11;
+    const double t22 = t16 - 4.0 * xS[0] + t17;
+    const double t23 = t6 * t20 + t12 * t21 + t18 * t22;
+    const double t24 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t25 = t3 * t20 + t9 * t21 + t15 * t22;
+    const double t26 = t24 * t25 - t19 * t23;
+    const double t27 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t28 = t27 * t24 - t19 * t19;
+    const double t29 = t28 * t28;
+    const double t30 = t1 + t2;
+    const double t31 = t7 + t8;
+    const double t32 = t13 + t14;
+    const double t33 = t30 * t3 + t31 * t9 + t32 * t15;
+    const double t34 = t30 * t6 + t31 * t12 + t32 * t18;
+    const double t35 = (t34 * t27 - t33 * t19) * t26;
+    const double t36 = t27 * t23 - t19 * t25;
+    const double t37 = (t33 * t24 - t34 * t19) * t36 - t29;
+    const double t38 = t28 * (t35 + t37);
+    const double t39 = 1.0 / t38;
+    *xi = t26 * (t35 - t29) * t39;
+    *eta = t36 * t37 * t39;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -412,62 +418,71 @@ FOOTPOINT_LOOP void footpoint_quad4_coarse_n(size_t n, const double *const x[15]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.19213347820827598, -1.1075103603347207, 1.9394932388284196e-14, 6.3412698955841805e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.69421923714630007, 1.5410218175370296, 2.3153833755033256e-15, 4.8824019665276823e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15393263733726406, 0.71272221427389504, 8.0131182555570159e-16, 2.1549892634941841e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51610141199691739, 1.1098764162996653, 2.7896922808550331e-15, 4.5955658341882359e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.31741118554572, 0.85693386332440802, 5.1449468291454616e-15, 7.9073240947179595e-15},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81259593593976243, -0.13286140528981005, 2.6995492297711514e-15, 8.2629111382862513e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3815932006931395, 1.0845610601097735, 4.7723406884453946e-15, 4.2680852891829077e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.97402895656197197, 1.188412294461159, 2.7280231519479148e-15, 3.8109245792389117e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.19213347820827598, -1.1075103603347207, 1.9612707173059081e-14, 5.8159181132544295e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.69421923714630007, 1.5410218175370296, 2.3752432543012958e-15, 4.0711298583444069e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15393263733726406, 0.71272221427389504, 6.4916217954327812e-16, 1.7534394917042774e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51610141199691739, 1.1098764162996653, 2.9676634133783165e-15, 4.1970496039483639e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.31741118554572, 0.85693386332440802, 5.640206915876527e-15, 7.2241033235617001e-15},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81259593593976243, -0.13286140528981005, 2.8986245676968552e-15, 6.900087871117957e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3815932006931395, 1.0845610601097735, 5.0242513327404911e-15, 3.7214783517593115e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.97402895656197197, 1.188412294461159, 2.8433316473616351e-15, 3.1935311156337301e-15},
 };
 #endif
 
-/* 66 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 64 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                             const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xB[2] - xA[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = xA[1] - xB[1];
-    const double t5 = 0.5 * (xD[1] - xC[1] - t4);
-    const double t6 = xA[1] - xD[1] + t5;
-    const double t7 = xB[0] - xA[0];
-    const double t8 = 0.5 * (xD[0] - xC[0] + t7);
-    const double t9 = xA[0] - xD[0] + t8;
-    const double t10 = t3 * t3 + t6 * t6 + t9 * t9;
-    const double t11 = t1 - t2;
-    const double t12 = t4 + t5;
-    const double t13 = t7 - t8;
-    const double t14 = t3 * t11 - t6 * t12 + t9 * t13;
-    const double t15 = ((2.0 * (xS[0] - xA[0])) - t7) + t9;
-    const double t16 = t4 + (2.0 * (xS[1] - xA[1])) + t6;
-    const double t17 = (2.0 * (xS[2] - xA[2])) - t1 + t3;
-    const double t18 = t9 * t15 + t6 * t16 + t3 * t17;
-    const double t19 = t11 * t17 + (t13 * t15 - t12 * t16);
-    const double t20 = t11 * t11 + t12 * t12 + t13 * t13;
-    const double t21 = 1.0 / (t10 * t20 - t14 * t14);
-    const double t22 = (t10 * t19 - t14 * t18) * t21;
-    const double t23 = t2 * t3 + t5 * t6 + t8 * t9;
-    const double t24 = t2 * t11 - t5 * t12 + t8 * t13;
-    const double t25 = (t20 * t18 - t14 * t19) * t21;
-    const double t26 = t25 * t21 * t22;
-    const double t27 = t22 - (t24 * t10 - t23 * t14) * t26;
-    const double t28 = t2 * t2 + t5 * t5 + t8 * t8;
-    const double t29 = t23 + t28 * t27;
-    const double t30 = t10 + t27 * (t23 + t29);
-    const double t31 = t25 - (t23 * t20 - t24 * t14) * t26;
-    const double t32 = t2 * t17 + (t5 * t16 + t8 * t15);
-    const double t33 = t24 + t28 * t31;
-    const double t34 = t19 + t31 * (t32 + t27 * t33);
-    const double t35 = t31 * t29;
-    const double t36 = t14 + (t24 * t27 + t35);
-    const double t37 = t18 + t27 * (t32 + t35);
-    const double t38 = t20 + t31 * (t24 + t33);
-    const double t39 = 1.0 / (t36 * t36 - t30 * t38);
-    *xi = (t36 * t37 - t30 * t34) * t39;
-    *eta = (t38 * t37 - t36 * t34) * t39;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t2 - t1;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t4 + t5 - 4.0 * xS[2];
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t8 - t7;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t10 + t11 - 4.0 * xS[1];
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t14 - t13;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t16 + t17 - 4.0 * xS[0];
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t5 - t4;
+    const double t21 = t11 - t10;
+    const double t22 = t17 - t16;
+    const double t23 = t20 * t3 + t21 * t9 + t22 * t15;
+    const double t24 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t25 = t20 * t6 + t21 * t12 + t22 * t18;
+    const double t26 = t20 * t20 + t21 * t21 + t22 * t22;
+    const double t27 = 1.0 / (t26 * t24 - t23 * t23);
+    const double t28 = (t24 * t25 - t23 * t19) * t27;
+    const double t29 = t1 + t2;
+    const double t30 = t7 + t8;
+    const double t31 = t13 + t14;
+    const double t32 = t20 * t29 + (t21 * t30 + t22 * t31);
+    const double t33 = t3 * t29 + t9 * t30 + t15 * t31;
+    const double t34 = (t26 * t19 - t23 * t25) * t27;
+    const double t35 = t27 * t28;
+    const double t36 = t28 - (t33 * t23 - t32 * t24) * t34 * t35;
+    const double t37 = t29 * t6 + t30 * t12 + t31 * t18;
+    const double t38 = t34 * ((t33 * t26 - t32 * t23) * t35 + 1.0);
+    const double t39 = t29 * t29 + t30 * t30 + t31 * t31;
+    const double t40 = t33 - t39 * t36;
+    const double t41 = t19 - t36 * (t37 + t38 * t40);
+    const double t42 = t32 - t39 * t38;
+    const double t43 = t26 - t38 * (t32 + t42);
+    const double t44 = t36 * t42;
+    const double t45 = t23 - t33 * t38 - t44;
+    const double t46 = t25 - t38 * (t37 + t44);
+    const double t47 = t24 - t36 * (t33 + t40);
+    const double t48 = 1.0 / (t47 * t43 - t45 * t45);
+    *xi = (t41 * t43 - t45 * t46) * t48;
+    *eta = (t47 * t46 - t45 * t41) * t48;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -506,68 +521,77 @@ FOOTPOINT_LOOP void footpoint_quad4_medium_n(size_t n, const double *const x[15]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_medium_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1701694241301962, -1.1075799545706049, 2.5321937238056428e-14, 2.5716319096039551e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.6985753321960313, 1.5400637972585232, 2.9690158644794853e-15, 4.5938280375069442e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15471234063924813, 0.71304270175398587, 9.2407144757824098e-16, 1.8621828175534663e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51605250710727646, 1.1098063021416071, 3.8097412105537544e-15, 5.2081086895973421e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4552822086484476, 0.82600488491299706, 5.1544302997288854e-15, 1.1913849109022128e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81296426932354782, -0.13273832687947532, 2.6976892227172728e-15, 8.2957349505409283e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.4326588898645856, 1.0929313485512353, 6.1552178365911201e-15, 4.5124532870581495e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.98406569106162056, 1.186545390782674, 3.16472952534122e-15, 3.4093280395178085e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1701694241301962, -1.1075799545706049, 2.5524722022648806e-14, 2.616580817164463e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.6985753321960313, 1.5400637972585232, 2.7195502063388639e-15, 4.1899908207446412e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15471234063924813, 0.71304270175398587, 7.4375215265637019e-16, 1.7675658878331093e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51605250710727646, 1.1098063021416071, 3.829726666617739e-15, 5.2715110000723592e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4552822086484476, 0.82600488491299706, 5.2183167776286602e-15, 1.2111134606087554e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81296426932354782, -0.13273832687947532, 2.659540093312661e-15, 8.4530202771424366e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.4326588898645856, 1.0929313485512353, 5.8115139755871055e-15, 4.3104286366539987e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.98406569106162056, 1.186545390782674, 2.8501270273769323e-15, 3.2201983740428767e-15},
 };
 #endif
 
-/* 73 mul, 2 div, 70 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 72 mul, 2 div, 70 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = (xA[2] - xD[2]) + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = (xA[0] - xD[0]) + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[1] - xB[1];
-    const double t10 = 0.5 * (xD[1] - xC[1] - t9);
-    const double t11 = xA[1] - xD[1] + t10;
-    const double t12 = t9 + t10;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = t1 + t2 - 4.0 * xS[2];
+    const double t5 = xD[1] + xC[1];
+    const double t6 = xB[1] + xA[1];
+    const double t7 = t6 - t5;
+    const double t8 = t5 + t6 - 4.0 * xS[1];
+    const double t9 = xD[0] + xC[0];
+    const double t10 = xB[0] + xA[0];
+    const double t11 = t10 - t9;
+    const double t12 = t9 + t10 - 4.0 * xS[0];
     const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t3 + (t1 - 2.0 * (xA[2] - xS[2]));
-    const double t15 = t7 + (t5 - 2.0 * (xA[0] - xS[0]));
-    const double t16 = t9 - 2.0 * (xA[1] - xS[1]) + t11;
-    const double t17 = t2 * t4 + t10 * t12 + t6 * t8;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t4 + t12 * t12 + t8 * t8;
-    const double t20 = t18 * t19 - t13 * t13;
-    const double t21 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t22 = t21 * t19 - t17 * t13;
-    const double t23 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t24 = t3 * t14 + (t7 * t15 + t11 * t16);
-    const double t25 = t18 * t23 - t13 * t24;
-    const double t26 = t17 * t18 - t21 * t13;
-    const double t27 = t13 * t23 - t19 * t24;
-    const double t28 = t20 * t20 - t22 * t25 + t26 * t27;
-    const double t29 = t20 * t28;
-    const double t30 = 1.0 / t29;
-    const double t31 = t28 * t30;
-    const double t32 = t20 * t25 * t27 * t30;
-    const double t33 = t31 * (t25 - t26 * t32);
-    const double t34 = t31 * (t27 + t22 * t32);
-    const double t35 = t2 * t2 + t10 * t10 + t6 * t6;
-    const double t36 = t21 - t35 * t33;
-    const double t37 = t34 * t36;
-    const double t38 = t17 * t33 - t37;
-    const double t39 = t13 + (t2 * t14 + t6 * t15 + t10 * t16) - 2.0 * t38;
-    const double t40 = t24 + t33 * (t37 - t38);
-    const double t41 = t33 * (t21 + t36) - t18;
-    const double t42 = t17 + t35 * t34;
-    const double t43 = t23 + t34 * (t33 * t42 + t38);
-    const double t44 = t19 + t34 * (t17 + t42);
-    const double t45 = 1.0 / (t39 * t39 + t41 * t44);
-    *xi = -(t39 * t40 + t41 * t43) * t45;
-    *eta = (t44 * t40 - t39 * t43) * t45;
+    const double t14 = xC[2] - xD[2];
+    const double t15 = xA[2] - xB[2];
+    const double t16 = t15 - t14;
+    const double t17 = xC[1] - xD[1];
+    const double t18 = xA[1] - xB[1];
+    const double t19 = t18 - t17;
+    const double t20 = xC[0] - xD[0];
+    const double t21 = xA[0] - xB[0];
+    const double t22 = t21 - t20;
+    const double t23 = t3 * t16 + t7 * t19 + t11 * t22;
+    const double t24 = t3 * t3 + t7 * t7 + t11 * t11;
+    const double t25 = t16 * t16 + t19 * t19 + t22 * t22;
+    const double t26 = t24 * t25 - t23 * t23;
+    const double t27 = t14 + t15;
+    const double t28 = t17 + t18;
+    const double t29 = t20 + t21;
+    const double t30 = t16 * t27 + t19 * t28 + t22 * t29;
+    const double t31 = t3 * t27 + t7 * t28 + t11 * t29;
+    const double t32 = t31 * t25 - t30 * t23;
+    const double t33 = t16 * t4 + t19 * t8 + t22 * t12;
+    const double t34 = t24 * t33 - t23 * t13;
+    const double t35 = t30 * t24 - t31 * t23;
+    const double t36 = t25 * t13 - t23 * t33;
+    const double t37 = t32 * t34 - t26 * t26 + t35 * t36;
+    const double t38 = t26 * t37;
+    const double t39 = 1.0 / t38;
+    const double t40 = t37 * t39;
+    const double t41 = t26 * t36 * t34 * t39;
+    const double t42 = t40 * (t34 - t35 * t41);
+    const double t43 = t40 * (t36 - t32 * t41);
+    const double t44 = t27 * t27 + t28 * t28 + t29 * t29;
+    const double t45 = t31 - t44 * t42;
+    const double t46 = t43 * t45;
+    const double t47 = t30 * t42 + t46;
+    const double t48 = t13 - t42 * t46 - t42 * t47;
+    const double t49 = t27 * t4 + t28 * t8 + t29 * t12 + t23 - 2.0 * t47;
+    const double t50 = t24 - t42 * (t31 + t45);
+    const double t51 = t30 - t44 * t43;
+    const double t52 = t33 - t43 * t42 * t51 - t43 * t47;
+    const double t53 = t25 - t43 * (t30 + t51);
+    const double t54 = 1.0 / (t50 * t53 - t49 * t49);
+    *xi = (t50 * t52 - t48 * t49) * t54;
+    *eta = (t53 * t48 - t52 * t49) * t54;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -606,73 +630,82 @@ FOOTPOINT_LOOP void footpoint_quad4_balanced_n(size_t n, const double *const x[1
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994424892758597, -1.1075174834375046, 2.630951157405806e-14, 2.5885171807011737e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72641618485928772, 1.5370510599896594, 2.7762298764291953e-15, 4.6368849988643215e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477619968760006, 0.71307403078849296, 9.0516273908334521e-16, 1.7821993814690655e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50373244376941184, 1.1074934789836355, 5.3034258987745963e-15, 7.0993495511562356e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4458496081014149, 0.86870327404043646, 5.0623441695637696e-15, 1.4026982559215363e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297705362707096, -0.13273772229808461, 2.6662612741628456e-15, 8.4374809372451437e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3121368574282317, 1.0771635608496781, 1.0145923822991539e-14, 9.5551332448734862e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99813145255639746, 1.1850858659501511, 3.6230193789674785e-15, 4.948692704842727e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994424892758597, -1.1075174834375046, 3.1388076582717716e-14, 2.9270295306550845e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72641618485928772, 1.5370510599896594, 2.5553203387718452e-15, 4.5895092350112792e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477619968760006, 0.71307403078849296, 7.8642768380463134e-16, 1.8605213670367295e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50373244376941184, 1.1074934789836355, 5.6353973880159861e-15, 7.5478898894673119e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4458496081014149, 0.86870327404043646, 5.0887118164295464e-15, 1.4000467219878124e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297705362707096, -0.13273772229808461, 2.8328502954523094e-15, 8.9559796229336772e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3121368574282317, 1.0771635608496781, 1.0117765238455225e-14, 9.5432167868568132e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99813145255639746, 1.1850858659501511, 3.3097406421751277e-15, 4.8592119383545687e-15},
 };
 #endif
 
-/* 83 mul, 3 div, 78 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 83 mul, 3 div, 79 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = (xA[2] - xD[2]) + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = (xA[1] - xD[1]) + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = (xA[0] - xD[0]) + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t3 + (t1 - 2.0 * (xA[2] - xS[2]));
-    const double t15 = t7 - (2.0 * (xA[1] - xS[1]) - t5);
-    const double t16 = t11 + (t9 - 2.0 * (xA[0] - xS[0]));
-    const double t17 = t2 * t14 + t6 * t15 + t10 * t16;
-    const double t18 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t19 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = t19 * t20 - t13 * t13;
-    const double t22 = 1.0 / t21;
-    const double t23 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t24 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t25 = t19 * t24 - t13 * t23;
-    const double t26 = t20 * t23 - t13 * t24;
-    const double t27 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t28 = t27 * t20 - t18 * t13;
-    const double t29 = t19 * t18 - t27 * t13;
-    const double t30 = t28 * t25;
-    const double t31 = t29 * t26;
-    const double t32 = t30 - t21 * t21 + t31;
-    const double t33 = t32 / (t32 * t32 - t30 * t31);
-    const double t34 = (t23 * t28 - t17 * t21 + t24 * t29) * t33;
-    const double t35 = t25 - (t19 * t26 - t13 * t25) * t34;
-    const double t36 = (t20 * t25 - t13 * t26) * t34;
-    const double t37 = t33 * (t25 * t36 - t26 * t35);
-    const double t38 = t22 * (t35 + t29 * t37);
-    const double t39 = t22 * (t26 - t36 + t28 * t37);
-    const double t40 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t41 = t27 - t40 * t38;
-    const double t42 = t39 * t41;
-    const double t43 = t18 * t38 + t42;
-    const double t44 = t13 + t17 - 2.0 * t43;
-    const double t45 = t38 * (t42 + t43) - t23;
-    const double t46 = t19 - t38 * (t27 + t41);
-    const double t47 = t18 - t40 * t39;
-    const double t48 = t24 - t39 * (t38 * t47 + t43);
-    const double t49 = t20 - t39 * (t18 + t47);
-    const double t50 = 1.0 / (t46 * t49 - t44 * t44);
-    *xi = -(t44 * t45 + t46 * t48) * t50;
-    *eta = (t44 * t48 + t49 * t45) * t50;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = xC[2] - xD[2];
+    const double t5 = xA[2] - xB[2];
+    const double t6 = t5 - t4;
+    const double t7 = xD[1] + xC[1];
+    const double t8 = xB[1] + xA[1];
+    const double t9 = t8 - t7;
+    const double t10 = xC[1] - xD[1];
+    const double t11 = xA[1] - xB[1];
+    const double t12 = t11 - t10;
+    const double t13 = xD[0] + xC[0];
+    const double t14 = xB[0] + xA[0];
+    const double t15 = t14 - t13;
+    const double t16 = xC[0] - xD[0];
+    const double t17 = xA[0] - xB[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t4 + t5;
+    const double t21 = t1 - 4.0 * xS[2] + t2;
+    const double t22 = t10 + t11;
+    const double t23 = t7 - 4.0 * xS[1] + t8;
+    const double t24 = t16 + t17;
+    const double t25 = t13 - 4.0 * xS[0] + t14;
+    const double t26 = t20 * t21 + t22 * t23 + t24 * t25;
+    const double t27 = t20 * t6 + t22 * t12 + t24 * t18;
+    const double t28 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t29 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t30 = t28 * t29 - t19 * t19;
+    const double t31 = 1.0 / t30;
+    const double t32 = t3 * t21 + t9 * t23 + t15 * t25;
+    const double t33 = t6 * t21 + t12 * t23 + t18 * t25;
+    const double t34 = t28 * t33 - t19 * t32;
+    const double t35 = t20 * t3 + t22 * t9 + t24 * t15;
+    const double t36 = t35 * t29 - t27 * t19;
+    const double t37 = t36 * t34;
+    const double t38 = t27 * t28 - t35 * t19;
+    const double t39 = t29 * t32 - t19 * t33;
+    const double t40 = t38 * t39;
+    const double t41 = t37 - t30 * t30 + t40;
+    const double t42 = t41 / (t41 * t41 - t37 * t40);
+    const double t43 = t32 * t36 - t26 * t30 + t33 * t38;
+    const double t44 = t28 * t39 - t19 * t34;
+    const double t45 = t29 * t34 - t19 * t39;
+    const double t46 = t34 * t39 - t43 * (t39 * t44 + t34 * t45) * t42;
+    const double t47 = t31 * (t34 - t42 * (t43 * t44 + t38 * t46));
+    const double t48 = t31 * (t39 - t42 * (t43 * t45 + t36 * t46));
+    const double t49 = t20 * t20 + t22 * t22 + t24 * t24;
+    const double t50 = t35 - t49 * t47;
+    const double t51 = t48 * t50;
+    const double t52 = t27 * t47 + t51;
+    const double t53 = t19 + t26 - 2.0 * t52;
+    const double t54 = t32 - t47 * (t51 + t52);
+    const double t55 = t28 - t47 * (t35 + t50);
+    const double t56 = t27 - t49 * t48;
+    const double t57 = t33 - t48 * (t47 * t56 + t52);
+    const double t58 = t29 - t48 * (t27 + t56);
+    const double t59 = 1.0 / (t55 * t58 - t53 * t53);
+    *xi = (t55 * t57 - t53 * t54) * t59;
+    *eta = (t58 * t54 - t53 * t57) * t59;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -711,81 +744,90 @@ FOOTPOINT_LOOP void footpoint_quad4_fine_n(size_t n, const double *const x[15],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_fine_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994056461463458, -1.1075132783932167, 3.1133411038752142e-14, 2.7570653511520486e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660059150720435, 1.5360045570831968, 2.7811269881151285e-15, 4.7489092689297589e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578568975256, 0.71307353201306578, 9.6021000298722029e-16, 1.8942456087424661e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384540484650919, 1.1072467767985745, 5.3147152960021292e-15, 7.1182326956667902e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4582564118381829, 0.82621401087037372, 7.6310658215839683e-15, 1.6324432773760691e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297699961102854, -0.13273771997919126, 2.786154384479064e-15, 8.8709186544817983e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144475614855076, 1.0735416585595974, 9.0344319717966962e-15, 8.6959290437253257e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834045144803785, 1.1844451371106186, 3.6338589534682361e-15, 5.1062001764244627e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994056461463458, -1.1075132783932167, 3.1260207627982977e-14, 2.7589707596337964e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660059150720435, 1.5360045570831968, 2.6177329307249564e-15, 4.5156849291555701e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578568975256, 0.71307353201306578, 7.5735772902041783e-16, 1.7798859483074411e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384540484650919, 1.1072467767985745, 5.3356792131355479e-15, 7.1378863810450502e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4582564118381829, 0.82621401087037372, 7.5054270717495112e-15, 1.5948940934137481e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297699961102854, -0.13273771997919126, 2.5837516210685814e-15, 8.138808982771451e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144475614855076, 1.0735416585595974, 8.8982522489879255e-15, 8.5358405613270299e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834045144803785, 1.1844451371106186, 3.4308602224883689e-15, 4.9456539934142139e-15},
 };
 #endif
 
-/* 91 mul, 3 div, 85 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 88 mul, 3 div, 85 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                              const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xB[2] - xA[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] + t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t2 - t1;
-    const double t5 = xB[1] - xA[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] + t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t6 - t5;
-    const double t9 = xB[0] - xA[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] + t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t10 - t9;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = 2.0 * (xS[2] - xA[2]) - t1 + t3;
-    const double t15 = 2.0 * (xS[1] - xA[1]) - t5 + t7;
-    const double t16 = 2.0 * (xS[0] - xA[0]) - t9 + t11;
-    const double t17 = t13 + (t2 * t14 + t6 * t15 + t10 * t16);
-    const double t18 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t19 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t20 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t21 = t18 * t19 - t20 * t13;
-    const double t22 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t23 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t24 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t25 = t23 * t24 - t13 * t22;
-    const double t26 = t19 * t23 - t13 * t13;
-    const double t27 = t20 * t23 - t18 * t13;
-    const double t28 = t19 * t22 - t13 * t24;
-    const double t29 = t26 * t26 - t21 * t25 - t27 * t28;
-    const double t30 = t26 * t29;
-    const double t31 = 1.0 / t30;
-    const double t32 = t29 * t31;
-    const double t33 = t26 * t25 * t28 * t31;
-    const double t34 = t32 * (t28 + t21 * t33);
-    const double t35 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t36 = t20 - t35 * t34;
-    const double t37 = t19 - t34 * (t20 + t36);
-    const double t38 = t32 * (t25 + t27 * t33);
-    const double t39 = t18 - t35 * t38;
-    const double t40 = t38 * t36;
-    const double t41 = t18 * t34 + t40;
-    const double t42 = t22 - t38 * (t34 * t39 + t41);
-    const double t43 = 2.0 * t41 - t17;
-    const double t44 = t24 - t34 * (t40 + t41);
-    const double t45 = t23 - t38 * (t18 + t39);
-    const double t46 = 1.0 / (t37 * t45 - t43 * t43);
-    const double t47 = (t37 * t42 + t43 * t44) * t46;
-    const double t48 = (t43 * t42 + t45 * t44) * t46;
-    const double t49 = t20 - t35 * t47;
-    const double t50 = t48 * t49;
-    const double t51 = t18 * t47 + t50;
-    const double t52 = t17 - 2.0 * t51;
-    const double t53 = t24 - t47 * (t50 + t51);
-    const double t54 = t19 - t47 * (t20 + t49);
-    const double t55 = t18 - t35 * t48;
-    const double t56 = t48 * (t47 * t55 + t51) - t22;
-    const double t57 = t23 - t48 * (t18 + t55);
-    const double t58 = 1.0 / (t54 * t57 - t52 * t52);
-    *xi = (t52 * t53 + t54 * t56) * t58;
-    *eta = -(t52 * t56 + t57 * t53) * t58;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = t1 + t2;
+    const double t4 = xD[2] + xC[2];
+    const double t5 = xB[2] + xA[2];
+    const double t6 = t4 - 4.0 * xS[2] + t5;
+    const double t7 = xC[1] - xD[1];
+    const double t8 = xA[1] - xB[1];
+    const double t9 = t7 + t8;
+    const double t10 = xD[1] + xC[1];
+    const double t11 = xB[1] + xA[1];
+    const double t12 = t10 - 4.0 * xS[1] + t11;
+    const double t13 = xC[0] - xD[0];
+    const double t14 = xA[0] - xB[0];
+    const double t15 = t13 + t14;
+    const double t16 = xD[0] + xC[0];
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t16 - 4.0 * xS[0] + t17;
+    const double t19 = t5 - t4;
+    const double t20 = t2 - t1;
+    const double t21 = t11 - t10;
+    const double t22 = t8 - t7;
+    const double t23 = t17 - t16;
+    const double t24 = t14 - t13;
+    const double t25 = t19 * t20 + t21 * t22 + t23 * t24;
+    const double t26 = t3 * t6 + t9 * t12 + t15 * t18 + t25;
+    const double t27 = t20 * t3 + t22 * t9 + t24 * t15;
+    const double t28 = t19 * t19 + t21 * t21 + t23 * t23;
+    const double t29 = t20 * t20 + t22 * t22 + t24 * t24;
+    const double t30 = t25 * t25 - t28 * t29;
+    const double t31 = t19 * t3 + t21 * t9 + t23 * t15;
+    const double t32 = t31 * t29 - t25 * t27;
+    const double t33 = t19 * t6 + t21 * t12 + t23 * t18;
+    const double t34 = t20 * t6 + t22 * t12 + t24 * t18;
+    const double t35 = t28 * t34 - t25 * t33;
+    const double t36 = t28 * t27 - t31 * t25;
+    const double t37 = t25 * t34 - t29 * t33;
+    const double t38 = t30 * t30 - t32 * t35 + t36 * t37;
+    const double t39 = t30 * t38;
+    const double t40 = 1.0 / t39;
+    const double t41 = t38 * t40;
+    const double t42 = t30 * t35 * t37 * t40;
+    const double t43 = t41 * (t35 - t36 * t42);
+    const double t44 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t45 = t31 + t44 * t43;
+    const double t46 = t28 + t43 * (t31 + t45);
+    const double t47 = t41 * (t37 + t32 * t42);
+    const double t48 = t27 - t44 * t47;
+    const double t49 = t47 * t45;
+    const double t50 = t27 * t43 - t49;
+    const double t51 = t34 + t47 * (t43 * t48 + t50);
+    const double t52 = t26 + 2.0 * t50;
+    const double t53 = t33 + t43 * (t49 - t50);
+    const double t54 = t29 - t47 * (t27 + t48);
+    const double t55 = 1.0 / (t46 * t54 - t52 * t52);
+    const double t56 = (t46 * t51 - t52 * t53) * t55;
+    const double t57 = (t54 * t53 - t52 * t51) * t55;
+    const double t58 = t31 - t44 * t56;
+    const double t59 = t57 * t58;
+    const double t60 = t27 * t56 + t59;
+    const double t61 = 2.0 * t60 - t26;
+    const double t62 = t33 - t56 * (t59 + t60);
+    const double t63 = t28 - t56 * (t31 + t58);
+    const double t64 = t27 - t44 * t57;
+    const double t65 = t34 - t57 * (t56 * t64 + t60);
+    const double t66 = t29 - t57 * (t27 + t64);
+    const double t67 = 1.0 / (t63 * t66 - t61 * t61);
+    *xi = (t61 * t62 + t63 * t65) * t67;
+    *eta = (t66 * t62 + t61 * t65) * t67;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -824,14 +866,14 @@ FOOTPOINT_LOOP void footpoint_quad4_precise_n(size_t n, const double *const x[15
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_precise_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386508992909, -1.1075159221305415, 3.1055079753897345e-14, 2.705500195914531e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660163236492781, 1.5360014556953518, 2.7751563132824125e-15, 4.7394361282443367e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624364088, 0.71307353223179459, 9.6018688045314389e-16, 1.894233295707416e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549746228713, 1.1072465325995335, 5.3087367407918958e-15, 7.1105504441694749e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4582218809329206, 0.82561644336354156, 7.1464456102657791e-15, 1.5860653620511649e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.13273772048742352, 2.7860590423179332e-15, 8.8707523623791443e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144575797958113, 1.0735223847589714, 8.9721627712879942e-15, 8.6543621117961086e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834416389952652, 1.1844394372532077, 3.6207177140655617e-15, 5.0890563393449691e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386508992909, -1.1075159221305415, 3.1183096768815347e-14, 2.7079511414217797e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660163236492781, 1.5360014556953518, 2.6119176630634345e-15, 4.5061951729186077e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624364088, 0.71307353223179459, 7.5733657586030579e-16, 1.7798741802853613e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549746228713, 1.1072465325995335, 5.3297623089459797e-15, 7.1302260437310256e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4582218809329206, 0.82561644336354156, 7.0229353558698514e-15, 1.5492604682325654e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.13273772048742352, 2.5836612859604445e-15, 8.1386578812041062e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144575797958113, 1.0735223847589714, 8.8367122145917783e-15, 8.494455247510118e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834416389952652, 1.1844394372532077, 3.4179173433767702e-15, 4.9285763714746074e-15},
 };
 #endif
 
@@ -839,78 +881,89 @@ static const double footpoint_quad4_precise_points[][19] = {
 FOOTPOINT_FN void footpoint_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = xD[2] - xA[2] - t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = xD[1] - xA[1] - t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = xD[0] - xA[0] - t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = 2.0 * (xA[2] - xS[2]) - t1 + t3;
-    const double t15 = 2.0 * (xA[1] - xS[1]) - t5 + t7;
-    const double t16 = 2.0 * (xA[0] - xS[0]) - t9 + t11;
-    const double t17 = t13 + (t2 * t14 + t6 * t15 + t10 * t16);
-    const double t18 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t19 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t20 = t3 * t3 + (t7 * t7 + t11 * t11);
-    const double t21 = t20 * t18 - t19 * t13;
-    const double t22 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t23 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t24 = t3 * t14 + (t7 * t15 + t11 * t16);
-    const double t25 = t23 * t24 - t13 * t22;
-    const double t26 = t13 * t13 - t20 * t23;
-    const double t27 = t18 * t13 - t19 * t23;
-    const double t28 = t20 * t22 - t13 * t24;
-    const double t29 = t26 * t26 - t21 * t25 + t27 * t28;
-    const double t30 = t26 * t29;
-    const double t31 = 1.0 / t30;
-    const double t32 = t29 * t31;
-    const double t33 = t26 * t25 * t28 * t31;
-    const double t34 = t32 * (t28 + t21 * t33);
-    const double t35 = t32 * (t25 - t27 * t33);
-    const double t36 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t37 = t19 + t36 * t34;
-    const double t38 = t35 * t37;
-    const double t39 = t18 * t34 + t38;
-    const double t40 = t17 + 2.0 * t39;
-    const double t41 = t34 * (t38 + t39) - t24;
-    const double t42 = t20 + t34 * (t19 + t37);
-    const double t43 = t18 + t36 * t35;
-    const double t44 = t35 * (t34 * t43 + t39) - t22;
-    const double t45 = t23 + t35 * (t18 + t43);
-    const double t46 = 1.0 / (t40 * t40 - t45 * t42);
-    const double t47 = (t42 * t44 - t40 * t41) * t46;
-    const double t48 = (t45 * t41 - t40 * t44) * t46;
-    const double t49 = t36 * t47 - t19;
-    const double t50 = t48 * t49;
-    const double t51 = t18 * t47 - t50;
-    const double t52 = 2.0 * t51 - t17;
-    const double t53 = t24 + t47 * (t50 - t51);
-    const double t54 = t20 + t47 * (t49 - t19);
-    const double t55 = t18 - t36 * t48;
-    const double t56 = t48 * (t47 * t55 + t51) - t22;
-    const double t57 = t23 - t48 * (t18 + t55);
-    const double t58 = 1.0 / (t54 * t57 - t52 * t52);
-    const double t59 = (t54 * t56 - t52 * t53) * t58;
-    const double t60 = (t57 * t53 - t52 * t56) * t58;
-    const double t61 = t19 + t36 * t59;
-    const double t62 = t60 * t61;
-    const double t63 = t18 * t59 - t62;
-    const double t64 = t17 + 2.0 * t63;
-    const double t65 = t59 * (t63 - t62) - t24;
-    const double t66 = t20 + t59 * (t19 + t61);
-    const double t67 = t18 - t36 * t60;
-    const double t68 = t22 + t60 * (t59 * t67 + t63);
-    const double t69 = t23 - t60 * (t18 + t67);
-    const double t70 = 1.0 / (t66 * t69 - t64 * t64);
-    *xi = (t64 * t65 + t66 * t68) * t70;
-    *eta = (t64 * t68 + t69 * t65) * t70;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = xC[2] - xD[2];
+    const double t5 = xA[2] - xB[2];
+    const double t6 = t5 - t4;
+    const double t7 = xD[1] + xC[1];
+    const double t8 = xB[1] + xA[1];
+    const double t9 = t8 - t7;
+    const double t10 = xC[1] - xD[1];
+    const double t11 = xA[1] - xB[1];
+    const double t12 = t11 - t10;
+    const double t13 = xD[0] + xC[0];
+    const double t14 = xB[0] + xA[0];
+    const double t15 = t14 - t13;
+    const double t16 = xC[0] - xD[0];
+    const double t17 = xA[0] - xB[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t4 + t5;
+    const double t21 = t1 + t2 - 4.0 * xS[2];
+    const double t22 = t10 + t11;
+    const double t23 = t7 + t8 - 4.0 * xS[1];
+    const double t24 = t16 + t17;
+    const double t25 = t13 + t14 - 4.0 * xS[0];
+    const double t26 = t19 + (t20 * t21 + t22 * t23 + t24 * t25);
+    const double t27 = t6 * t20 + t12 * t22 + t18 * t24;
+    const double t28 = t3 * t21 + t9 * t23 + t15 * t25;
+    const double t29 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t30 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t31 = t29 * t30 - t19 * t19;
+    const double t32 = t3 * t20 + t9 * t22 + t15 * t24;
+    const double t33 = t32 * t30 - t27 * t19;
+    const double t34 = t6 * t21 + t12 * t23 + t18 * t25;
+    const double t35 = t29 * t34 - t19 * t28;
+    const double t36 = t27 * t29 - t32 * t19;
+    const double t37 = t30 * t28 - t19 * t34;
+    const double t38 = t33 * t35 - t31 * t31 + t36 * t37;
+    const double t39 = t31 * t38;
+    const double t40 = 1.0 / t39;
+    const double t41 = t38 * t40;
+    const double t42 = t31 * t37 * t35 * t40;
+    const double t43 = t35 - t36 * t42;
+    const double t44 = t41 * t43;
+    const double t45 = t37 - t33 * t42;
+    const double t46 = t20 * t20 + t22 * t22 + t24 * t24;
+    const double t47 = t32 - t46 * t44;
+    const double t48 = t45 * t47;
+    const double t49 = t27 * t43 + t48;
+    const double t50 = t28 - t41 * t44 * (t48 + t49);
+    const double t51 = t26 - 2.0 * t41 * t49;
+    const double t52 = t29 - t44 * (t32 + t47);
+    const double t53 = t41 * t45;
+    const double t54 = t27 - t46 * t53;
+    const double t55 = t34 - t41 * t53 * (t43 * t54 + t49);
+    const double t56 = t30 - t53 * (t27 + t54);
+    const double t57 = 1.0 / (t52 * t56 - t51 * t51);
+    const double t58 = (t52 * t55 - t50 * t51) * t57;
+    const double t59 = (t56 * t50 - t55 * t51) * t57;
+    const double t60 = t32 - t46 * t58;
+    const double t61 = t59 * t60;
+    const double t62 = t27 * t58 + t61;
+    const double t63 = t26 - 2.0 * t62;
+    const double t64 = t28 - t58 * (t61 + t62);
+    const double t65 = t29 - t58 * (t32 + t60);
+    const double t66 = t27 - t46 * t59;
+    const double t67 = t34 - t59 * (t58 * t66 + t62);
+    const double t68 = t30 - t59 * (t27 + t66);
+    const double t69 = 1.0 / (t65 * t68 - t63 * t63);
+    const double t70 = (t65 * t67 - t63 * t64) * t69;
+    const double t71 = (t68 * t64 - t63 * t67) * t69;
+    const double t72 = t32 - t46 * t70;
+    const double t73 = t71 * t72;
+    const double t74 = t27 * t70 + t73;
+    const double t75 = t26 - 2.0 * t74;
+    const double t76 = t28 - t70 * (t73 + t74);
+    const double t77 = t29 - t70 * (t32 + t72);
+    const double t78 = t27 - t46 * t71;
+    const double t79 = t34 - t71 * (t70 * t78 + t74);
+    const double t80 = t30 - t71 * (t27 + t78);
+    const double t81 = 1.0 / (t77 * t80 - t75 * t75);
+    *xi = (t77 * t79 - t75 * t76) * t81;
+    *eta = (t80 * t76 - t75 * t79) * t81;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -949,14 +1002,14 @@ FOOTPOINT_LOOP void footpoint_quad4_accurate_n(size_t n, const double *const x[1
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 3.1340819074188701e-14, 2.8159738673938347e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660175643166625, 1.5360014082429603, 2.7813108847516505e-15, 4.813852902463227e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.5985546412940799e-16, 1.8929166797769143e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.5038454949345692, 1.1072465508514568, 5.305018436318371e-15, 7.1040917543612281e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585421751385841, 0.82550513182384422, 7.0554744125050627e-15, 1.5626064391356262e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.1327377204874238, 2.7865063910008616e-15, 8.8850018803972769e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144573563461261, 1.0735258713277076, 8.9468385793679728e-15, 8.6228752592490599e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860595494, 1.1844394003710921, 3.6222914243046701e-15, 5.0982767819463158e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 3.1531528566933868e-14, 2.7904777031223655e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660175643166625, 1.5360014082429603, 2.5562913966179337e-15, 4.4393675504756419e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 7.4675709318393625e-16, 1.7760324961507263e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.5038454949345692, 1.1072465508514568, 5.3319609237723737e-15, 7.1319542940094048e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585421751385841, 0.82550513182384422, 6.9558996087319197e-15, 1.5196301697534729e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.1327377204874238, 2.7412430721586104e-15, 8.7634927565058696e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144573563461261, 1.0735258713277076, 8.7684869964238706e-15, 8.4357556970485231e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860595494, 1.1844394003710921, 3.3339368559180381e-15, 4.877627791037371e-15},
 };
 #endif
 

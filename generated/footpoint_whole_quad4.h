@@ -14,14 +14,14 @@
  *
  * footpoint_whole_quad4_fast
  *   genome_sha256: 89064c5509e4779a8e8943cced56844e94290147194012e54924fe527f909efb
- *   operations: 34 mul, 1 div, 44 add, 0 sqrt, 4 compare; 31 temporaries
+ *   operations: 32 mul, 1 div, 41 add, 0 sqrt, 4 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   rounding error of xi: <= 9.6e-06 proved (with or without FMA), 1.3e-13 worst of 10000 points
- *   rounding error of eta: <= 9.6e-06 proved (with or without FMA), 1.5e-13 worst of 10000 points
+ *   poles: 2.0 * (t18 * t20 - t17 * t17): proved free of zeros, |...| >= 0.0027 (rounding error <= 4.5e-13)
+ *   rounding error of xi: <= 8e-06 proved (with or without FMA), 1.1e-12 worst of 10000 points
+ *   rounding error of eta: <= 8.2e-06 proved (with or without FMA), 7.4e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 7 mean 3.151e-02
@@ -33,13 +33,13 @@
  *
  * footpoint_whole_quad4_taper
  *   genome_sha256: 13cd9f50dcd1d2696eeca5358660c9d6ba910231bd568fc467660907664d4764
- *   operations: 47 mul, 1 div, 50 add, 0 sqrt, 5 compare; 35 temporaries
+ *   operations: 44 mul, 1 div, 50 add, 0 sqrt, 5 compare; 47 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   rounding error of xi: no bound found, 1.8e-12 worst of 10000 points
+ *   poles: t24 * t26 - t19 * t19: proved free of zeros, |...| >= 0.0013 (rounding error <= 2.3e-13)
+ *   rounding error of xi: no bound found, 3.2e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 7.2e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
@@ -52,13 +52,13 @@
  *
  * footpoint_whole_quad4_newton1
  *   genome_sha256: caa4db0033a7544d935cca31a61ea9e7d9e980829c8c62ce74ae6af7a46291db
- *   operations: 76 mul, 2 div, 73 add, 0 sqrt, 10 compare; 60 temporaries
+ *   operations: 74 mul, 2 div, 73 add, 0 sqrt, 10 compare; 66 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t10 * t20 - t14 * t14: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   poles: t46: proved free of zeros, |t46| >= 7e-09 (rounding error <= 1.8e+62)
+ *   poles: t49: proved free of zeros, |t49| >= 7e-09 (rounding error <= 1.7e+62)
  *   rounding error of xi: no bound found, 2e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 1.8e-11 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
@@ -72,14 +72,14 @@
  *
  * footpoint_whole_quad4_newton2
  *   genome_sha256: 8e44db41896e064cd565ee94d846f315c473b1948b9e39676e621d47046c7784
- *   operations: 97 mul, 3 div, 91 add, 0 sqrt, 15 compare; 82 temporaries
+ *   operations: 95 mul, 3 div, 91 add, 0 sqrt, 15 compare; 87 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t10 * t20 - t14 * t14: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   poles: t47: proved free of zeros, |t47| >= 7e-09 (rounding error <= 2.8e+63)
- *   poles: t67: proved free of zeros, |t67| >= 4.9e-09
+ *   poles: t49: proved free of zeros, |t49| >= 7e-09 (rounding error <= 2.5e+63)
+ *   poles: t69: proved free of zeros, |t69| >= 4.9e-09
  *   rounding error of xi: no bound found, 3.1e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 4.2e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
@@ -93,14 +93,14 @@
  *
  * footpoint_whole_quad4_coarse
  *   genome_sha256: 068b7c7b9e845fc792c533c60d51e13b31c9006618cefbb816f0ec510df8d3e9
- *   operations: 60 mul, 1 div, 57 add, 0 sqrt, 13 compare; 52 temporaries
+ *   operations: 59 mul, 1 div, 57 add, 0 sqrt, 13 compare; 69 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   rounding error of xi: no bound found, 3.6e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 5.7e-12 worst of 10000 points
+ *   poles: t24 * t26 - t19 * t19: proved free of zeros, |...| >= 0.0013 (rounding error <= 2.3e-13)
+ *   rounding error of xi: no bound found, 3.2e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 3.1e-12 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 9.355e-03
@@ -112,13 +112,13 @@
  *
  * footpoint_whole_quad4_balanced
  *   genome_sha256: 981aae9028070377c72386dc71509dd1d882c66ce28ceaf78173157a3c92d7fa
- *   operations: 100 mul, 2 div, 100 add, 0 sqrt, 34 compare; 103 temporaries
+ *   operations: 100 mul, 2 div, 100 add, 0 sqrt, 34 compare; 110 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   poles: t51 * t58 - t68 * t68: proved free of zeros, |...| >= 1.7e-07 (rounding error <= 8.4e+102)
+ *   poles: t57 * t59 - t72 * t72: proved free of zeros, |...| >= 1.7e-07 (rounding error <= 6.3e+102)
  *   rounding error of xi: no bound found, 1.8e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 7.6e-12 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
@@ -132,16 +132,16 @@
  *
  * footpoint_whole_quad4_accurate
  *   genome_sha256: 3c302d36a11a8fcbe5701f318b2090d3d8f10f2ddd5ee85e1e9d5d3be716e1e7
- *   operations: 137 mul, 3 div, 140 add, 0 sqrt, 51 compare; 150 temporaries
+ *   operations: 137 mul, 3 div, 140 add, 0 sqrt, 51 compare; 157 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   poles: t51 * t58 - t68 * t68: proved free of zeros, |...| >= 1.7e-07 (rounding error <= 4.9e+104)
- *   poles: t112: proved free of zeros, |t112| >= 3e-09
- *   rounding error of xi: no bound found, 1.5e-12 worst of 9345 points
- *   rounding error of eta: no bound found, 4.9e-11 worst of 9345 points
+ *   poles: t57 * t59 - t72 * t72: proved free of zeros, |...| >= 1.7e-07 (rounding error <= 2.5e+104)
+ *   poles: t118: proved free of zeros, |t118| >= 3e-09
+ *   rounding error of xi: no bound found, 2.5e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 4.9e-11 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 1 mean 1.203e-04
@@ -256,43 +256,42 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 34 mul, 1 div, 44 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 32 mul, 1 div, 41 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.5 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.5 * t10;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = t1 + t2 - 4.0 * xS[2];
+    const double t5 = xD[1] + xC[1];
+    const double t6 = xB[1] + xA[1];
+    const double t7 = t6 - t5;
+    const double t8 = t5 + t6 - 4.0 * xS[1];
+    const double t9 = xD[0] + xC[0];
+    const double t10 = xB[0] + xA[0];
+    const double t11 = t10 - t9;
+    const double t12 = t9 + t10 - 4.0 * xS[0];
     const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.5 * (t1 + t3);
-    const double t15 = (xA[1] - xS[1]) - 0.5 * (t5 + t7);
-    const double t16 = (xA[0] - xS[0]) - 0.5 * (t9 + t11);
+    const double t14 = xD[2] - xC[2] - xB[2] + xA[2];
+    const double t15 = xD[1] - xC[1] - xB[1] + xA[1];
+    const double t16 = xD[0] - xC[0] - xB[0] + xA[0];
     const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
     const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
     const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
+    const double t20 = t14 * t14 + t15 * t15 + t16 * t16;
+    const double t21 = 1.0 / (2.0 * (t18 * t20 - t17 * t17));
     const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = (0.5 < t22 ? 0.5 : t22);
-    const double t24 = (-0.5 > t23 ? -0.5 : t23);
-    const double t25 = (t20 * t17 - t13 * t19) * t21;
-    const double t26 = (0.5 < t25 ? 0.5 : t25);
-    const double t27 = (-0.5 > t26 ? -0.5 : t26);
-    const double t28 = t27 * t24;
-    *xi = t24 * (t27 * (t28 - 0.8947284) + 2.0);
-    *eta = t27 * (t24 * (t28 - 1.416141) + 2.0);
+    const double t23 = (t13 * t20 - t19 * t17) * t21;
+    double u1 = 0.5;
+    const double t24 = (u1 < t22 ? u1 : t22);
+    double u2 = -0.5;
+    const double t25 = (!(t24 <= u2) ? t24 : u2);
+    const double t26 = (u1 < t23 ? u1 : t23);
+    const double t27 = (!(t26 <= u2) ? t26 : u2);
+    const double t28 = t27 * t25;
+    *xi = t25 * (t27 * (t28 - 0.8947284) + 2.0);
+    *eta = t27 * (t25 * (t28 - 1.416141) + 2.0);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -347,56 +346,68 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fast_n(size_t n, const double *const x
 static const double footpoint_whole_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.71381790000000001, 1.4165352499999999, 1.9545044471770195e-16, 3.8431899329617984e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1.1611821, -1.2915352499999999, 2.8090746395649142e-16, 3.4268562987273411e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.13820327982606134, -0.60314421112766825, 5.1990780522378258e-16, 1.2371932390178513e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.013991219261246678, 1.0064102588015977, 2.0527915226266273e-15, 1.1677961536680493e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.38023702279678206, -1.105579548431223, 1.1013332037126826e-14, 3.1658343095881858e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.13820327982606134, -0.60314421112766825, 5.2939468261422494e-16, 1.2834380320690565e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.013991219261246678, 1.0064102588015977, 1.7665538445051519e-15, 1.0360443905455093e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.38023702279678206, -1.105579548431223, 1.1018212841319837e-14, 3.1671307847891695e-15},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -0.71381790000000001, 1.4165352499999999, 1.9545044471770195e-16, 3.8431899329617984e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1.1611821, -1.2915352499999999, 2.8090746395649142e-16, 3.4268562987273411e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.71381790000000001, 1.4165352499999999, 1.9545044471770195e-16, 3.8431899329617984e-16},
 };
 #endif
 
-/* 47 mul, 1 div, 50 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 44 mul, 1 div, 50 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                  const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t1 - 2.0 * (xA[2] - xS[2]) + t3;
-    const double t15 = t5 - 2.0 * (xA[1] - xS[1]) + t7;
-    const double t16 = t9 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
-    const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = (t20 * t17 - t13 * t19) * t21;
-    const double t26 = (t24 * t18 - t23 * t13) * t21 * t25;
-    const double t27 = (t23 * t20 - t24 * t13) * t21 * t22;
-    const double t28 = t27 + 1.0 + t26;
-    const double t29 = (0.6 > t28 ? 0.6 : t28);
-    const double t30 = t22 * (t26 * t29 + 1.0);
-    const double u1 = -t30;
-    const double t31 = (1.0 < u1 ? 1.0 : u1);
-    const double t32 = t25 * (t27 * t29 + 1.0);
-    const double u2 = -t32;
-    const double t33 = (1.0 < u2 ? 1.0 : u2);
-    *xi = (-1.0 > t31 ? -1.0 : t31);
-    *eta = (-1.0 > t33 ? -1.0 : t33);
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = xC[2] - xD[2];
+    const double t5 = xA[2] - xB[2];
+    const double t6 = t5 - t4;
+    const double t7 = xD[1] + xC[1];
+    const double t8 = xB[1] + xA[1];
+    const double t9 = t8 - t7;
+    const double t10 = xC[1] - xD[1];
+    const double t11 = xA[1] - xB[1];
+    const double t12 = t11 - t10;
+    const double t13 = xD[0] + xC[0];
+    const double t14 = xB[0] + xA[0];
+    const double t15 = t14 - t13;
+    const double t16 = xC[0] - xD[0];
+    const double t17 = xA[0] - xB[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t1 + t2 - 4.0 * xS[2];
+    const double t21 = t7 + t8 - 4.0 * xS[1];
+    const double t22 = t13 + t14 - 4.0 * xS[0];
+    const double t23 = t3 * t20 + t9 * t21 + t15 * t22;
+    const double t24 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t25 = t6 * t20 + t12 * t21 + t18 * t22;
+    const double t26 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t27 = 1.0 / (t24 * t26 - t19 * t19);
+    const double t28 = (t24 * t25 - t19 * t23) * t27;
+    const double t29 = t4 + t5;
+    const double t30 = t10 + t11;
+    const double t31 = t16 + t17;
+    const double t32 = t3 * t29 + t9 * t30 + t15 * t31;
+    const double t33 = t6 * t29 + t12 * t30 + t18 * t31;
+    const double t34 = (t26 * t23 - t19 * t25) * t27;
+    const double t35 = (t33 * t24 - t32 * t19) * t27 * t34;
+    const double t36 = (t32 * t26 - t33 * t19) * t27 * t28;
+    const double t37 = t36 + 1.0 + t35;
+    double u1 = 0.6;
+    const double t38 = (u1 > t37 ? u1 : t37);
+    const double t39 = t28 * (t35 * t38 + 1.0);
+    const double t40 = t34 * (t36 * t38 + 1.0);
+    double u2 = 1.0;
+    const double t41 = (u2 < t39 ? u2 : t39);
+    double u3 = -1.0;
+    const double t42 = (!(t41 <= u3) ? t41 : u3);
+    const double t43 = (u2 < t40 ? u2 : t40);
+    const double t44 = (!(t43 <= u3) ? t43 : u3);
+    *xi = t42;
+    *eta = t44;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -451,16 +462,16 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_taper_n(size_t n, const double *const 
 static const double footpoint_whole_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14586697153319622, -0.57873201723742762, 4.9238626586828853e-16, 1.1819444609844858e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.019348155075282335, 1, 2.86524226864248e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.84871750767817677, -1, 2.5073445361149678e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14586697153319622, -0.57873201723742762, 5.9599608809415833e-16, 1.2229949120779865e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.019348155075282335, 1, 2.4442391695698375e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.84871750767817677, -1, 2.5369190845124738e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.26969923529257089, -1, 4.4042857978384836e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.40725563336522225, 1, 2.8174992286156752e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.26969923529257089, -1, 4.4088139835239024e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.40725563336522225, 1, 3.032146186757215e-15, 1.110223024625157e-16},
 };
 #endif
 
-/* 76 mul, 2 div, 73 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 74 mul, 2 div, 73 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_whole_quad4_newton1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                    const double xS[3], double *xi, double *eta)
 {
@@ -495,37 +506,43 @@ FOOTPOINT_FN void footpoint_whole_quad4_newton1_at(const double xA[3], const dou
     const double t26 = (t24 * t10 - t23 * t14) * t21 * t25;
     const double t27 = (t23 * t20 - t24 * t14) * t21 * t22;
     const double t28 = t27 + 1.0 + t26;
-    const double t29 = (0.6 > t28 ? 0.6 : t28);
-    const double t30 = t22 * (t26 * t29 + 1.0);
-    const double t31 = (0.5 < t30 ? 0.5 : t30);
-    const double t32 = (-0.5 > t31 ? -0.5 : t31);
-    const double t33 = t2 * t2 + t5 * t5 + t8 * t8;
-    const double t34 = t23 - t33 * t32;
-    const double t35 = t10 - t32 * (t23 + t34);
-    const double t36 = t25 * (t27 * t29 + 1.0);
-    const double t37 = (0.5 < t36 ? 0.5 : t36);
-    const double t38 = (-0.5 > t37 ? -0.5 : t37);
-    const double t39 = t24 - t33 * t38;
-    const double t40 = t20 - t38 * (t24 + t39);
-    const double t41 = t35 * t40;
-    const double t42 = t38 * t34;
-    const double t43 = t24 * t32 + t42;
-    const double t44 = t14 + (t2 * t15 + t5 * t16 + t8 * t17) - 2.0 * t43;
-    const double t45 = t41 - t44 * t44;
-    const double u4 = 0.02 * t41;
-    const double t46 = (t45 > u4 ? t45 : u4);
-    const double t47 = 1.0 / t46;
-    const double t48 = t18 - t32 * (t42 + t43);
-    const double t49 = t19 - t38 * (t32 * t39 + t43);
-    const double t50 = t45 - t46;
-    const double t51 = t47 * (t35 * t49 - t44 * t48 - t32 * t50);
-    const double u5 = 2.0 * t51;
-    const double t52 = (1.0 < u5 ? 1.0 : u5);
-    const double t53 = t47 * (t40 * t48 - t44 * t49 - t38 * t50);
-    const double u6 = 2.0 * t53;
-    const double t54 = (1.0 < u6 ? 1.0 : u6);
-    *xi = (-1.0 > t52 ? -1.0 : t52);
-    *eta = (-1.0 > t54 ? -1.0 : t54);
+    const double t29 = t2 * t2 + t5 * t5 + t8 * t8;
+    const double t30 = t2 * t15 + t5 * t16 + t8 * t17;
+    double u4 = 0.6;
+    const double t31 = (u4 > t28 ? u4 : t28);
+    const double t32 = t22 * (t26 * t31 + 1.0);
+    const double t33 = t25 * (t27 * t31 + 1.0);
+    double u5 = 0.5;
+    const double t34 = (u5 < t32 ? u5 : t32);
+    double u6 = -0.5;
+    const double t35 = (u6 > t34 ? u6 : t34);
+    const double t36 = (u5 < t33 ? u5 : t33);
+    const double t37 = (u6 > t36 ? u6 : t36);
+    const double t38 = t23 - t29 * t35;
+    const double t39 = t10 - t35 * (t23 + t38);
+    const double t40 = t24 - t29 * t37;
+    const double t41 = t20 - t37 * (t24 + t40);
+    const double t42 = t39 * t41;
+    const double t43 = t37 * t38;
+    const double t44 = t24 * t35 + t43;
+    const double t45 = t14 + t30 - 2.0 * t44;
+    const double t46 = t42 - t45 * t45;
+    const double t47 = t18 - t35 * (t43 + t44);
+    const double t48 = t19 - t37 * (t35 * t40 + t44);
+    const double u7 = 0.02 * t42;
+    const double t49 = (t46 > u7 ? t46 : u7);
+    const double t50 = 2.0 / t49;
+    const double t51 = t46 - t49;
+    const double t52 = t50 * (t39 * t48 - t45 * t47 - t35 * t51);
+    const double t53 = t50 * (t41 * t47 - t45 * t48 - t37 * t51);
+    double u8 = 1.0;
+    const double t54 = (u8 < t52 ? u8 : t52);
+    double u9 = -1.0;
+    const double t55 = (!(t54 <= u9) ? t54 : u9);
+    const double t56 = (u8 < t53 ? u8 : t53);
+    const double t57 = (!(t56 <= u9) ? t56 : u9);
+    *xi = t55;
+    *eta = t57;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -580,16 +597,16 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_newton1_n(size_t n, const double *cons
 static const double footpoint_whole_quad4_newton1_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157156196098802, -0.57597192409693121, 6.9531868238007329e-16, 1.3122762204504638e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0090096421896916148, 1, 5.5393739051618703e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.17358358747284283, -1, 6.8986684050709237e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157156196098802, -0.57597192409693121, 6.9531868238007073e-16, 1.3122762204504549e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0090096421896916148, 1, 5.5393739051618254e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.17358358747284283, -1, 6.8986684050709047e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.17168749271975364, 1, 6.6420198668719265e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.17168749271975364, 1, 6.6420198668718839e-15, 1.110223024625157e-16},
 };
 #endif
 
-/* 97 mul, 3 div, 91 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 95 mul, 3 div, 91 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_whole_quad4_newton2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                    const double xS[3], double *xi, double *eta)
 {
@@ -624,59 +641,64 @@ FOOTPOINT_FN void footpoint_whole_quad4_newton2_at(const double xA[3], const dou
     const double t26 = (t24 * t10 - t23 * t14) * t21 * t25;
     const double t27 = (t23 * t20 - t24 * t14) * t21 * t22;
     const double t28 = t27 + 1.0 + t26;
-    const double t29 = (0.6 > t28 ? 0.6 : t28);
-    const double t30 = t22 * (t26 * t29 + 1.0);
-    const double t31 = (0.5 < t30 ? 0.5 : t30);
-    const double t32 = (-0.5 > t31 ? -0.5 : t31);
-    const double t33 = t2 * t2 + t5 * t5 + t8 * t8;
-    const double t34 = t23 - t33 * t32;
-    const double t35 = t10 - t32 * (t23 + t34);
-    const double t36 = t25 * (t27 * t29 + 1.0);
-    const double t37 = (0.5 < t36 ? 0.5 : t36);
-    const double t38 = (-0.5 > t37 ? -0.5 : t37);
-    const double t39 = t24 - t33 * t38;
-    const double t40 = t20 - t38 * (t24 + t39);
-    const double t41 = t35 * t40;
-    const double t42 = t14 + (t2 * t15 + t5 * t16 + t8 * t17);
-    const double t43 = t38 * t34;
-    const double t44 = t24 * t32 + t43;
-    const double t45 = t42 - 2.0 * t44;
-    const double t46 = t41 - t45 * t45;
-    const double u4 = 0.02 * t41;
-    const double t47 = (t46 > u4 ? t46 : u4);
-    const double t48 = 1.0 / t47;
-    const double t49 = t18 - t32 * (t43 + t44);
-    const double t50 = t19 - t38 * (t32 * t39 + t44);
-    const double t51 = t46 - t47;
-    const double t52 = t48 * (t35 * t50 - t45 * t49 - t32 * t51);
-    const double t53 = (0.5 < t52 ? 0.5 : t52);
-    const double t54 = (-0.5 > t53 ? -0.5 : t53);
-    const double t55 = t23 - t33 * t54;
-    const double t56 = t10 - t54 * (t23 + t55);
-    const double t57 = t48 * (t40 * t49 - t45 * t50 - t38 * t51);
-    const double t58 = (0.5 < t57 ? 0.5 : t57);
-    const double t59 = (-0.5 > t58 ? -0.5 : t58);
-    const double t60 = t24 - t33 * t59;
-    const double t61 = t20 - t59 * (t24 + t60);
-    const double t62 = t56 * t61;
-    const double t63 = t59 * t55;
-    const double t64 = t24 * t54 + t63;
-    const double t65 = t42 - 2.0 * t64;
+    const double t29 = t2 * t2 + t5 * t5 + t8 * t8;
+    const double t30 = t14 + (t2 * t15 + t5 * t16 + t8 * t17);
+    double u4 = 0.6;
+    const double t31 = (u4 > t28 ? u4 : t28);
+    const double t32 = t22 * (t26 * t31 + 1.0);
+    const double t33 = t25 * (t27 * t31 + 1.0);
+    double u5 = 0.5;
+    const double t34 = (u5 < t32 ? u5 : t32);
+    double u6 = -0.5;
+    const double t35 = (u6 > t34 ? u6 : t34);
+    const double t36 = (u5 < t33 ? u5 : t33);
+    const double t37 = (u6 > t36 ? u6 : t36);
+    const double t38 = t23 - t29 * t35;
+    const double t39 = t10 - t35 * (t23 + t38);
+    const double t40 = t24 - t29 * t37;
+    const double t41 = t20 - t37 * (t24 + t40);
+    const double t42 = t39 * t41;
+    const double t43 = t37 * t38;
+    const double t44 = t24 * t35 + t43;
+    const double t45 = t30 - 2.0 * t44;
+    const double t46 = t42 - t45 * t45;
+    const double t47 = t18 - t35 * (t43 + t44);
+    const double t48 = t19 - t37 * (t35 * t40 + t44);
+    const double u7 = 0.02 * t42;
+    const double t49 = (t46 > u7 ? t46 : u7);
+    const double t50 = 1.0 / t49;
+    const double t51 = t46 - t49;
+    const double t52 = t50 * (t39 * t48 - t45 * t47 - t35 * t51);
+    const double t53 = t50 * (t41 * t47 - t45 * t48 - t37 * t51);
+    const double t54 = (u5 < t52 ? u5 : t52);
+    const double t55 = (u6 > t54 ? u6 : t54);
+    const double t56 = (u5 < t53 ? u5 : t53);
+    const double t57 = (u6 > t56 ? u6 : t56);
+    const double t58 = t23 - t29 * t55;
+    const double t59 = t10 - t55 * (t23 + t58);
+    const double t60 = t24 - t29 * t57;
+    const double t61 = t20 - t57 * (t24 + t60);
+    const double t62 = t59 * t61;
+    const double t63 = t57 * t58;
+    const double t64 = t24 * t55 + t63;
+    const double t65 = t30 - 2.0 * t64;
     const double t66 = t62 - t65 * t65;
-    const double u5 = 0.02 * t62;
-    const double t67 = (t66 > u5 ? t66 : u5);
-    const double t68 = 1.0 / t67;
-    const double t69 = t18 - t54 * (t63 + t64);
-    const double t70 = t19 - t59 * (t54 * t60 + t64);
-    const double t71 = t66 - t67;
-    const double t72 = t68 * (t56 * t70 - t65 * t69 - t54 * t71);
-    const double u6 = 2.0 * t72;
-    const double t73 = (1.0 < u6 ? 1.0 : u6);
-    const double t74 = t68 * (t61 * t69 - t65 * t70 - t59 * t71);
-    const double u7 = 2.0 * t74;
-    const double t75 = (1.0 < u7 ? 1.0 : u7);
-    *xi = (-1.0 > t73 ? -1.0 : t73);
-    *eta = (-1.0 > t75 ? -1.0 : t75);
+    const double t67 = t18 - t55 * (t63 + t64);
+    const double t68 = t19 - t57 * (t55 * t60 + t64);
+    const double u8 = 0.02 * t62;
+    const double t69 = (t66 > u8 ? t66 : u8);
+    const double t70 = 2.0 / t69;
+    const double t71 = t66 - t69;
+    const double t72 = t70 * (t59 * t68 - t65 * t67 - t55 * t71);
+    const double t73 = t70 * (t61 * t67 - t65 * t68 - t57 * t71);
+    double u9 = 1.0;
+    const double t74 = (u9 < t72 ? u9 : t72);
+    double u10 = -1.0;
+    const double t75 = (!(t74 <= u10) ? t74 : u10);
+    const double t76 = (u9 < t73 ? u9 : t73);
+    const double t77 = (!(t76 <= u10) ? t76 : u10);
+    *xi = t75;
+    *eta = t77;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -731,73 +753,90 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_newton2_n(size_t n, const double *cons
 static const double footpoint_whole_quad4_newton2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728714340098, -0.57599434312872611, 6.9390912442252712e-16, 1.3115689186354155e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0064065257769699863, 1, 4.8451794375215802e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728714340098, -0.57599434312872611, 6.9390912442251657e-16, 1.3115689186353822e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0064065257769699863, 1, 4.8451794375209144e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.45194894663997082, -1, 4.3060991382065181e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.56273005258431041, 1, 1.1545217312236307e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.45194894663997082, -1, 4.3060991382065126e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.56273005258431041, 1, 1.1545217312235949e-14, 1.110223024625157e-16},
 };
 #endif
 
-/* 60 mul, 1 div, 57 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 59 mul, 1 div, 57 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                   const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.5 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.5 * t10;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.5 * (t1 + t3);
-    const double t15 = (xA[1] - xS[1]) - 0.5 * (t5 + t7);
-    const double t16 = xA[0] - xS[0] - 0.5 * (t9 + t11);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
-    const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = (t24 * t18 - t23 * t13) * t21;
-    const double t26 = (t20 * t17 - t13 * t19) * t21;
-    const double t27 = t25 * t26;
-    const double t28 = (t24 * t13 - t23 * t20) * t21;
-    const double t29 = t22 * t28;
-    const double t30 = t27 + 1.0 - t29;
-    const double t31 = (0.6 > t30 ? 0.6 : t30);
-    const double t32 = t22 * (t27 * t31 + 1.0);
-    const double t33 = (0.5 < t32 ? 0.5 : t32);
-    const double t34 = (-0.5 > t33 ? -0.5 : t33);
-    const double t35 = t21 * (t2 * t14 + t6 * t15 + t10 * t16 + t17 * t28 - t19 * t25);
-    const double t36 = t26 * (t29 * t31 - 1.0);
-    const double u4 = -t36;
-    const double t37 = (0.5 < u4 ? 0.5 : u4);
-    const double t38 = (-0.5 > t37 ? -0.5 : t37);
-    const double t39 = t18 * t35 * t38;
-    const double u5 = -t39;
-    const double t40 = (0.075 < u5 ? 0.075 : u5);
-    const double t41 = t34 + (-0.075 > t40 ? -0.075 : t40);
-    const double t42 = (0.5 < t41 ? 0.5 : t41);
-    const double t43 = t35 * (t20 * t34 - t13 * t38);
-    const double u6 = -t43;
-    const double t44 = (0.075 < u6 ? 0.075 : u6);
-    const double t45 = t38 + (-0.075 > t44 ? -0.075 : t44);
-    const double t46 = (0.5 < t45 ? 0.5 : t45);
-    *xi = 2.0 * (-0.5 > t42 ? -0.5 : t42);
-    *eta = 2.0 * (-0.5 > t46 ? -0.5 : t46);
+    const double t1 = xD[2] + xC[2];
+    const double t2 = xB[2] + xA[2];
+    const double t3 = t2 - t1;
+    const double t4 = xC[2] - xD[2];
+    const double t5 = xA[2] - xB[2];
+    const double t6 = t5 - t4;
+    const double t7 = xD[1] + xC[1];
+    const double t8 = xB[1] + xA[1];
+    const double t9 = t8 - t7;
+    const double t10 = xC[1] - xD[1];
+    const double t11 = xA[1] - xB[1];
+    const double t12 = t11 - t10;
+    const double t13 = xD[0] + xC[0];
+    const double t14 = xB[0] + xA[0];
+    const double t15 = t14 - t13;
+    const double t16 = xC[0] - xD[0];
+    const double t17 = xA[0] - xB[0];
+    const double t18 = t17 - t16;
+    const double t19 = t3 * t6 + t9 * t12 + t15 * t18;
+    const double t20 = t1 + t2 - 4.0 * xS[2];
+    const double t21 = t7 + t8 - 4.0 * xS[1];
+    const double t22 = t13 + t14 - 4.0 * xS[0];
+    const double t23 = t3 * t20 + t9 * t21 + t15 * t22;
+    const double t24 = t3 * t3 + t9 * t9 + t15 * t15;
+    const double t25 = t6 * t20 + t12 * t21 + t18 * t22;
+    const double t26 = t6 * t6 + t12 * t12 + t18 * t18;
+    const double t27 = 1.0 / (t24 * t26 - t19 * t19);
+    const double t28 = (t24 * t25 - t19 * t23) * t27;
+    const double t29 = t4 + t5;
+    const double t30 = t10 + t11;
+    const double t31 = t16 + t17;
+    const double t32 = t3 * t29 + t9 * t30 + t15 * t31;
+    const double t33 = t6 * t29 + t12 * t30 + t18 * t31;
+    const double t34 = (t33 * t24 - t32 * t19) * t27;
+    const double t35 = (t26 * t23 - t19 * t25) * t27;
+    const double t36 = t34 * t35;
+    const double t37 = (t32 * t26 - t33 * t19) * t27;
+    const double t38 = t37 * t28;
+    const double t39 = t38 + 1.0 + t36;
+    const double t40 = t29 * t20 + t30 * t21 + t31 * t22 - t23 * t37 - t25 * t34;
+    const double t41 = t27 * t40;
+    double u1 = 0.6;
+    const double t42 = (u1 > t39 ? u1 : t39);
+    const double t43 = t28 * (t36 * t42 + 1.0);
+    const double t44 = t35 * (t38 * t42 + 1.0);
+    const double u2 = 0.5 * t43;
+    double u3 = 0.5;
+    const double t45 = (u3 < u2 ? u3 : u2);
+    double u4 = -0.5;
+    const double t46 = (u4 > t45 ? u4 : t45);
+    const double u5 = 0.5 * t44;
+    const double t47 = (u3 < u5 ? u3 : u5);
+    const double t48 = (u4 > t47 ? u4 : t47);
+    const double t49 = t24 * t41 * t48;
+    const double t50 = t41 * (t26 * t46 - t19 * t48);
+    const double u6 = -t49;
+    double u7 = 0.075;
+    const double t51 = (u7 < u6 ? u7 : u6);
+    double u8 = -0.075;
+    const double t52 = (u8 > t51 ? u8 : t51);
+    const double u9 = -t50;
+    const double t53 = (u7 < u9 ? u7 : u9);
+    const double t54 = (u8 > t53 ? u8 : t53);
+    const double t55 = t46 + t52;
+    const double t56 = t48 + t54;
+    const double t57 = (u3 < t55 ? u3 : t55);
+    const double t58 = (!(t57 <= u4) ? t57 : u4);
+    const double t59 = (u3 < t56 ? u3 : t56);
+    const double t60 = (!(t59 <= u4) ? t59 : u4);
+    *xi = 2.0 * t58;
+    *eta = 2.0 * t60;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -850,14 +889,14 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.97349492056234888, 0.96422751691154251, 3.7035066574512321e-13, 4.9974642596998299e-13},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.97349492056234888, 0.96422751691154251, 3.7037281244529776e-13, 4.9977383637433279e-13},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14194193749828848, -0.57633687572510106, 6.7910236080589813e-16, 1.2788642119447816e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0054552253835257686, 1, 5.3852117977399927e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.78804578109844137, -0.87484612985154109, 4.1966377899385095e-14, 4.0415174648497645e-14},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14194193749828848, -0.57633687572510106, 6.7799800763650857e-16, 1.3205531576713135e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0054552253835257686, 1, 4.9752974654680224e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.78804578109844137, -0.87484612985154109, 4.1951285274635528e-14, 4.0384703650825588e-14},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.41969923529257086, -1, 4.4888198646119556e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.41195191667481634, 1, 3.878057521709857e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.41969923529257086, -1, 4.4776144195089441e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.41195191667481634, 1, 4.1031226798648743e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -866,10 +905,10 @@ FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const do
                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
+    const double t2 = xD[2] - xC[2] - t1;
     const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
+    const double t3 = xA[2] - xD[2] + u1;
+    const double t4 = t1 + u1;
     const double t5 = xA[1] - xB[1];
     const double t6 = xC[1] - xD[1] + t5;
     const double u2 = 0.5 * t6;
@@ -890,86 +929,93 @@ FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const do
     const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
     const double t21 = 1.0 / (t18 * t20 - t13 * t13);
     const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
+    const double t23 = t6 * t7 - t2 * t3 + t10 * t11;
+    const double t24 = t6 * t8 - t2 * t4 + t10 * t12;
     const double t25 = (t24 * t18 - t23 * t13) * t21;
     const double t26 = (t20 * t17 - t13 * t19) * t21;
     const double t27 = t25 * t26;
     const double t28 = (t23 * t20 - t24 * t13) * t21;
     const double t29 = t28 * t22;
     const double t30 = t29 + 1.0 + t27;
-    const double t31 = (0.6 > t30 ? 0.6 : t30);
-    const double t32 = t22 * (t27 * t31 + 1.0);
-    const double t33 = (0.5 < t32 ? 0.5 : t32);
-    const double t34 = (-0.5 > t33 ? -0.5 : t33);
-    const double t35 = t2 * t14 + t6 * t15 + t10 * t16;
-    const double t36 = t21 * (t35 - t17 * t28 - t19 * t25);
-    const double t37 = t26 * (t29 * t31 + 1.0);
-    const double t38 = (0.5 < t37 ? 0.5 : t37);
-    const double t39 = (-0.5 > t38 ? -0.5 : t38);
-    const double t40 = t18 * t36 * t39;
-    const double u4 = -t40;
-    const double t41 = (0.075 < u4 ? 0.075 : u4);
-    const double t42 = t34 + (-0.075 > t41 ? -0.075 : t41);
-    const double t43 = (0.5 < t42 ? 0.5 : t42);
-    const double t44 = (-0.5 > t43 ? -0.5 : t43);
-    const double t45 = t44 - 0.25;
-    const double t46 = (-0.5 > t45 ? -0.5 : t45);
-    const double t47 = t44 + 0.25;
-    const double t48 = (0.5 < t47 ? 0.5 : t47);
-    const double t49 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t50 = t23 - t49 * t44;
-    const double t51 = t18 - t44 * (t23 + t50);
-    const double t52 = t36 * (t20 * t34 - t13 * t39);
-    const double u5 = -t52;
-    const double t53 = (0.075 < u5 ? 0.075 : u5);
-    const double t54 = t39 + (-0.075 > t53 ? -0.075 : t53);
-    const double t55 = (0.5 < t54 ? 0.5 : t54);
-    const double t56 = (-0.5 > t55 ? -0.5 : t55);
-    const double t57 = t24 - t49 * t56;
-    const double t58 = t20 - t56 * (t24 + t57);
-    const double t59 = t50 * t56;
-    const double t60 = t24 * t44 + t59;
-    const double t61 = t13 - t60;
-    const double t62 = fabs(t61);
-    const double t63 = (t58 < t51 ? t58 : t51);
-    const double u6 = 0.98 * t63;
-    const double t64 = (t62 > u6 ? t62 : u6);
-    const double t65 = t13 + t35;
-    const double t66 = t65 - 2.0 * t60;
-    const double t67 = (t64 < t66 ? t64 : t66);
-    const double u7 = -t64;
-    const double t68 = (u7 > t67 ? u7 : t67);
-    const double t69 = 1.0 / (t51 * t58 - t68 * t68);
-    const double t70 = t60 + t66 - t68;
-    const double t71 = t17 - t44 * (t59 + t70);
-    const double t72 = t19 - t56 * (t44 * t57 + t70);
-    const double t73 = t69 * (t51 * t72 - t68 * t71);
-    const double t74 = (t48 < t73 ? t48 : t73);
-    const double t75 = (t46 > t74 ? t46 : t74);
-    const double t76 = t75 - 0.04;
-    const double t77 = (-0.5 > t76 ? -0.5 : t76);
-    const double t78 = t75 + 0.04;
-    const double t79 = (0.5 < t78 ? 0.5 : t78);
-    const double t80 = t56 - 0.25;
-    const double t81 = (-0.5 > t80 ? -0.5 : t80);
-    const double t82 = t56 + 0.25;
-    const double t83 = (0.5 < t82 ? 0.5 : t82);
-    const double t84 = t69 * (t58 * t71 - t68 * t72);
-    const double t85 = (t83 < t84 ? t83 : t84);
-    const double t86 = (t81 > t85 ? t81 : t85);
-    const double t87 = t17 - t75 * (t65 - t24 * t75) - t86 * (t18 - t75 * (2.0 * t23 - t49 * t75));
-    const double t88 = t19 - t86 * (t65 - t23 * t86) - t75 * (t20 - t86 * (2.0 * t24 - t49 * t86));
-    const double t89 = t75 + t69 * (t51 * t88 - t68 * t87);
-    const double t90 = (t79 < t89 ? t79 : t89);
-    const double t91 = t86 - 0.04;
-    const double t92 = (-0.5 > t91 ? -0.5 : t91);
-    const double t93 = t86 + 0.04;
-    const double t94 = (0.5 < t93 ? 0.5 : t93);
-    const double t95 = t86 + t69 * (t58 * t87 - t68 * t88);
-    const double t96 = (t94 < t95 ? t94 : t95);
-    *xi = 2.0 * (t77 > t90 ? t77 : t90);
-    *eta = 2.0 * (t92 > t96 ? t92 : t96);
+    const double t31 = t2 * t14 - t6 * t15 - t10 * t16;
+    const double t32 = t21 * (t31 + t17 * t28 + t19 * t25);
+    const double t33 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t34 = t13 - t31;
+    double u4 = 0.6;
+    const double t35 = (u4 > t30 ? u4 : t30);
+    const double t36 = t22 * (t27 * t35 + 1.0);
+    const double t37 = t26 * (t29 * t35 + 1.0);
+    double u5 = 0.5;
+    const double t38 = (u5 < t36 ? u5 : t36);
+    double u6 = -0.5;
+    const double t39 = (u6 > t38 ? u6 : t38);
+    const double t40 = (u5 < t37 ? u5 : t37);
+    const double t41 = (u6 > t40 ? u6 : t40);
+    const double t42 = t18 * t32 * t41;
+    const double t43 = t32 * (t20 * t39 - t13 * t41);
+    double u7 = 0.075;
+    const double t44 = (u7 < t42 ? u7 : t42);
+    double u8 = -0.075;
+    const double t45 = (u8 > t44 ? u8 : t44);
+    const double t46 = (u7 < t43 ? u7 : t43);
+    const double t47 = (u8 > t46 ? u8 : t46);
+    const double t48 = t39 + t45;
+    const double t49 = t41 + t47;
+    const double t50 = (u5 < t48 ? u5 : t48);
+    const double t51 = (u6 > t50 ? u6 : t50);
+    const double t52 = (u5 < t49 ? u5 : t49);
+    const double t53 = (u6 > t52 ? u6 : t52);
+    const double t54 = t51 - 0.25;
+    const double t55 = t51 + 0.25;
+    const double t56 = t23 - t33 * t51;
+    const double t57 = t18 - t51 * (t23 + t56);
+    const double t58 = t24 - t33 * t53;
+    const double t59 = t20 - t53 * (t24 + t58);
+    const double t60 = t56 * t53;
+    const double t61 = t24 * t51 + t60;
+    const double t62 = t13 - t61;
+    const double t63 = fabs(t62);
+    const double t64 = t34 - 2.0 * t61;
+    const double t65 = t53 - 0.25;
+    const double t66 = t53 + 0.25;
+    const double t67 = (u6 > t54 ? u6 : t54);
+    const double t68 = (u5 < t55 ? u5 : t55);
+    const double t69 = (t59 < t57 ? t59 : t57);
+    const double u9 = 0.98 * t69;
+    const double t70 = (t63 > u9 ? t63 : u9);
+    const double t71 = (t70 < t64 ? t70 : t64);
+    const double u10 = -t70;
+    const double t72 = (u10 > t71 ? u10 : t71);
+    const double t73 = (u6 > t65 ? u6 : t65);
+    const double t74 = (u5 < t66 ? u5 : t66);
+    const double t75 = 1.0 / (t57 * t59 - t72 * t72);
+    const double t76 = t61 + t64 - t72;
+    const double t77 = t17 - t51 * (t60 + t76);
+    const double t78 = t19 - t53 * (t51 * t58 + t76);
+    const double t79 = t75 * (t57 * t78 - t72 * t77);
+    const double t80 = t75 * (t59 * t77 - t72 * t78);
+    const double t81 = (t68 < t79 ? t68 : t79);
+    const double t82 = (t67 > t81 ? t67 : t81);
+    const double t83 = (t74 < t80 ? t74 : t80);
+    const double t84 = (t73 > t83 ? t73 : t83);
+    const double t85 = t82 - 0.04;
+    const double t86 = t82 + 0.04;
+    const double t87 = t17 - t82 * (t34 - t24 * t82) - t84 * (t18 - t82 * (2.0 * t23 - t33 * t82));
+    const double t88 = t19 - t84 * (t34 - t23 * t84) - t82 * (t20 - t84 * (2.0 * t24 - t33 * t84));
+    const double t89 = t82 + t75 * (t57 * t88 - t72 * t87);
+    const double t90 = t84 - 0.04;
+    const double t91 = t84 + 0.04;
+    const double t92 = t84 + t75 * (t59 * t87 - t72 * t88);
+    const double t93 = (u6 > t85 ? u6 : t85);
+    const double t94 = (u5 < t86 ? u5 : t86);
+    const double t95 = (t94 < t89 ? t94 : t89);
+    const double t96 = (t93 > t95 ? t93 : t95);
+    const double t97 = (u6 > t90 ? u6 : t90);
+    const double t98 = (u5 < t91 ? u5 : t91);
+    const double t99 = (t98 < t92 ? t98 : t92);
+    const double t100 = (t97 > t99 ? t97 : t99);
+    *xi = 2.0 * t96;
+    *eta = 2.0 * t100;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1022,13 +1068,13 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 0.3842275169115425, 1.110223024625157e-16, 4.9977789580061821e-13},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 0.3842275169115425, 1.110223024625157e-16, 4.9977789580061357e-13},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.41999999999999998, -1, 1.5043521983672989e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728729648572, -0.57599434322012488, 5.9585980372391722e-16, 9.7918727617008044e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0063611744841317215, 1, 3.9828251588900224e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.21444274315628861, -1, 2.4639771807635225e-13, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728729648572, -0.57599434322012488, 5.9585980372391722e-16, 9.7918727617008024e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0063611744841317215, 1, 3.9828251588900208e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.21444274315628861, -1, 2.4639771807635195e-13, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 0.41999999999999998, -0.92000000000000004, 1.5043521983672537e-16, 2.0594637106798143e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.99969923529257088, -1, 4.767974172324617e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.99969923529257088, -1, 4.7679741723246209e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.17381667129536896, 1, 7.142098983629938e-15, 1.110223024625157e-16},
 };
 #endif
@@ -1038,10 +1084,10 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
+    const double t2 = xD[2] - xC[2] - t1;
     const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
+    const double t3 = xA[2] - xD[2] + u1;
+    const double t4 = t1 + u1;
     const double t5 = xA[1] - xB[1];
     const double t6 = xC[1] - xD[1] + t5;
     const double u2 = 0.5 * t6;
@@ -1062,133 +1108,140 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
     const double t21 = 1.0 / (t18 * t20 - t13 * t13);
     const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
+    const double t23 = t6 * t7 - t2 * t3 + t10 * t11;
+    const double t24 = t6 * t8 - t2 * t4 + t10 * t12;
     const double t25 = (t24 * t18 - t23 * t13) * t21;
     const double t26 = (t20 * t17 - t13 * t19) * t21;
     const double t27 = t25 * t26;
     const double t28 = (t23 * t20 - t24 * t13) * t21;
     const double t29 = t28 * t22;
     const double t30 = t29 + 1.0 + t27;
-    const double t31 = (0.6 > t30 ? 0.6 : t30);
-    const double t32 = t22 * (t27 * t31 + 1.0);
-    const double t33 = (0.5 < t32 ? 0.5 : t32);
-    const double t34 = (-0.5 > t33 ? -0.5 : t33);
-    const double t35 = t2 * t14 + t6 * t15 + t10 * t16;
-    const double t36 = t21 * (t35 - t17 * t28 - t19 * t25);
-    const double t37 = t26 * (t29 * t31 + 1.0);
-    const double t38 = (0.5 < t37 ? 0.5 : t37);
-    const double t39 = (-0.5 > t38 ? -0.5 : t38);
-    const double t40 = t18 * t36 * t39;
-    const double u4 = -t40;
-    const double t41 = (0.075 < u4 ? 0.075 : u4);
-    const double t42 = t34 + (-0.075 > t41 ? -0.075 : t41);
-    const double t43 = (0.5 < t42 ? 0.5 : t42);
-    const double t44 = (-0.5 > t43 ? -0.5 : t43);
-    const double t45 = t44 - 0.25;
-    const double t46 = (-0.5 > t45 ? -0.5 : t45);
-    const double t47 = t44 + 0.25;
-    const double t48 = (0.5 < t47 ? 0.5 : t47);
-    const double t49 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t50 = t23 - t49 * t44;
-    const double t51 = t18 - t44 * (t23 + t50);
-    const double t52 = t36 * (t20 * t34 - t13 * t39);
-    const double u5 = -t52;
-    const double t53 = (0.075 < u5 ? 0.075 : u5);
-    const double t54 = t39 + (-0.075 > t53 ? -0.075 : t53);
-    const double t55 = (0.5 < t54 ? 0.5 : t54);
-    const double t56 = (-0.5 > t55 ? -0.5 : t55);
-    const double t57 = t24 - t49 * t56;
-    const double t58 = t20 - t56 * (t24 + t57);
-    const double t59 = t50 * t56;
-    const double t60 = t24 * t44 + t59;
-    const double t61 = t13 - t60;
-    const double t62 = fabs(t61);
-    const double t63 = (t58 < t51 ? t58 : t51);
-    const double u6 = 0.98 * t63;
-    const double t64 = (t62 > u6 ? t62 : u6);
-    const double t65 = t13 + t35;
-    const double t66 = t65 - 2.0 * t60;
-    const double t67 = (t64 < t66 ? t64 : t66);
-    const double u7 = -t64;
-    const double t68 = (u7 > t67 ? u7 : t67);
-    const double t69 = 1.0 / (t51 * t58 - t68 * t68);
-    const double t70 = t60 + t66 - t68;
-    const double t71 = t17 - t44 * (t59 + t70);
-    const double t72 = t19 - t56 * (t44 * t57 + t70);
-    const double t73 = t69 * (t51 * t72 - t68 * t71);
-    const double t74 = (t48 < t73 ? t48 : t73);
-    const double t75 = (t46 > t74 ? t46 : t74);
-    const double t76 = t75 - 0.04;
-    const double t77 = (-0.5 > t76 ? -0.5 : t76);
-    const double t78 = t75 + 0.04;
-    const double t79 = (0.5 < t78 ? 0.5 : t78);
-    const double t80 = t56 - 0.25;
-    const double t81 = (-0.5 > t80 ? -0.5 : t80);
-    const double t82 = t56 + 0.25;
-    const double t83 = (0.5 < t82 ? 0.5 : t82);
-    const double t84 = t69 * (t58 * t71 - t68 * t72);
-    const double t85 = (t83 < t84 ? t83 : t84);
-    const double t86 = (t81 > t85 ? t81 : t85);
-    const double u8 = 2.0 * t23;
-    const double t87 = t17 - t75 * (t65 - t24 * t75) - t86 * (t18 - t75 * (u8 - t49 * t75));
-    const double u9 = 2.0 * t24;
-    const double t88 = t19 - t86 * (t65 - t23 * t86) - t75 * (t20 - t86 * (u9 - t49 * t86));
-    const double t89 = t75 + t69 * (t51 * t88 - t68 * t87);
-    const double t90 = (t79 < t89 ? t79 : t89);
-    const double t91 = (t77 > t90 ? t77 : t90);
-    const double t92 = t91 - 0.12;
-    const double t93 = (-0.5 > t92 ? -0.5 : t92);
-    const double t94 = t91 + 0.12;
-    const double t95 = (0.5 < t94 ? 0.5 : t94);
-    const double t96 = t23 - t49 * t91;
-    const double t97 = t18 - t91 * (t23 + t96);
-    const double t98 = t86 - 0.04;
-    const double t99 = (-0.5 > t98 ? -0.5 : t98);
-    const double t100 = t86 + 0.04;
-    const double t101 = (0.5 < t100 ? 0.5 : t100);
-    const double t102 = t86 + t69 * (t58 * t87 - t68 * t88);
-    const double t103 = (t101 < t102 ? t101 : t102);
-    const double t104 = (t99 > t103 ? t99 : t103);
-    const double t105 = t24 - t49 * t104;
-    const double t106 = t20 - t104 * (t24 + t105);
-    const double t107 = t97 * t106;
-    const double t108 = t104 * t96;
-    const double t109 = t24 * t91 + t108;
-    const double t110 = t65 - 2.0 * t109;
+    const double t31 = t2 * t14 - t6 * t15 - t10 * t16;
+    const double t32 = t21 * (t31 + t17 * t28 + t19 * t25);
+    const double t33 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t34 = t13 - t31;
+    double u4 = 0.6;
+    const double t35 = (u4 > t30 ? u4 : t30);
+    const double t36 = t22 * (t27 * t35 + 1.0);
+    const double t37 = t26 * (t29 * t35 + 1.0);
+    double u5 = 0.5;
+    const double t38 = (u5 < t36 ? u5 : t36);
+    double u6 = -0.5;
+    const double t39 = (u6 > t38 ? u6 : t38);
+    const double t40 = (u5 < t37 ? u5 : t37);
+    const double t41 = (u6 > t40 ? u6 : t40);
+    const double t42 = t18 * t32 * t41;
+    const double t43 = t32 * (t20 * t39 - t13 * t41);
+    double u7 = 0.075;
+    const double t44 = (u7 < t42 ? u7 : t42);
+    double u8 = -0.075;
+    const double t45 = (u8 > t44 ? u8 : t44);
+    const double t46 = (u7 < t43 ? u7 : t43);
+    const double t47 = (u8 > t46 ? u8 : t46);
+    const double t48 = t39 + t45;
+    const double t49 = t41 + t47;
+    const double t50 = (u5 < t48 ? u5 : t48);
+    const double t51 = (u6 > t50 ? u6 : t50);
+    const double t52 = (u5 < t49 ? u5 : t49);
+    const double t53 = (u6 > t52 ? u6 : t52);
+    const double t54 = t51 - 0.25;
+    const double t55 = t51 + 0.25;
+    const double t56 = t23 - t33 * t51;
+    const double t57 = t18 - t51 * (t23 + t56);
+    const double t58 = t24 - t33 * t53;
+    const double t59 = t20 - t53 * (t24 + t58);
+    const double t60 = t56 * t53;
+    const double t61 = t24 * t51 + t60;
+    const double t62 = t13 - t61;
+    const double t63 = fabs(t62);
+    const double t64 = t34 - 2.0 * t61;
+    const double t65 = t53 - 0.25;
+    const double t66 = t53 + 0.25;
+    const double t67 = (u6 > t54 ? u6 : t54);
+    const double t68 = (u5 < t55 ? u5 : t55);
+    const double t69 = (t59 < t57 ? t59 : t57);
+    const double u9 = 0.98 * t69;
+    const double t70 = (t63 > u9 ? t63 : u9);
+    const double t71 = (t70 < t64 ? t70 : t64);
+    const double u10 = -t70;
+    const double t72 = (u10 > t71 ? u10 : t71);
+    const double t73 = (u6 > t65 ? u6 : t65);
+    const double t74 = (u5 < t66 ? u5 : t66);
+    const double t75 = 1.0 / (t57 * t59 - t72 * t72);
+    const double t76 = t61 + t64 - t72;
+    const double t77 = t17 - t51 * (t60 + t76);
+    const double t78 = t19 - t53 * (t51 * t58 + t76);
+    const double t79 = t75 * (t57 * t78 - t72 * t77);
+    const double t80 = t75 * (t59 * t77 - t72 * t78);
+    const double t81 = (t68 < t79 ? t68 : t79);
+    const double t82 = (t67 > t81 ? t67 : t81);
+    const double t83 = (t74 < t80 ? t74 : t80);
+    const double t84 = (t73 > t83 ? t73 : t83);
+    const double t85 = t82 - 0.04;
+    const double t86 = t82 + 0.04;
+    const double u11 = 2.0 * t23;
+    const double t87 = t17 - t82 * (t34 - t24 * t82) - t84 * (t18 - t82 * (u11 - t33 * t82));
+    const double u12 = 2.0 * t24;
+    const double t88 = t19 - t84 * (t34 - t23 * t84) - t82 * (t20 - t84 * (u12 - t33 * t84));
+    const double t89 = t82 + t75 * (t57 * t88 - t72 * t87);
+    const double t90 = t84 - 0.04;
+    const double t91 = t84 + 0.04;
+    const double t92 = t84 + t75 * (t59 * t87 - t72 * t88);
+    const double t93 = (u6 > t85 ? u6 : t85);
+    const double t94 = (u5 < t86 ? u5 : t86);
+    const double t95 = (t94 < t89 ? t94 : t89);
+    const double t96 = (t93 > t95 ? t93 : t95);
+    const double t97 = (u6 > t90 ? u6 : t90);
+    const double t98 = (u5 < t91 ? u5 : t91);
+    const double t99 = (t98 < t92 ? t98 : t92);
+    const double t100 = (t97 > t99 ? t97 : t99);
+    const double t101 = t96 - 0.12;
+    const double t102 = t96 + 0.12;
+    const double t103 = t23 - t33 * t96;
+    const double t104 = t18 - t96 * (t23 + t103);
+    const double t105 = t24 - t33 * t100;
+    const double t106 = t20 - t100 * (t24 + t105);
+    const double t107 = t104 * t106;
+    const double t108 = t100 * t103;
+    const double t109 = t24 * t96 + t108;
+    const double t110 = t34 - 2.0 * t109;
     const double t111 = t107 - t110 * t110;
-    const double u10 = 0.02 * t107;
-    const double t112 = (t111 > u10 ? t111 : u10);
-    const double t113 = 1.0 / t112;
-    const double t114 = t17 - t91 * (t108 + t109);
-    const double t115 = t19 - t104 * (t91 * t105 + t109);
-    const double t116 = t111 - t112;
-    const double t117 = t113 * (t97 * t115 - t110 * t114 - t91 * t116);
-    const double t118 = (t95 < t117 ? t95 : t117);
-    const double t119 = (t93 > t118 ? t93 : t118);
-    const double t120 = t119 - 0.04;
-    const double t121 = (-0.5 > t120 ? -0.5 : t120);
-    const double t122 = t119 + 0.04;
-    const double t123 = (0.5 < t122 ? 0.5 : t122);
-    const double t124 = t104 - 0.12;
-    const double t125 = (-0.5 > t124 ? -0.5 : t124);
-    const double t126 = t104 + 0.12;
-    const double t127 = (0.5 < t126 ? 0.5 : t126);
-    const double t128 = t113 * (t106 * t114 - t110 * t115 - t104 * t116);
-    const double t129 = (t127 < t128 ? t127 : t128);
-    const double t130 = (t125 > t129 ? t125 : t129);
-    const double t131 = t17 - t119 * (t65 - t24 * t119) - t130 * (t18 - t119 * (u8 - t49 * t119));
-    const double t132 = t19 - t130 * (t65 - t23 * t130) - t119 * (t20 - t130 * (u9 - t49 * t130));
-    const double t133 = t119 + t113 * (t97 * t132 - t110 * t131);
-    const double t134 = (t123 < t133 ? t123 : t133);
-    const double t135 = t130 - 0.04;
-    const double t136 = (-0.5 > t135 ? -0.5 : t135);
-    const double t137 = t130 + 0.04;
-    const double t138 = (0.5 < t137 ? 0.5 : t137);
-    const double t139 = t130 + t113 * (t106 * t131 - t110 * t132);
-    const double t140 = (t138 < t139 ? t138 : t139);
-    *xi = 2.0 * (t121 > t134 ? t121 : t134);
-    *eta = 2.0 * (t136 > t140 ? t136 : t140);
+    const double t112 = t17 - t96 * (t108 + t109);
+    const double t113 = t19 - t100 * (t96 * t105 + t109);
+    const double t114 = t100 - 0.12;
+    const double t115 = t100 + 0.12;
+    const double t116 = (u6 > t101 ? u6 : t101);
+    const double t117 = (u5 < t102 ? u5 : t102);
+    const double u13 = 0.02 * t107;
+    const double t118 = (t111 > u13 ? t111 : u13);
+    const double t119 = (u6 > t114 ? u6 : t114);
+    const double t120 = (u5 < t115 ? u5 : t115);
+    const double t121 = 1.0 / t118;
+    const double t122 = t111 - t118;
+    const double t123 = t121 * (t104 * t113 - t110 * t112 - t96 * t122);
+    const double t124 = t121 * (t106 * t112 - t110 * t113 - t100 * t122);
+    const double t125 = (t117 < t123 ? t117 : t123);
+    const double t126 = (t116 > t125 ? t116 : t125);
+    const double t127 = (t120 < t124 ? t120 : t124);
+    const double t128 = (t119 > t127 ? t119 : t127);
+    const double t129 = t126 - 0.04;
+    const double t130 = t126 + 0.04;
+    const double t131 = t17 - t126 * (t34 - t24 * t126) - t128 * (t18 - t126 * (u11 - t33 * t126));
+    const double t132 = t19 - t128 * (t34 - t23 * t128) - t126 * (t20 - t128 * (u12 - t33 * t128));
+    const double t133 = t126 + t121 * (t104 * t132 - t110 * t131);
+    const double t134 = t128 - 0.04;
+    const double t135 = t128 + 0.04;
+    const double t136 = t128 + t121 * (t106 * t131 - t110 * t132);
+    const double t137 = (u6 > t129 ? u6 : t129);
+    const double t138 = (u5 < t130 ? u5 : t130);
+    const double t139 = (t138 < t133 ? t138 : t133);
+    const double t140 = (t137 > t139 ? t137 : t139);
+    const double t141 = (u6 > t134 ? u6 : t134);
+    const double t142 = (u5 < t135 ? u5 : t135);
+    const double t143 = (t142 < t136 ? t142 : t136);
+    const double t144 = (t141 > t143 ? t141 : t143);
+    *xi = 2.0 * t140;
+    *eta = 2.0 * t144;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1241,14 +1294,14 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 0.064227516911542507, 1.110223024625157e-16, 4.9977605894045317e-13},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 0.064227516911542507, 1.110223024625157e-16, 4.9977605894044863e-13},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.10000000000000001, -1, 1.5654144647220149e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 5.9574044149715289e-16, 9.7908632538065652e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0063667449956357541, 1, 3.9669657129866272e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.53444274315628859, -1, 2.4655358067555678e-13, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0063667449956357541, 1, 3.9669657129866264e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.53444274315628859, -1, 2.4655358067555643e-13, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 0.10000000000000001, -0.59999999999999998, 1.5654144647218905e-16, 3.2307490016599078e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.67969923529257092, -1, 4.9027994867946657e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.49381667129536894, 1, 7.2889407827430409e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.49381667129536894, 1, 7.288940782743044e-15, 1.110223024625157e-16},
 };
 #endif
 

@@ -77,6 +77,19 @@ static void test_rules(void **state)
     check("/ 7 3", "(7.0 / 3.0)");
 }
 
+/* Neither choice of a clamp turns what is no number into a number, and their constants are variables. */
+static void test_clamp(void **state)
+{
+    (void)state;
+    char *text = compile("max -1 min 1 x", NULL);
+    assert_string_equal(text, "    double u1 = 1.0;\n"
+                              "    const double t1 = (u1 < in_x ? u1 : in_x);\n"
+                              "    double u2 = -1.0;\n"
+                              "    const double t2 = (!(t1 <= u2) ? t1 : u2);\n"
+                              "    *out_r = t2;\n");
+    free(text);
+}
+
 static void test_counts(void **state)
 {
     (void)state;
@@ -194,9 +207,9 @@ static void test_random_genomes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rules),          cmocka_unit_test(test_counts),
-        cmocka_unit_test(test_ten_term_pair),  cmocka_unit_test(test_proof_refuses),
-        cmocka_unit_test(test_random_genomes),
+        cmocka_unit_test(test_rules),         cmocka_unit_test(test_clamp),
+        cmocka_unit_test(test_counts),        cmocka_unit_test(test_ten_term_pair),
+        cmocka_unit_test(test_proof_refuses), cmocka_unit_test(test_random_genomes),
     };
     return cmocka_run_group_tests_name("codegen", tests, NULL, NULL);
 }

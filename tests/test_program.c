@@ -100,6 +100,8 @@ static void test_forms(void **state)
         {"(in_x < in_y ? in_x : in_y)", "min x y"},
         {"(in_x > -2.0 ? in_x : -2.0) + 1.0", "+ max x neg 2 1"},
         {"(in_x < (1.0 / 3.0)\n        ? in_x : (1.0\n / 3.0))", "min x 1/3"},
+        {"(!(in_x >= in_y) ? in_x : in_y)", "min x y"},
+        {"(!(in_x <= 2.0) ? in_x : 2.0)", "max x 2"},
         {"(in_y == 0.0 ? 1.0 : in_x / in_y)", "% x y"},
         {"2.0 * (in_y == 0.0 ? 1.0 : -0.5 / in_y)", "* 2 % neg 1/2 y"},
         {"1.25e-3 * in_x", "* 1/800 x"},
@@ -162,6 +164,11 @@ static void test_refusals(void **state)
         "(in_x < in_y ? in_x : in_x)",
         "(in_x > in_y ? in_x : in_yy)",
         "(in_x <= in_y ? in_x : in_y)",
+        "(!(in_x < in_y) ? in_x : in_y)",
+        "(!(in_x <= in_y) ? in_y : in_x)",
+        "(!(in_x <= in_y ? in_x : in_y)",
+        "(!in_x <= in_y ? in_x : in_y)",
+        "(!(in_y == 0.0) ? 1.0 : in_x / in_y)",
         "in_x < in_y ? in_x : in_y",
         "(in_y == 1.0 ? 1.0 : in_x / in_y)",
         "(in_y == 0.0 ? 2.0 : in_x / in_y)",
@@ -184,6 +191,9 @@ static void test_refusals(void **state)
     check_refused(one_output, "*r = in_x;\n");
     check_refused(one_output, "out_r = in_x;\n");
     check_refused(one_output, "double t1 = in_x;\n*out_r = in_x;\n");
+    check_refused(one_output, "double t1 = -in_x;\n*out_r = in_x;\n");
+    check_refused(one_output, "double t1 = 1.0 + 1.0;\n*out_r = in_x;\n");
+    check_refused(one_output, "const t1 = 1.0;\n*out_r = in_x;\n");
     check_refused(one_output, "const double t1 = in_x;\nconst double t1 = in_y;\n*out_r = t1;\n");
     check_refused(one_output, "const double in_x = in_y;\n*out_r = in_x;\n");
     check_refused(one_output, "const double t1 = t1;\n*out_r = t1;\n");

@@ -15,18 +15,22 @@ written() { # written LANGUAGE NAME EXPECTED
 genome 'input x y' 'genome g' 'r = + / x y 0.05' 'end' 'genome h' 'r = min x max y -3' 's = sqrt abs x' 'end'
 written infix 'a line each, genomes apart' 'r = x/y + 1/20
 
-t1 = max(y, -3)
-t2 = abs(x)
-r = min(x, t1)
-s = sqrt(t2)'
+t1 = abs(x)
+u1 = -3
+t2 = max(u1, y)
+t3 = min(x, t2)
+r = t3
+s = sqrt(t1)'
 written latex 'an environment each' '\begin{align}
 r &= \frac{x}{y} + 0.05
 \end{align}
 \begin{align}
-t_{1} &= \max\left(y, -3\right) \\
-t_{2} &= \left|x\right| \\
-r &= \min\left(x, t_{1}\right) \\
-s &= \sqrt{t_{2}}
+t_{1} &= \left|x\right| \\
+u_{1} &= -3 \\
+t_{2} &= \max\left(u_{1}, y\right) \\
+t_{3} &= \min\left(x, t_{2}\right) \\
+r &= t_{3} \\
+s &= \sqrt{t_{1}}
 \end{align}'
 genome 'input speed x1 c_d xi' 'genome g' 'r = / speed x1' 's = * / 7 3 c_d' 'q = * xi xi' 'p = % x1 xi' 'end'
 written latex 'names, fractions, cases' '\begin{align}
