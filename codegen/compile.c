@@ -60,7 +60,8 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
         }
         search_add(s, g, BEHIND, keep == KEEP_ALL ? "as written, named products whole" : "as written");
     }
-    struct dag *linear = shape_linear(search_first(s));
+    /* Differences of a segment's nodes are exact, or nearly, wherever it lies; sums of coordinates are not. */
+    struct dag *linear = f->segment ? NULL : shape_linear(search_first(s));
     if (linear)
         search_add(s, linear, 1, "linear forms written out");
     add_factored(s);

@@ -5,18 +5,20 @@
 #include <string.h>
 #include <unistd.h>
 
+enum { NAME = 300 };
+
 const char *const frame_output[2] = {"xi", "eta"};
 
 /* Lets whose value is the scene's: the reference point and the box that its contact points lie in. */
 enum { FROM_SCENE = 6 };
 static const char *const scene_let[FROM_SCENE] = {"xi0", "eta0", "xi_lo", "xi_hi", "eta_lo", "eta_hi"};
 
-static void scene_values(const struct scene *s, double value[FROM_SCENE])
+static void scene_values(const struct scene *s, const struct tier *t, double value[FROM_SCENE])
 {
     double lo[2], hi[2];
     scene_box(s, lo, hi);
     for (int k = 0; k < 2; k++) {
-        value[k] = s->reference[k];
+        value[k] = t->at ? t->reference[k] : s->reference[k];
         value[2 + 2 * k] = lo[k];
         value[3 + 2 * k] = hi[k];
     }
@@ -31,15 +33,23 @@ void frame_number(double v, char text[32])
     }
 }
 
-bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, struct genome_file *to, int *gene,
-                  struct diag *d)
+static void suffixed(const char *name, const char *suffix, char text[NAME])
+{
+    snprintf(text, NAME, "%.250s%s", name, suffix);
+}
+
+/* `suffix` is what names of lets end in there. */
+static bool rebind(const struct genome_file *from, const struct genome_expr *e, const char *suffix,
+                   struct genome_file *to, int *gene, struct diag *d)
 {
     for (size_t i = 0; i < e->length; i++) {
         gene[i] = e->gene[i];
         if (gene[i] < 0) {
             gene[i] = -1 - (int)genome_add_constant(to, from->constant[-1 - gene[i]].text);
         } else if (gene[i] >= GENE_SYMBOL) {
-            const char *name = genome_symbol_name(from, (size_t)(gene[i] - GENE_SYMBOL));
+            char name[NAME];
+            const size_t symbol = (size_t)(gene[i] - GENE_SYMBOL);
+            suffixed(genome_symbol_name(from, symbol), symbol < from->inputs ? "" : suffix, name);
             const long k = genome_find_symbol(to, name);
             if (k < 0)
                 return diag_at(d, from->path, e->line, 0, "'%s' uses '%s', which no frame of the scene defines",
@@ -50,26 +60,34 @@ bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, s
     return true;
 }
 
-static bool add_let(const struct genome_file *frame, const struct genome_expr *let, const struct scene *s,
-                    struct genome_file *program, struct diag *d)
+bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, struct genome_file *to, int *gene,
+                  struct diag *d)
 {
-    if (genome_find_symbol(program, let->name) >= 0)
-        return diag_at(d, frame->path, let->line, 0, "'%s' is a value of another frame of the scene already",
-                       let->name);
+    return rebind(from, e, "", to, gene, d);
+}
+
+static bool add_let(const struct genome_file *frame, const struct genome_expr *let, const struct scene *s,
+                    const struct tier *t, struct genome_file *program, struct diag *d)
+{
+    char name[NAME], suffix[16];
+    tier_suffix(t, suffix);
+    suffixed(let->name, suffix, name);
+    if (genome_find_symbol(program, name) >= 0)
+        return diag_at(d, frame->path, let->line, 0, "'%s' is a value of another frame of the scene already", name);
     double value[FROM_SCENE];
-    scene_values(s, value);
+    scene_values(s, t, value);
     for (int k = 0; k < FROM_SCENE; k++)
         if (strcmp(let->name, scene_let[k]) == 0) {
             char text[32];
             frame_number(value[k], text);
             const int gene = -1 - (int)genome_add_constant(program, text);
-            genome_add_let(program, let->name, &gene, 1);
+            genome_add_let(program, name, &gene, 1);
             return true;
         }
     int *gene = new_array(let->length, sizeof *gene);
-    const bool good = frame_rebind(frame, let, program, gene, d);
+    const bool good = rebind(frame, let, suffix, program, gene, d);
     if (good)
-        genome_add_let(program, let->name, gene, let->length);
+        genome_add_let(program, name, gene, let->length);
     free(gene);
     return good;
 }
@@ -77,7 +95,7 @@ static bool add_let(const struct genome_file *frame, const struct genome_expr *l
 static bool frame_is_new(const struct scene *s, size_t tier)
 {
     for (size_t i = 0; i < tier; i++)
-        if (strcmp(s->tier[i].frame, s->tier[tier].frame) == 0)
+        if (strcmp(s->tier[i].frame, s->tier[tier].frame) == 0 && s->tier[i].at == s->tier[tier].at)
             return false;
     return true;
 }
@@ -97,9 +115,9 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
         good = diag_at(d, s->path, t->line, 0, "tier '%s': frame '%s' is of segments %s", t->name, t->frame,
                        frame->segment->name);
     for (size_t i = 0; good && i < frame->lets && frame_is_new(s, tier); i++)
-        good = add_let(frame, &frame->let[i], s, program, d);
+        good = add_let(frame, &frame->let[i], s, t, program, d);
     for (size_t i = 0; good && i < t->terminals; i++)
-        if (genome_find_symbol(frame, t->terminal[i]) < 0)
+        if (genome_find_symbol(program, t->terminal[i]) < 0)
             good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],
                            t->frame);
     genome_file_free(frame);

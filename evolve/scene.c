@@ -283,10 +283,39 @@ static bool read_terminals(const struct reader *r, const config_setting_t *s, st
     return true;
 }
 
+void tier_suffix(const struct tier *t, char text[16])
+{
+    snprintf(text, 16, t->at ? "_at%d" : "", t->at);
+}
+
+/* Tiers that expand about the same point share their values. */
+static bool read_tier_reference(const struct reader *r, const config_setting_t *s, const struct scene *scene,
+                                struct tier *t)
+{
+    char suffix[16];
+    if (!read_two(r, s, "reference", -1, 1, t->reference))
+        return false;
+    int known = 0, same = 0;
+    for (const struct tier *u = scene->tier; u < t; u++) {
+        known = u->at > known ? u->at : known;
+        if (u->at && u->reference[0] == t->reference[0] && u->reference[1] == t->reference[1])
+            same = u->at;
+    }
+    t->at = same ? same : known + 1;
+    tier_suffix(t, suffix);
+    for (size_t i = 0; i < t->terminals; i++) {
+        char name[300];
+        snprintf(name, sizeof name, "%.250s%s", t->terminal[i], suffix);
+        free(t->terminal[i]);
+        t->terminal[i] = new_text(name, strlen(name));
+    }
+    return true;
+}
+
 static bool read_tier(const struct reader *r, config_setting_t *g, const config_setting_t *frame, struct scene *scene)
 {
     static const char *const required[] = {"name", "terminals", "max_length", "functions", NULL};
-    static const char *const optional[] = {"frame", "budget", NULL};
+    static const char *const optional[] = {"frame", "budget", "reference", NULL};
     static const char *const functions[] = {"polynomial", "rational"};
     struct tier *t = &scene->tier[scene->tiers++];
     const config_setting_t *own;
@@ -316,6 +345,9 @@ static bool read_tier(const struct reader *r, config_setting_t *g, const config_
         return false;
     t->max_length = (size_t)length;
     t->rational = which == 1;
+    own = config_setting_get_member(g, "reference");
+    if (own && !read_tier_reference(r, own, scene, t))
+        return false;
     const config_setting_t *budget = config_setting_get_member(g, "budget");
     return !budget || read_number(r, budget, "budget", 1, 1e6, &t->budget);
 }

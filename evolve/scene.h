@@ -43,12 +43,15 @@ struct mesh_pairs {
 struct tier {
     char *name;      /* owned */
     char *frame;     /* owned: file evolve/frames/<frame>.gen */
-    char **terminal; /* owned: names of inputs or lets of the frame */
+    char **terminal; /* owned: names of inputs or lets of the frame, those about a reference point of its own with its
+                        suffix */
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - * */
     double budget;     /* operations of one expression, in the plan's cost model; 0: none is set */
-    int line;          /* where it stands in the scene */
+    double reference[2];
+    int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
+    int line; /* where it stands in the scene */
 };
 
 struct scene {
@@ -73,6 +76,10 @@ struct scene {
  * ..." */
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
+
+/** What the names of a tier's values end in: "", or "_at1" if the frame expands about the first of the tiers' own
+ * reference points. */
+void tier_suffix(const struct tier *t, char text[16]);
 
 /** Box of the scene's contact points: lo < xi,eta <= hi, dimensionless; on triangles xi + eta <= hi[0], too. */
 void scene_box(const struct scene *s, double lo[2], double hi[2]);

@@ -10,7 +10,7 @@ struct offer {
     size_t max_length;
 };
 
-enum { OFFERS = 7 };
+enum { OFFERS = 9 };
 
 static const struct {
     const char *frame;
@@ -20,16 +20,20 @@ static const struct {
                [VARY_PARALLELOGRAMS] = {"affine", true, {{"exact", {"parallelogram_xi", "parallelogram_eta"}, 1}}},
                [VARY_PLANE] = {"plane",
                                false,
-                               {{"coarse", {"coarse_xi", "coarse_eta"}, 1}, {"exact", {"exact_xi", "exact_eta"}, 1}}},
+                               {{"fast", {"fast_xi", "fast_eta"}, 1},
+                                {"coarse", {"coarse_xi", "coarse_eta"}, 1},
+                                {"exact", {"exact_xi", "exact_eta"}, 1}}},
                [VARY_WARPED] = {"parallelogram",
                                 false,
                                 {{"fast", {"p", "q"}, 1},
                                  {"coarse", {"u2", "v2"}, 1},
+                                 {"gauss2", {"uq", "vq"}, 1},
                                  {"medium", {"ug", "vg"}, 1},
                                  {"balanced", {"u3", "v3"}, 1},
-                                 {"fine", {"u3t", "v3t"}, 1},
+                                 {"fine", {"u3h", "v3h"}, 1},
                                  {"precise", {"u4", "v4"}, 1},
-                                 {"accurate", {"u5", "v5"}, 1}}}};
+                                 {"accurate", {"u5", "v5"}, 1},
+                                 {"full", {"u6", "v6"}, 1}}}};
 
 static char *copy(const char *text)
 {

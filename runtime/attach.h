@@ -10,6 +10,9 @@
 
 #include "vector.h"
 
+/* Not for callers of the library. */
+#pragma GCC visibility push(hidden)
+
 /** The closest point of the straight edges of a polygon of n corners x.
  *  @param[in]  corner  their local coordinates
  *  @return its squared distance */
@@ -26,6 +29,8 @@ void footpoint_attach_quad4(const double x[4][3], const double xs[3], double loc
  *  node.  On a face without much curvature that is the closest point. */
 void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[2]);
 void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc[2]);
+
+#pragma GCC visibility pop
 
 /* m(p) = g . p + p . H p / 2, the change of half the squared distance by a move p in (xi, eta). */
 struct model {

@@ -14,7 +14,7 @@
 #include "vector.h"
 
 /** The worst error of xi and eta that the banner of generated/footpoint_quad4.h states for footpoint_quad4_accurate. */
-#define FOOTPOINT_CHECK_WORST 3.351e-04
+#define FOOTPOINT_CHECK_WORST 2.219e-05
 /* Rounding errors of all products together, over squares of lengths; about 500 units. */
 #define FOOTPOINT_CHECK_ROUNDING 1e-13
 

@@ -17,6 +17,13 @@ module footpoint
   integer(c_int), parameter :: FOOTPOINT_ERR_DOMAIN = 3
   integer(c_int), parameter :: FOOTPOINT_ERR_NO_CONVERGENCE = 4
   integer(c_int), parameter :: FOOTPOINT_ERR_ARGUMENT = 5
+  integer(c_int), parameter :: FOOTPOINT_OUTSIDE = 6
+  integer(c_int), parameter :: FOOTPOINT_NOT_UNIQUE = 7
+  integer(c_int), parameter :: FOOTPOINT_UNPROVED = 8
+
+  type, bind(C) :: footpoint_derivatives
+    real(c_double) :: phi(4), r_xi(3), r_eta(3), normal(3), gap, d_xi(15), d_eta(15), d_gap(15)
+  end type
 
   interface
     ! A C string; c_f_pointer makes characters of it.
@@ -82,6 +89,53 @@ module footpoint
       real(c_double), value :: gap, stiffness
       real(c_double), intent(in) :: m(3), loc(2)
       real(c_double), intent(inout) :: fs(3), fm(3, 4)
+      integer(c_int) :: status
+    end function
+
+    function footpoint_select_closest(xyz, master, candidates, seg, xS, chosen, distance) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xyz(3, *), xS(3)
+      integer(c_int), value :: master, candidates
+      integer(c_int), intent(in) :: seg(4, *)
+      integer(c_int), intent(inout) :: chosen
+      real(c_double), intent(inout) :: distance
+      integer(c_int) :: status
+    end function
+
+    function footpoint_force_balanced(xA, xB, xC, xD, xS, loc, stiffness, fs, fm) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3), loc(2)
+      real(c_double), value :: stiffness
+      real(c_double), intent(inout) :: fs(3), fm(3, 4)
+      integer(c_int) :: status
+    end function
+
+    function footpoint_certify(xA, xB, xC, xD, xS, loc, rho) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3), loc(2)
+      real(c_double), intent(inout) :: rho(2)
+      integer(c_int) :: status
+    end function
+
+    function footpoint_robust(xA, xB, xC, xD, xS, loc, dist) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3)
+      real(c_double), intent(inout) :: loc(2), dist
+      integer(c_int) :: status
+    end function
+
+    function footpoint_stationary(xA, xB, xC, xD, xS, loc, count) bind(C) result(status)
+      import :: c_int, c_double
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3)
+      real(c_double), intent(inout) :: loc(2, 8)
+      integer(c_int), intent(inout) :: count
+      integer(c_int) :: status
+    end function
+
+    function footpoint_differentiate(xA, xB, xC, xD, xS, loc, out) bind(C) result(status)
+      import :: c_int, c_double, footpoint_derivatives
+      real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3), loc(2)
+      type(footpoint_derivatives), intent(inout) :: out
       integer(c_int) :: status
     end function
   end interface

@@ -4,7 +4,7 @@
  *     A = (-1,-1)   B = (1,-1)   C = (1,1)   D = (-1,1)        in (xi,eta),
  * counter-clockwise seen from outside, so that normals point to where slave nodes come from.  Each node is passed as a
  * pointer to its three coordinates, which may lie anywhere in the caller's arrays.  Coordinates are in any one unit of
- * length ("mesh length"); edges between 1e-25 and 1e25 keep all products within the range of double.
+ * length ("mesh length"); edges between 1e-14 and 1e14 keep all products within the range of double.
  *
  * Functions return a status.  Unless it is FOOTPOINT_OK, outputs are untouched, but for functions that say otherwise.
  * Nothing here allocates, prints, keeps state or takes anything but a C library's <math.h>; every function may be

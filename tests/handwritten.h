@@ -1,8 +1,9 @@
-/* The formulas of the shipped genomes (evolve/frames/parallelogram.gen) as a finite element programmer writes them by
- * hand: vectors, scalar products, and one function for each idea.  The reference for the speed of the emitted code.
+/* The formulas of the shipped genomes (evolve/frames/parallelogram.gen, guarded.gen) as a finite element programmer
+ * writes them by hand: vectors, scalar products, and one function for each idea.  The reference for the speed of the
+ * emitted code.
  *
- * A method is a truncated iteration about the point (xi0, eta0): start with the taper to first or second order, clamped
- * to a box or not, then Newton steps, clamped likewise.  FOOTPOINT_FN is that of the generated headers. */
+ * A method is a truncated iteration about the point (xi0, eta0): a start with the taper, then steps of Gauss, Newton
+ * and Chebyshev, kept in a box or not.  FOOTPOINT_FN is that of the generated headers. */
 #ifndef FOOTPOINT_HANDWRITTEN_H
 #define FOOTPOINT_HANDWRITTEN_H
 
@@ -13,8 +14,17 @@ struct hand_products {
     double e11, e12, e22, d1, d2, c1, c2, cd, cc;
 };
 
+struct hand_point {
+    double u, v;
+};
+
 struct hand_box {
     double lo, hi; /* of u and of v */
+};
+
+/* One step's pair of equations, r11 r12 r12 r22, with the inverse of its determinant; t and s as below. */
+struct hand_matrix {
+    double r11, r12, r22, inverse, t, s;
 };
 
 FOOTPOINT_FN double hand_dot(const double a[3], const double b[3])
@@ -37,30 +47,140 @@ FOOTPOINT_FN struct hand_products hand_expand(HAND_NODES, double xi0, double eta
                                   hand_dot(m3, e2), hand_dot(m3, d),  hand_dot(m3, m3)};
 }
 
-/* Taper to second order, with one division: w = u v obeys a b w^2 - (1 + a q + b p) w + p q = 0 on a plane segment. */
-FOOTPOINT_FN void hand_taper(const struct hand_products *g, double *u, double *v)
+/* In-plane coordinates of d and m3, times the determinant. */
+struct hand_plane {
+    double det, p, q, a, b;
+};
+
+FOOTPOINT_FN struct hand_plane hand_in_plane(const struct hand_products *g)
 {
-    const double det = g->e11 * g->e22 - g->e12 * g->e12;
-    const double p = g->e22 * g->d1 - g->e12 * g->d2, q = g->e11 * g->d2 - g->e12 * g->d1; /* times det */
-    const double a = g->e22 * g->c1 - g->e12 * g->c2, b = g->e11 * g->c2 - g->e12 * g->c1;
-    const double linear = det * det + a * q + b * p;
-    const double r = 1 / (det * linear);
-    const double w = p * q * r * det;
-    *u = (p - a * w) * r * linear;
-    *v = (q - b * w) * r * linear;
+    return (struct hand_plane){g->e11 * g->e22 - g->e12 * g->e12, g->e22 * g->d1 - g->e12 * g->d2,
+                               g->e11 * g->d2 - g->e12 * g->d1, g->e22 * g->c1 - g->e12 * g->c2,
+                               g->e11 * g->c2 - g->e12 * g->c1};
 }
 
-/* One Newton step on (7), (8). */
-FOOTPOINT_FN void hand_newton(const struct hand_products *g, double *u, double *v)
+/* Taper to second order, with one division: w = u v obeys a b w^2 - (1 + a q + b p) w + p q = 0 on a plane segment. */
+FOOTPOINT_FN struct hand_point hand_taper(const struct hand_products *g)
 {
-    const double t = g->c1 + *v * g->cc, s = g->c2 + *u * g->cc;
-    const double y = *u * g->c1 + *v * s, w = *u * *v;
-    const double r11 = g->e11 + *v * (g->c1 + t), r22 = g->e22 + *u * (g->c2 + s), r12 = g->e12 + 2 * y - g->cd;
-    const double f1 = g->d1 + *v * y + w * t, f2 = g->d2 + *u * y + w * s;
-    const double inverse = 1 / (r11 * r22 - r12 * r12);
-    *u = (r22 * f1 - r12 * f2) * inverse;
-    *v = (r11 * f2 - r12 * f1) * inverse;
+    const struct hand_plane h = hand_in_plane(g);
+    const double linear = h.det * h.det + h.a * h.q + h.b * h.p;
+    const double r = 1 / (h.det * linear);
+    const double w = h.p * h.q * r * h.det;
+    return (struct hand_point){(h.p - h.a * w) * r * linear, (h.q - h.b * w) * r * linear};
 }
+
+/* One order more. */
+FOOTPOINT_FN struct hand_point hand_taper_more(const struct hand_products *g)
+{
+    const struct hand_plane h = hand_in_plane(g);
+    const double linear = h.det * h.det + h.a * h.q + h.b * h.p;
+    const double square = linear * linear - h.a * h.b * (h.p * h.q);
+    const double r = 1 / (h.det * square);
+    const double w = h.p * h.q * linear * r * h.det;
+    return (struct hand_point){(h.p - h.a * w) * r * square, (h.q - h.b * w) * r * square};
+}
+
+FOOTPOINT_FN struct hand_point hand_solve(const struct hand_matrix *m, double f1, double f2)
+{
+    return (struct hand_point){(m->r22 * f1 - m->r12 * f2) * m->inverse, (m->r11 * f2 - m->r12 * f1) * m->inverse};
+}
+
+/* One Gauss-Newton step on (7), (8). */
+FOOTPOINT_FN struct hand_point hand_gauss(const struct hand_products *g, struct hand_point x)
+{
+    const double t = g->c1 + x.v * g->cc, s = g->c2 + x.u * g->cc, y = x.u * g->c1 + x.v * s, w = x.u * x.v;
+    struct hand_matrix m = {.r11 = g->e11 + x.v * (g->c1 + t), .r12 = g->e12 + y, .r22 = g->e22 + x.u * (g->c2 + s)};
+    m.inverse = 1 / (m.r11 * m.r22 - m.r12 * m.r12);
+    return hand_solve(&m, g->d1 + x.v * g->cd + w * t, g->d2 + x.u * g->cd + w * s);
+}
+
+/* One Newton step, and its matrix. */
+FOOTPOINT_FN struct hand_point hand_newton(const struct hand_products *g, struct hand_point x, struct hand_matrix *m)
+{
+    const double t = g->c1 + x.v * g->cc, s = g->c2 + x.u * g->cc, y = x.u * g->c1 + x.v * s, w = x.u * x.v;
+    *m = (struct hand_matrix){.r11 = g->e11 + x.v * (g->c1 + t), .r22 = g->e22 + x.u * (g->c2 + s), .t = t, .s = s};
+    m->r12 = g->e12 + 2 * y - g->cd;
+    m->inverse = 1 / (m->r11 * m->r22 - m->r12 * m->r12);
+    return hand_solve(m, g->d1 + x.v * y + w * t, g->d2 + x.u * y + w * s);
+}
+
+/* The squares that a Newton step from `x` to `to` leaves out, through the step's matrix. */
+FOOTPOINT_FN struct hand_point hand_squares(const struct hand_matrix *m, struct hand_point x, struct hand_point to)
+{
+    const double du = to.u - x.u, dv = to.v - x.v, a = m->t * du, b = m->s * dv;
+    return hand_solve(m, dv * (2 * a + b), du * (2 * b + a));
+}
+
+/* Chebyshev's step. */
+FOOTPOINT_FN struct hand_point hand_chebyshev(const struct hand_products *g, struct hand_point x)
+{
+    struct hand_matrix m;
+    const struct hand_point to = hand_newton(g, x, &m), c = hand_squares(&m, x, to);
+    return (struct hand_point){to.u - c.u, to.v - c.v};
+}
+
+/* Centre of the segment, nothing kept in a box: one Gauss-Newton step or two, with the taper between or not. */
+FOOTPOINT_FN void hand_gauss_steps(HAND_NODES, int taper, int second, double *xi, double *eta)
+{
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
+    const struct hand_plane h = hand_in_plane(&g);
+    const double inverse = 1 / h.det, p = h.p * inverse, q = h.q * inverse, w = p * q;
+    struct hand_point x = {p, q};
+    if (taper)
+        x = (struct hand_point){p - h.a * inverse * w, q - h.b * inverse * w};
+    if (second)
+        x = hand_gauss(&g, x);
+    *xi = x.u;
+    *eta = x.v;
+}
+
+FOOTPOINT_FN void hand_fast(HAND_NODES, double *xi, double *eta)
+{
+    hand_gauss_steps(xA, xB, xC, xD, xS, 0, 0, xi, eta);
+}
+
+FOOTPOINT_FN void hand_gauss2(HAND_NODES, double *xi, double *eta)
+{
+    hand_gauss_steps(xA, xB, xC, xD, xS, 0, 1, xi, eta);
+}
+
+FOOTPOINT_FN void hand_medium(HAND_NODES, double *xi, double *eta)
+{
+    hand_gauss_steps(xA, xB, xC, xD, xS, 1, 1, xi, eta);
+}
+
+FOOTPOINT_FN void hand_coarse(HAND_NODES, double *xi, double *eta)
+{
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
+    const struct hand_point x = hand_taper(&g);
+    *xi = x.u;
+    *eta = x.v;
+}
+
+/* Centre of the segment, taper, then steps of Newton or of Chebyshev. */
+FOOTPOINT_FN void hand_search(HAND_NODES, int newton, int chebyshev, double *xi, double *eta)
+{
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
+    struct hand_point x = hand_taper_more(&g);
+    struct hand_matrix m;
+    for (int i = 0; i < newton; i++)
+        x = hand_newton(&g, x, &m);
+    for (int i = 0; i < chebyshev; i++)
+        x = hand_chebyshev(&g, x);
+    *xi = x.u;
+    *eta = x.v;
+}
+
+#define HAND_SEARCH(name, newton, chebyshev)                                                                           \
+    FOOTPOINT_FN void hand_##name(HAND_NODES, double *xi, double *eta)                                                 \
+    {                                                                                                                  \
+        hand_search(xA, xB, xC, xD, xS, newton, chebyshev, xi, eta);                                                   \
+    }
+HAND_SEARCH(balanced, 1, 0)
+HAND_SEARCH(fine, 0, 1)
+HAND_SEARCH(precise, 2, 0)
+HAND_SEARCH(accurate, 3, 0)
+HAND_SEARCH(full, 4, 0)
 
 FOOTPOINT_FN double hand_clamp(double u, struct hand_box box)
 {
@@ -68,105 +188,115 @@ FOOTPOINT_FN double hand_clamp(double u, struct hand_box box)
     return above > box.hi ? box.hi : above;
 }
 
-/* Centre of the segment, nothing clamped. */
-FOOTPOINT_FN void hand_search(HAND_NODES, int steps, double *xi, double *eta)
+FOOTPOINT_FN struct hand_point hand_clamp_point(struct hand_point x, struct hand_box box)
 {
-    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
-    double u, v;
-    hand_taper(&g, &u, &v);
-    for (int i = 0; i < steps; i++)
-        hand_newton(&g, &u, &v);
-    *xi = u;
-    *eta = v;
-}
-
-FOOTPOINT_FN void hand_coarse(HAND_NODES, double *xi, double *eta)
-{
-    hand_search(xA, xB, xC, xD, xS, 0, xi, eta);
-}
-
-FOOTPOINT_FN void hand_balanced(HAND_NODES, double *xi, double *eta)
-{
-    hand_search(xA, xB, xC, xD, xS, 1, xi, eta);
-}
-
-FOOTPOINT_FN void hand_accurate(HAND_NODES, double *xi, double *eta)
-{
-    hand_search(xA, xB, xC, xD, xS, 2, xi, eta);
-}
-
-/* One Gauss-Newton step, from the centre. */
-FOOTPOINT_FN void hand_fast(HAND_NODES, double *xi, double *eta)
-{
-    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
-    const double inverse = 1 / (g.e11 * g.e22 - g.e12 * g.e12);
-    *xi = (g.e22 * g.d1 - g.e12 * g.d2) * inverse;
-    *eta = (g.e11 * g.d2 - g.e12 * g.d1) * inverse;
-}
-
-/* Taper to first order, then a Gauss-Newton step. */
-FOOTPOINT_FN void hand_medium(HAND_NODES, double *xi, double *eta)
-{
-    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, 0, 0);
-    const double inverse = 1 / (g.e11 * g.e22 - g.e12 * g.e12);
-    const double p = (g.e22 * g.d1 - g.e12 * g.d2) * inverse, q = (g.e11 * g.d2 - g.e12 * g.d1) * inverse;
-    const double a = (g.e22 * g.c1 - g.e12 * g.c2) * inverse, b = (g.e11 * g.c2 - g.e12 * g.c1) * inverse;
-    const double u = p - a * (p * q), v = q - b * (p * q);
-    const double t = g.c1 + v * g.cc, s = g.c2 + u * g.cc, y = u * g.c1 + v * s, w = u * v;
-    const double k11 = g.e11 + v * (g.c1 + t), k22 = g.e22 + u * (g.c2 + s), k12 = g.e12 + y;
-    const double f1 = g.d1 + v * g.cd + w * t, f2 = g.d2 + u * g.cd + w * s;
-    const double again = 1 / (k11 * k22 - k12 * k12);
-    *xi = (k22 * f1 - k12 * f2) * again;
-    *eta = (k11 * f2 - k12 * f1) * again;
-}
-
-FOOTPOINT_FN void hand_most_accurate(HAND_NODES, double *xi, double *eta)
-{
-    hand_search(xA, xB, xC, xD, xS, 3, xi, eta);
+    return (struct hand_point){hand_clamp(x.u, box), hand_clamp(x.v, box)};
 }
 
 /* A Newton step whose determinant is at least 0.02 of its first product. */
-FOOTPOINT_FN void hand_guarded_newton(const struct hand_products *g, double *u, double *v)
+FOOTPOINT_FN struct hand_point hand_guarded_newton(const struct hand_products *g, struct hand_point x,
+                                                   struct hand_matrix *m)
 {
-    const double t = g->c1 + *v * g->cc, s = g->c2 + *u * g->cc;
-    const double y = *u * g->c1 + *v * s, w = *u * *v;
-    const double r11 = g->e11 + *v * (g->c1 + t), r22 = g->e22 + *u * (g->c2 + s), r12 = g->e12 + 2 * y - g->cd;
-    const double f1 = g->d1 + *v * y + w * t, f2 = g->d2 + *u * y + w * s;
-    const double m = r11 * r22, j = m - r12 * r12, least = 0.02 * m, kept = j < least ? least : j;
-    const double inverse = 1 / kept;
-    *u = ((kept - j) * *u + (r22 * f1 - r12 * f2)) * inverse;
-    *v = ((kept - j) * *v + (r11 * f2 - r12 * f1)) * inverse;
+    const double t = g->c1 + x.v * g->cc, s = g->c2 + x.u * g->cc, y = x.u * g->c1 + x.v * s, w = x.u * x.v;
+    const double f1 = g->d1 + x.v * y + w * t, f2 = g->d2 + x.u * y + w * s;
+    *m = (struct hand_matrix){.r11 = g->e11 + x.v * (g->c1 + t), .r22 = g->e22 + x.u * (g->c2 + s), .t = t, .s = s};
+    m->r12 = g->e12 + 2 * y - g->cd;
+    const double first = m->r11 * m->r22, det = first - m->r12 * m->r12, least = 0.02 * first;
+    const double kept = det < least ? least : det;
+    m->inverse = 1 / kept;
+    return (struct hand_point){((kept - det) * x.u + (m->r22 * f1 - m->r12 * f2)) * m->inverse,
+                               ((kept - det) * x.v + (m->r11 * f2 - m->r12 * f1)) * m->inverse};
 }
 
-/* About the point (x0,x0), for contact points within `half` of it in xi and eta: taper to first order, Newton steps. */
-FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, double half, int steps, double *xi, double *eta)
+/* Guarded steps about the point (x0,x0), for contact points within a box about it. */
+enum hand_start { HAND_GAUSS, HAND_GAUSS_CLAMPED, HAND_TAPER, HAND_FIRST, HAND_SECOND };
+
+FOOTPOINT_FN struct hand_point hand_guarded_start(const struct hand_products *g, enum hand_start start,
+                                                  struct hand_box box)
+{
+    const struct hand_plane h = hand_in_plane(g);
+    const double inverse = 1 / h.det, p = h.p * inverse, q = h.q * inverse, a = h.a * inverse, b = h.b * inverse;
+    const struct hand_point x = {p, q}, kept = hand_clamp_point(x, box);
+    double w = kept.u * kept.v;
+    if (start == HAND_GAUSS)
+        return x;
+    if (start == HAND_GAUSS_CLAMPED)
+        return kept;
+    if (start == HAND_TAPER) {
+        const double linear = 1 - (a * q + b * p);
+        w = p * q * (linear < 0.6 ? 0.6 : linear);
+    }
+    if (start == HAND_SECOND) {
+        const double linear = 1 - (a * kept.v + b * kept.u);
+        w = w * (linear < 0.5 ? 0.5 : linear);
+    }
+    return (struct hand_point){p - a * w, q - b * w};
+}
+
+/* A Newton step, and so many times the squares that it leaves out, each time within a limit. */
+FOOTPOINT_FN struct hand_point hand_guarded_step(const struct hand_products *g, struct hand_point x, int squares,
+                                                 struct hand_box box)
+{
+    const struct hand_box limit = {-0.1, 0.1};
+    struct hand_matrix m;
+    const struct hand_point to = hand_guarded_newton(g, x, &m);
+    struct hand_point found = to;
+    for (int i = 0; i < squares; i++) {
+        const struct hand_point c = hand_clamp_point(hand_squares(&m, x, found), limit);
+        const struct hand_point next = {to.u - c.u, to.v - c.v};
+        found = i + 1 < squares ? hand_clamp_point(next, box) : next;
+    }
+    found = hand_clamp_point(found, box);
+    return found;
+}
+
+/* Newton steps, or Chebyshev's: one, and another that takes the squares twice. */
+FOOTPOINT_FN void hand_guarded(HAND_NODES, double x0, struct hand_box box, enum hand_start start, int newton,
+                               int chebyshev, double *xi, double *eta)
 {
     const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);
-    const struct hand_box box = {-half, half};
-    const double inverse = 1 / (g.e11 * g.e22 - g.e12 * g.e12);
-    const double p = (g.e22 * g.d1 - g.e12 * g.d2) * inverse, q = (g.e11 * g.d2 - g.e12 * g.d1) * inverse;
-    const double a = (g.e22 * g.c1 - g.e12 * g.c2) * inverse, b = (g.e11 * g.c2 - g.e12 * g.c1) * inverse;
-    const double linear = 1 - (a * q + b * p), w = p * q * (linear < 0.6 ? 0.6 : linear);
-    double u = hand_clamp(p - a * w, box), v = hand_clamp(q - b * w, box);
-    for (int i = 0; i < steps; i++) {
-        hand_guarded_newton(&g, &u, &v);
-        u = hand_clamp(u, box);
-        v = hand_clamp(v, box);
-    }
-    *xi = x0 + u;
-    *eta = x0 + v;
+    struct hand_point x = hand_guarded_start(&g, start, box);
+    for (int i = 0; i < newton; i++)
+        x = hand_guarded_step(&g, x, 0, box);
+    for (int i = 0; i < chebyshev; i++)
+        x = hand_guarded_step(&g, x, 1 + i, box);
+    if (start == HAND_TAPER)
+        x = hand_clamp_point(x, box);
+    *xi = x0 + x.u;
+    *eta = x0 + x.v;
 }
 
-#define HAND_GUARDED(name, x0, half, steps)                                                                            \
+FOOTPOINT_FN void hand_guarded_gauss2(HAND_NODES, double x0, double *xi, double *eta)
+{
+    const struct hand_products g = hand_expand(xA, xB, xC, xD, xS, x0, x0);
+    const struct hand_plane h = hand_in_plane(&g);
+    const double inverse = 1 / h.det;
+    const struct hand_point x = hand_gauss(&g, (struct hand_point){h.p * inverse, h.q * inverse});
+    *xi = x0 + x.u;
+    *eta = x0 + x.v;
+}
+
+#define HAND_GUARDED(name, x0, high, start, newton, chebyshev)                                                         \
     FOOTPOINT_FN void hand_##name(HAND_NODES, double *xi, double *eta)                                                 \
     {                                                                                                                  \
-        hand_guarded(xA, xB, xC, xD, xS, x0, half, steps, xi, eta);                                                    \
+        const struct hand_box box = {-1 - (x0), (high) - (x0)};                                                        \
+        hand_guarded(xA, xB, xC, xD, xS, x0, box, start, newton, chebyshev, xi, eta);                                  \
     }
-HAND_GUARDED(paper_taper, -0.5, 0.5, 0)
-HAND_GUARDED(paper_newton1, -0.5, 0.5, 1)
-HAND_GUARDED(paper_newton2, -0.5, 0.5, 2)
-HAND_GUARDED(whole_taper, 0.0, 1.0, 0)
-HAND_GUARDED(whole_newton1, 0.0, 1.0, 1)
-HAND_GUARDED(whole_newton2, 0.0, 1.0, 2)
+#define HAND_LATTICE(scene, x0, high)                                                                                  \
+    HAND_GUARDED(scene##_gauss, x0, high, HAND_GAUSS, 0, 0)                                                            \
+    HAND_GUARDED(scene##_taper, x0, high, HAND_TAPER, 0, 0)                                                            \
+    HAND_GUARDED(scene##_newton, x0, high, HAND_GAUSS_CLAMPED, 1, 0)                                                   \
+    HAND_GUARDED(scene##_medium, x0, high, HAND_FIRST, 1, 0)                                                           \
+    HAND_GUARDED(scene##_balanced, x0, high, HAND_SECOND, 0, 1)                                                        \
+    HAND_GUARDED(scene##_fine, x0, high, HAND_SECOND, 2, 0)                                                            \
+    HAND_GUARDED(scene##_precise, x0, high, HAND_SECOND, 3, 0)                                                         \
+    HAND_GUARDED(scene##_accurate, x0, high, HAND_SECOND, 0, 2)                                                        \
+    HAND_GUARDED(scene##_full, x0, high, HAND_SECOND, 4, 0)                                                            \
+    FOOTPOINT_FN void hand_##scene##_gauss2(HAND_NODES, double *xi, double *eta)                                       \
+    {                                                                                                                  \
+        hand_guarded_gauss2(xA, xB, xC, xD, xS, x0, xi, eta);                                                          \
+    }
+HAND_LATTICE(paper, -0.45, 0.0)
+HAND_LATTICE(whole, -0.15, 1.0)
 
 #endif

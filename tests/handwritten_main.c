@@ -55,33 +55,53 @@ struct search {
     }
 /* What nobody would write by hand is compared with its genome as written alone. */
 #define METHODS(M)                                                                                                     \
+    M(blocks_quad4_fast, hand_fast)                                                                                    \
     M(blocks_quad4_coarse, hand_coarse)                                                                                \
+    M(blocks_quad4_gauss2, hand_gauss2)                                                                                \
+    M(blocks_quad4_medium, hand_medium)                                                                                \
     M(blocks_quad4_balanced, hand_balanced)                                                                            \
+    M(blocks_quad4_fine, hand_fine)                                                                                    \
     M(blocks_quad4_accurate, hand_accurate)                                                                            \
+    M(paper_quad4_gauss, hand_paper_gauss)                                                                             \
     M(paper_quad4_fast, written_paper_quad4_fast)                                                                      \
     M(paper_quad4_taper, hand_paper_taper)                                                                             \
-    M(paper_quad4_newton1, hand_paper_newton1)                                                                         \
-    M(paper_quad4_newton2, hand_paper_newton2)                                                                         \
+    M(paper_quad4_gauss2, hand_paper_gauss2)                                                                           \
     M(paper_quad4_coarse, written_paper_quad4_coarse)                                                                  \
-    M(paper_quad4_balanced, written_paper_quad4_balanced)                                                              \
-    M(paper_quad4_accurate, written_paper_quad4_accurate)                                                              \
+    M(paper_quad4_newton, hand_paper_newton)                                                                           \
+    M(paper_quad4_medium, hand_paper_medium)                                                                           \
+    M(paper_quad4_balanced, hand_paper_balanced)                                                                       \
+    M(paper_quad4_fine, hand_paper_fine)                                                                               \
+    M(paper_quad4_precise, hand_paper_precise)                                                                         \
+    M(paper_quad4_accurate, hand_paper_accurate)                                                                       \
+    M(paper_quad4_full, hand_paper_full)                                                                               \
+    M(punch_quad4_fast, hand_fast)                                                                                     \
     M(punch_quad4_coarse, hand_coarse)                                                                                 \
+    M(punch_quad4_gauss2, hand_gauss2)                                                                                 \
+    M(punch_quad4_medium, hand_medium)                                                                                 \
     M(punch_quad4_balanced, hand_balanced)                                                                             \
+    M(punch_quad4_fine, hand_fine)                                                                                     \
     M(punch_quad4_accurate, hand_accurate)                                                                             \
     M(quad4_fast, hand_fast)                                                                                           \
     M(quad4_coarse, hand_coarse)                                                                                       \
+    M(quad4_gauss2, hand_gauss2)                                                                                       \
     M(quad4_medium, hand_medium)                                                                                       \
     M(quad4_balanced, hand_balanced)                                                                                   \
-    M(quad4_fine, written_quad4_fine)                                                                                  \
-    M(quad4_precise, hand_accurate)                                                                                    \
-    M(quad4_accurate, hand_most_accurate)                                                                              \
+    M(quad4_fine, hand_fine)                                                                                           \
+    M(quad4_precise, hand_precise)                                                                                     \
+    M(quad4_accurate, hand_accurate)                                                                                   \
+    M(quad4_full, hand_full)                                                                                           \
+    M(whole_quad4_gauss, hand_whole_gauss)                                                                             \
     M(whole_quad4_fast, written_whole_quad4_fast)                                                                      \
     M(whole_quad4_taper, hand_whole_taper)                                                                             \
-    M(whole_quad4_newton1, hand_whole_newton1)                                                                         \
-    M(whole_quad4_newton2, hand_whole_newton2)                                                                         \
+    M(whole_quad4_gauss2, hand_whole_gauss2)                                                                           \
     M(whole_quad4_coarse, written_whole_quad4_coarse)                                                                  \
-    M(whole_quad4_balanced, written_whole_quad4_balanced)                                                              \
-    M(whole_quad4_accurate, written_whole_quad4_accurate)
+    M(whole_quad4_newton, hand_whole_newton)                                                                           \
+    M(whole_quad4_medium, hand_whole_medium)                                                                           \
+    M(whole_quad4_balanced, hand_whole_balanced)                                                                       \
+    M(whole_quad4_fine, hand_whole_fine)                                                                               \
+    M(whole_quad4_precise, hand_whole_precise)                                                                         \
+    M(whole_quad4_accurate, hand_whole_accurate)                                                                       \
+    M(whole_quad4_full, hand_whole_full)
 
 /* A name of its own for the hand-written one of each method, which several may share. */
 #define DEFINE_HAND(name, hand)                                                                                        \

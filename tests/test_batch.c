@@ -17,8 +17,9 @@ enum { PAIRS = 1500, NODES = 5 * PAIRS, STRIDE = 7 };
 
 typedef int search(const double *, const double *, const double *, const double *, const double *, double *, double *);
 static search *const single[FOOTPOINT_TIERS] = {
-    footpoint_quad4_fast, footpoint_quad4_coarse,  footpoint_quad4_medium,  footpoint_quad4_balanced,
-    footpoint_quad4_fine, footpoint_quad4_precise, footpoint_quad4_accurate};
+    footpoint_quad4_fast,    footpoint_quad4_coarse,   footpoint_quad4_gauss2,
+    footpoint_quad4_medium,  footpoint_quad4_balanced, footpoint_quad4_fine,
+    footpoint_quad4_precise, footpoint_quad4_accurate, footpoint_quad4_full};
 
 struct answer {
     double loc[2], gap;

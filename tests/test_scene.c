@@ -1,5 +1,6 @@
 /* Scenes: the shipped ones read, malformed ones are refused with exact diagnostics, and their samples are what they
  * promise: labelled with the certain foot point, within the limits, the same in every call, shared by no two parts. */
+#include "../evolve/frame.h"
 #include "../evolve/mesh.h"
 #include "../evolve/reference.h"
 #include "../evolve/samplers.h"
@@ -181,7 +182,7 @@ static void every_value_arrives(void **state)
     s = read_from_text(HEAD SHAPES, &d);
     assert_true(s && s->tiers == 0 && s->reference[0] == 0);
     scene_follow(s, VARY_PLANE);
-    assert_true(s->tiers == 2 && s->reference[0] == 0);
+    assert_true(s->tiers == 3 && s->reference[0] == 0);
     scene_free(s);
 
     s = read_from_text(HEAD LATTICE TAIL, &d);
@@ -290,6 +291,7 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "max_length = 50", "max_length = 100001", "12: error: 'max_length' must be in 1..100000"},
     {HEAD SHAPES TAIL, "max_length = 50; ", "", "12: error: tier lacks 'max_length'"},
     {HEAD SHAPES TAIL, "\"rational\"", "\"any\"", "12: error: 'functions' must be \"polynomial\" or \"rational\""},
+    {HEAD SHAPES TAIL, "max_length", "reference = [0.0, 2.0]; max_length", "12: error: 'reference' must be in -1..1"},
     {HEAD SHAPES TAIL, "max_length", "maximum", "12: error: unknown key 'maximum' in tier"},
 };
 
@@ -311,6 +313,45 @@ static void malformed_scenes_are_refused(void **state)
         free(text);
     }
     assert_int_equal(bad, 0);
+}
+
+/* Tiers about one point share the frame's values there; those about the scene's keep their names. */
+static void tiers_expand_about_points_of_their_own(void **state)
+{
+#define TIER(name, point)                                                                                              \
+    "    { name = \"" name "\"; terminals = [\"p\"]; max_length = 1; functions = \"polynomial\"; " point " }"
+    static const char text[] =
+        HEAD SHAPES "frame = \"parallelogram\";\n"
+                    "tiers = (\n" TIER("a", "") ",\n" TIER("b", "reference = [-0.25, 0.0];") ",\n" TIER(
+                        "c", "reference = [0.5, 0.5];") ",\n" TIER("d", "reference = [-0.25, 0.0];") "\n);\n";
+    static const struct {
+        const char *terminal;
+        double xi0;
+    } expected[] = {{"p", 0}, {"p_at1", -0.25}, {"p_at2", 0.5}, {"p_at1", -0.25}};
+    struct diag d;
+    struct scene *s = read_from_text(text, &d);
+    (void)state;
+    if (!s)
+        fail_msg("%s", d.text);
+    struct genome_file *program = frame_program(".", s, "program", &d), *frame = NULL;
+    assert_non_null(program);
+    frame = genome_read("evolve/frames/parallelogram.gen", &d);
+    assert_non_null(frame);
+    assert_int_equal(program->lets, 3 * frame->lets);
+    for (size_t i = 0; i < 4; i++) {
+        char name[16];
+        assert_string_equal(s->tier[i].terminal[0], expected[i].terminal);
+        assert_true(genome_find_symbol(program, s->tier[i].terminal[0]) >= 0);
+        snprintf(name, sizeof name, "xi0%s", expected[i].terminal + 1);
+        const long k = genome_find_symbol(program, name);
+        assert_true(k >= 0);
+        const struct genome_expr *xi0 = &program->let[(size_t)k - program->inputs];
+        assert_true(program->constant[-1 - xi0->gene[0]].value == expected[i].xi0);
+    }
+    genome_file_free(frame);
+    genome_file_free(program);
+    scene_free(s);
+#undef TIER
 }
 
 static void missing_scenes_are_refused(void **state)
@@ -616,6 +657,7 @@ int main(void)
         cmocka_unit_test(shipped_segments_are_found_out),
         cmocka_unit_test(every_value_arrives),
         cmocka_unit_test(malformed_scenes_are_refused),
+        cmocka_unit_test(tiers_expand_about_points_of_their_own),
         cmocka_unit_test(missing_scenes_are_refused),
         cmocka_unit_test(parts_share_nothing),
         cmocka_unit_test(seeds_draw_other_samples),

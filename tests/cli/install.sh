@@ -21,11 +21,12 @@ find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?
 
 # ---- the library ----
 functions_of "$include"/*.h $(grep -l 'extern "C"' "$include"/footpoint/*.h) > "$work/declared"
-nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_0$/\1/p' | sort > "$work/exported"
+nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_0$/\1/p' | grep -v '^attach_2d_$' | sort \
+    > "$work/exported"
 logged 'the library exports what its headers declare' diff "$work/declared" "$work/exported"
 nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_0$' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'and nothing else'
-nm -g --defined-only "$lib/libfootpoint.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_/' > "$work/log"
+nm -g --defined-only "$lib/libfootpoint.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_|^attach_2d_$/' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'the archive has no other names'
 
 cat > "$work/use.c" <<'C'

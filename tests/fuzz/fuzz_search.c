@@ -17,8 +17,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 typedef int search(const double *, const double *, const double *, const double *, const double *, double *, double *);
 static search *const single[FOOTPOINT_TIERS] = {
-    footpoint_quad4_fast, footpoint_quad4_coarse,  footpoint_quad4_medium,  footpoint_quad4_balanced,
-    footpoint_quad4_fine, footpoint_quad4_precise, footpoint_quad4_accurate};
+    footpoint_quad4_fast,    footpoint_quad4_coarse,   footpoint_quad4_gauss2,
+    footpoint_quad4_medium,  footpoint_quad4_balanced, footpoint_quad4_fine,
+    footpoint_quad4_precise, footpoint_quad4_accurate, footpoint_quad4_full};
 
 struct input {
     const uint8_t *data;
