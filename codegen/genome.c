@@ -19,7 +19,9 @@ static const struct {
 
 int gene_arity(int gene)
 {
-    return gene >= 0 && gene < GENE_OPERATORS ? operators[gene].arity : 0;
+    if (gene < 0 || gene >= GENE_SYMBOL)
+        return 0;
+    return gene < GENE_OPERATORS ? operators[gene].arity : gene == GENE_HALVES ? 2 : 1;
 }
 
 const char *gene_name(int gene)
@@ -100,6 +102,10 @@ void genome_file_free(struct genome_file *f)
     free_notes(f->note, f->notes);
     free_exprs(f->let, f->lets);
     free_exprs(f->require, f->requires);
+    for (size_t i = 0; i < f->functions; i++)
+        free(f->function[i].name);
+    free(f->function);
+    free(f->exchange);
     for (size_t i = 0; i < f->inputs; i++)
         free(f->input[i]);
     for (size_t i = 0; i < f->constants; i++)
@@ -126,6 +132,28 @@ long genome_find_symbol(const struct genome_file *f, const char *name)
 const char *genome_symbol_name(const struct genome_file *f, size_t k)
 {
     return k < f->inputs ? f->input[k] : f->let[k - f->inputs].name;
+}
+
+void genome_add_exchange(struct genome_file *f, size_t a, size_t b)
+{
+    grow_array(&f->exchange, f->exchanges, &f->exchange_room, sizeof *f->exchange);
+    f->exchange[f->exchanges][0] = a;
+    f->exchange[f->exchanges++][1] = b;
+}
+
+void genome_add_function(struct genome_file *f, const char *name, const size_t from[2], const size_t to[2])
+{
+    grow_array(&f->function, f->functions, &f->function_room, sizeof *f->function);
+    f->function[f->functions++] =
+        (struct genome_function){new_text(name, strlen(name)), {from[0], from[1]}, {to[0], to[1]}};
+}
+
+long genome_find_function(const struct genome_file *f, const char *name)
+{
+    for (size_t i = 0; i < f->functions; i++)
+        if (strcmp(f->function[i].name, name) == 0)
+            return (long)i;
+    return -1;
 }
 
 size_t genome_add_constant(struct genome_file *f, const char *text)
@@ -259,6 +287,14 @@ void genome_print(const struct genome_file *f, FILE *stream)
         const int column = fprintf(stream, "let %s =", f->let[i].name);
         print_words(f, &f->let[i], (size_t)column, stream);
         fputc('\n', stream);
+    }
+    for (size_t i = 0; i < f->exchanges; i++)
+        fprintf(stream, "exchange %s %s\n", genome_symbol_name(f, f->exchange[i][0]),
+                genome_symbol_name(f, f->exchange[i][1]));
+    for (size_t i = 0; i < f->functions; i++) {
+        const struct genome_function *x = &f->function[i];
+        fprintf(stream, "function %s %s %s %s %s\n", x->name, genome_symbol_name(f, x->from[0]),
+                genome_symbol_name(f, x->from[1]), genome_symbol_name(f, x->to[0]), genome_symbol_name(f, x->to[1]));
     }
     for (size_t i = 0; i < f->requires; i++) {
         const int column = fprintf(stream, "require");

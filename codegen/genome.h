@@ -8,11 +8,10 @@
  *                                         assumed order of its corners (any | nearest | nearest-shorter)
  *   range xC -0.5 2                       optional: the input's closed interval; at most one for each input
  *   let c1x = - xB xA                     one prefix expression, may use inputs and earlier lets
- *   require - xC xD                       optional, any number: a prefix expression over inputs and lets that is > 0
- *   genome fast
- *   note error_xi 1.2e-3 ...
- *   xi = + * 0.05 c1x yA                  one output, prefix expression
- *   eta = yA
+ *   exchange p q                          optional, of a frame: exchanging xi and eta turns the one value into the
+ * other function newton u v un vn             optional, of a frame: what the values un and vn are if others stand for u
+ * and v require - xC xD                       optional, any number: a prefix expression over inputs and lets that is >
+ * 0 genome fast note error_xi 1.2e-3 ... xi = + * 0.05 c1x yA                  one output, prefix expression eta = yA
  *   end
  *
  * An expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
@@ -30,7 +29,8 @@
 #define GENOME_FORMAT 1
 
 /** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
- *  -1-k: constant k of the file's table. */
+ *  -1-k: constant k of the file's table.  Those between are operators of evolution's twin trees alone (evolve/twin.h).
+ */
 enum gene_operator {
     GENE_ADD,
     GENE_SUB,
@@ -43,8 +43,12 @@ enum gene_operator {
     GENE_SQRT,
     GENE_ABS,
     GENE_OPERATORS,
+    GENE_HALVES = 16, /* two operands */
+    GENE_EXCHANGE,    /* one operand, as all that follow */
+    GENE_FUNCTION,    /* + k: function k of the file */
     GENE_SYMBOL = 64
 };
+enum { GENOME_FUNCTIONS = GENE_SYMBOL - GENE_FUNCTION };
 
 /** Operands of a gene: 2, 1 or 0. */
 int gene_arity(int gene);
@@ -92,6 +96,12 @@ struct genome_constant {
     double value;
 };
 
+/** A step from a pair of values to another: the symbols that it replaces, and those whose values are its result. */
+struct genome_function {
+    char *name; /* owned */
+    size_t from[2], to[2];
+};
+
 /** Closed interval of an input: constants of the file's table. */
 struct genome_range {
     bool given;
@@ -112,6 +122,10 @@ struct genome_file {
     size_t constants, constant_room;
     struct genome_expr *let;
     size_t lets, let_room;
+    size_t (*exchange)[2]; /* owned: symbols */
+    size_t exchanges, exchange_room;
+    struct genome_function *function; /* owned */
+    size_t functions, function_room;
     struct genome_expr *require; /* owned; without names */
     size_t requires, require_room;
     struct genome *genome;
@@ -147,6 +161,12 @@ void genome_add_range(struct genome_file *f, size_t input, const char *lo, const
 void genome_add_require(struct genome_file *f, const int *gene, size_t length);
 /** Append a named value; its name must be new. Copies `length` genes. */
 void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length);
+/** Two symbols that exchanging xi and eta exchanges. */
+void genome_add_exchange(struct genome_file *f, size_t a, size_t b);
+/** Append a function; its name must be new, and there are GENOME_FUNCTIONS at most. */
+void genome_add_function(struct genome_file *f, const char *name, const size_t from[2], const size_t to[2]);
+/** Index of a function or -1. */
+long genome_find_function(const struct genome_file *f, const char *name);
 /** Append an output of a genome: genome_add_expr(&g->out, &g->outs, &g->out_room, ...). Copies `length` genes. */
 void genome_add_expr(struct genome_expr **e, size_t *n, size_t *room, const char *name, const int *gene, size_t length);
 

@@ -22,7 +22,8 @@ struct reader {
     size_t genes, gene_room;
 };
 
-static const char *const keywords[] = {"note", "input", "segment", "range", "let", "require", "genome", "end"};
+static const char *const keywords[] = {"note",     "input",    "segment", "range",  "let",
+                                       "exchange", "function", "require", "genome", "end"};
 
 static bool fail(struct reader *r, const char *format, const char *word, int length)
 {
@@ -290,6 +291,49 @@ static bool read_let(struct reader *r)
     return true;
 }
 
+/* The next word, a symbol. */
+static bool read_symbol(struct reader *r, size_t *symbol)
+{
+    int gene = 0;
+    if (!next_word(r, true))
+        return FAIL(r, "a value is missing here");
+    if (!read_gene(r, &gene))
+        return false;
+    *symbol = (size_t)(gene - GENE_SYMBOL);
+    return gene >= GENE_SYMBOL || FAIL(r, "'%s' is not a value");
+}
+
+static bool read_exchange(struct reader *r)
+{
+    size_t a = 0, b = 0;
+    if (!read_symbol(r, &a) || !read_symbol(r, &b))
+        return false;
+    for (size_t i = 0; i < r->file->exchanges; i++)
+        for (int k = 0; k < 2; k++)
+            if (r->file->exchange[i][k] == a || r->file->exchange[i][k] == b)
+                return FAIL(r, "'%s' or its partner is exchanged already");
+    genome_add_exchange(r->file, a, b);
+    return end_of_line(r);
+}
+
+static bool read_function(struct reader *r)
+{
+    char name[MAX_NAME + 1];
+    size_t from[2], to[2];
+    if (!next_word(r, true))
+        return FAIL(r, "function without a name");
+    if (!read_new_symbol(r, name))
+        return false;
+    if (strcmp(name, "exchange") == 0 || strcmp(name, "halves") == 0 || genome_find_function(r->file, name) >= 0)
+        return FAIL(r, "function '%s' is defined already");
+    if (r->file->functions == GENOME_FUNCTIONS)
+        return FAIL(r, "function '%s' is one too many");
+    if (!read_symbol(r, &from[0]) || !read_symbol(r, &from[1]) || !read_symbol(r, &to[0]) || !read_symbol(r, &to[1]))
+        return false;
+    genome_add_function(r->file, name, from, to);
+    return end_of_line(r);
+}
+
 static bool read_inputs(struct reader *r)
 {
     char name[MAX_NAME + 1];
@@ -360,14 +404,16 @@ static bool read_file(struct reader *r)
     if (!read_version(r))
         return false;
     while (next_word(r, false)) {
-        const bool good = word_is(r, "note")      ? read_note(r, &f->note, &f->notes, &f->note_room)
-                          : word_is(r, "input")   ? read_inputs(r)
-                          : word_is(r, "segment") ? read_segment(r) && end_of_line(r)
-                          : word_is(r, "range")   ? read_range(r)
-                          : word_is(r, "let")     ? read_let(r)
-                          : word_is(r, "require") ? read_require(r)
-                          : word_is(r, "genome")  ? read_genome(r)
-                                                  : FAIL(r, "unknown keyword '%s'");
+        const bool good = word_is(r, "note")       ? read_note(r, &f->note, &f->notes, &f->note_room)
+                          : word_is(r, "input")    ? read_inputs(r)
+                          : word_is(r, "segment")  ? read_segment(r) && end_of_line(r)
+                          : word_is(r, "range")    ? read_range(r)
+                          : word_is(r, "let")      ? read_let(r)
+                          : word_is(r, "exchange") ? read_exchange(r)
+                          : word_is(r, "function") ? read_function(r)
+                          : word_is(r, "require")  ? read_require(r)
+                          : word_is(r, "genome")   ? read_genome(r)
+                                                   : FAIL(r, "unknown keyword '%s'");
         if (!good)
             return false;
     }

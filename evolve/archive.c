@@ -4,12 +4,11 @@
 
 #include "decimal.h"
 #include "frame.h"
+#include "twin_text.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { GRID = 100 }; /* constants -GRID..GRID times 0.05 */
 
 static const double worth = 0.99; /* what is not better by one in a hundred changes no header */
 
@@ -23,9 +22,26 @@ const struct genome *archive_start_genome(const struct archive *a, size_t tier)
     return NULL;
 }
 
+const char archive_twin_note[] = "twin";
+
+/* The twin tree that a genome's note holds; false with *d where it holds none of the frame's. */
+static bool read_twin(struct archive *a, const struct genome_file *f, const struct genome *g, struct tree *t,
+                      struct diag *d)
+{
+    const char *text = genome_find_note(g->note, g->notes, archive_twin_note);
+    return !text || twin_parse(a->program, text, t) ||
+           diag_at(d, f->path, g->line, 0, "genome '%s': its note is no twin tree of the scene's frame", g->name);
+}
+
 static bool read_champion(struct archive *a, size_t tier, int output, struct diag *d)
 {
     const struct genome *g = archive_start_genome(a, tier);
+    if (g && output == TIER_BOTH) {
+        struct champion *c = &a->champion[tier][output];
+        const bool good = read_twin(a, a->start, g, &c->tree, d);
+        c->length_before = c->tree.length;
+        return good;
+    }
     for (size_t i = 0; g && i < g->outs; i++) {
         const struct genome_expr *e = &g->out[i];
         if (strcmp(e->name, frame_output[output]) != 0)
@@ -53,7 +69,8 @@ static void seed_champion(struct archive *a, size_t tier, int output)
     if (t->length == 0)
         return;
     archive_add_seed(a, (long)tier, output, t);
-    round_constants(a->program, &a->seed[a->seeds - 1].tree);
+    if (output != TIER_BOTH)
+        round_constants(a->program, &a->seed[a->seeds - 1].tree);
 }
 
 static char *text_of(const struct genome_file *program)
@@ -72,12 +89,14 @@ struct archive *archive_new(const struct scene *s, struct genome_file *program, 
 {
     struct archive *a = new_array(1, sizeof *a);
     *a = (struct archive){.scene = s, .program = program, .champion = new_array(s->tiers, sizeof *a->champion)};
+    a->twins = twins_new(program);
+    a->twin = twin_counter_new(a->twins);
     a->bare = text_of(program);
     a->start = start ? genome_read(start, d) : NULL;
     bool good = a->bare || diag_system(d, program->path, "cannot keep the program");
     good = good && (a->start || !start);
     for (size_t i = 0; good && i < s->tiers; i++)
-        for (int k = 0; good && k < 2; k++) {
+        for (int k = tier_first(&s->tier[i]); good && k <= tier_last(&s->tier[i]); k++) {
             good = read_champion(a, i, k, d);
             if (good)
                 seed_champion(a, i, k);
@@ -93,7 +112,7 @@ void archive_free(struct archive *a)
     if (!a)
         return;
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < TIER_OUTPUTS; k++) {
             free(a->champion[i][k].tree.gene);
             front_free(a->front ? a->front[i][k] : NULL);
             front_free(a->old ? a->old[i][k] : NULL);
@@ -106,6 +125,8 @@ void archive_free(struct archive *a)
     free(a->old);
     free(a->bare);
     frame_cost_free(a->frame);
+    twin_counter_free(a->twin);
+    twins_free(a->twins);
     genome_file_free(a->start);
     genome_file_free(a->program);
     free(a);
@@ -145,14 +166,30 @@ static bool read_seed(struct archive *a, const struct genome_file *f, const stru
     return true;
 }
 
+/* A genome's outputs, and the twin tree that it may have been written from. */
+static bool read_seeds(struct archive *a, const struct genome_file *f, const struct genome *g, struct diag *d)
+{
+    struct tree twin = {NULL, 0};
+    if (!read_twin(a, f, g, &twin, d))
+        return false;
+    if (twin.length > 0) {
+        archive_add_seed(a, tier_of_name(a->scene, g->name), TIER_BOTH, &twin);
+        free(twin.gene);
+        return true;
+    }
+    for (size_t k = 0; k < g->outs; k++)
+        if (!read_seed(a, f, g, &g->out[k], d))
+            return false;
+    return true;
+}
+
 bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
 {
     struct genome_file *f = genome_read(path, d);
     const size_t before = a->seeds;
     bool good = f != NULL;
     for (size_t i = 0; good && i < f->genomes; i++)
-        for (size_t k = 0; good && k < f->genome[i].outs; k++)
-            good = read_seed(a, f, &f->genome[i], &f->genome[i].out[k], d);
+        good = read_seeds(a, f, &f->genome[i], d);
     if (good && a->seeds == before)
         good = diag_at(d, path, 0, 0, "no genome with an output xi or eta");
     genome_file_free(f);
@@ -165,7 +202,9 @@ static bool fits_tier(const struct archive *a, size_t tier, int output, size_t m
     const struct tier *t = &a->scene->tier[tier];
     bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= max_length;
     for (size_t i = 0; known && i < s->tree.length; i++) {
-        known = s->tree.gene[i] < GENE_SYMBOL;
+        known = s->tree.gene[i] < GENE_OPERATORS;
+        for (size_t k = 0; !known && s->tree.gene[i] < GENE_SYMBOL && k < t->functions; k++)
+            known = twin_gene(a->program, t->function[k]) == s->tree.gene[i];
         for (size_t k = 0; !known && k < t->terminals; k++)
             known = genome_find_symbol(a->program, t->terminal[k]) == s->tree.gene[i] - GENE_SYMBOL;
     }
@@ -182,13 +221,22 @@ size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t ma
     return n;
 }
 
-static double cost_of(const struct archive *a, const struct plan *plan, const struct tree *t,
-                      const struct genome_constant *constant)
+struct operations archive_operations(const struct archive *a, int output, const struct tree *t,
+                                     const struct genome_constant *constant)
 {
+    if (output == TIER_BOTH)
+        return twin_count(a->twin, t);
     struct counter *c = counter_new(t->length);
     const struct operations o = operations_count(c, t, constant);
     counter_free(c);
-    return operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
+    return o;
+}
+
+static double cost_of(const struct archive *a, const struct plan *plan, int output, const struct tree *t,
+                      const struct genome_constant *constant)
+{
+    const struct operations o = archive_operations(a, output, t, constant);
+    return operations_price(&o, &plan->prices) + (output == TIER_BOTH ? 0 : frame_cost_of(a->frame, t));
 }
 
 static void judge_champion(struct archive *a, const struct plan *plan, struct judge *exact, size_t tier, int output)
@@ -196,7 +244,7 @@ static void judge_champion(struct archive *a, const struct plan *plan, struct ju
     struct champion *c = &a->champion[tier][output];
     if (c->tree.length > 0) {
         c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
-        c->cost = cost_of(a, plan, &c->tree, a->program->constant);
+        c->cost = cost_of(a, plan, output, &c->tree, a->program->constant);
     }
     c->error_before = c->error;
 }
@@ -241,7 +289,7 @@ void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, 
     a->front = new_array(a->scene->tiers, sizeof *a->front);
     a->old = new_array(a->scene->tiers, sizeof *a->old);
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
             judge_champion(a, plan, exact, i, k);
             take_exact(a, exact, i, k);
             found_fronts(a, plan, j, i, k, max_length ? max_length : a->scene->tier[i].max_length);
@@ -249,45 +297,10 @@ void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, 
     judge_free(exact);
 }
 
-/* Insert by value; each value once. */
-static void add_constant(struct gene_set *s, int gene)
-{
-    const double value = decimal_value(gene);
-    size_t at = s->constants;
-    while (at > 0 && decimal_value(s->constant[at - 1]) > value)
-        at--;
-    if (at > 0 && s->constant[at - 1] == gene)
-        return;
-    memmove(s->constant + at + 1, s->constant + at, (s->constants - at) * sizeof *s->constant);
-    s->constant[at] = gene;
-    s->constants++;
-}
-
-struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational)
-{
-    static const int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
-    const struct tier *t = &a->scene->tier[tier];
-    const struct champion *c = a->champion[tier];
-    struct gene_set s = {.symbols = t->terminals, .operations = rational ? 4 : 3};
-    s.operation = new_array(s.operations, sizeof *s.operation);
-    memcpy(s.operation, operation, s.operations * sizeof *operation);
-    s.symbol = new_array(t->terminals, sizeof *s.symbol);
-    for (size_t i = 0; i < t->terminals; i++)
-        s.symbol[i] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
-    s.constant = new_array(2 * GRID + 1 + c[0].tree.length + c[1].tree.length, sizeof *s.constant);
-    for (int k = -GRID; k <= GRID; k++)
-        add_constant(&s, decimal_gene(k * 5 / 100.0));
-    for (int k = 0; k < 2; k++)
-        for (size_t i = 0; i < c[k].tree.length; i++)
-            if (c[k].tree.gene[i] < 0)
-                add_constant(&s, decimal_gene(a->program->constant[-1 - c[k].tree.gene[i]].value));
-    return s;
-}
-
 void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
                    double error, enum origin origin)
 {
-    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, t, NULL));
+    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, output, t, NULL));
     if (m)
         m->origin = (int)origin;
 }
@@ -303,11 +316,14 @@ void archive_bind(struct genome_file *program, const struct tree *t, struct tree
         }
 }
 
-static void crown(struct archive *a, struct champion *c, const struct member *m)
+static void crown(struct archive *a, int output, struct champion *c, const struct member *m)
 {
     free(c->tree.gene);
     c->tree.gene = new_array(m->tree.length, sizeof *m->tree.gene);
-    archive_bind(a->program, &m->tree, &c->tree);
+    if (output == TIER_BOTH)
+        tree_copy(&m->tree, &c->tree);
+    else
+        archive_bind(a->program, &m->tree, &c->tree);
     c->error = m->error;
     c->cost = m->cost;
     c->bred = true;
@@ -337,14 +353,16 @@ static void crown_best(struct archive *a, const struct plan *plan, size_t tier, 
             (!best || merit(plan, budget, m->error, m->cost) < merit(plan, budget, best->error, best->cost)))
             best = m;
     }
+    if (!best && a->champion[tier][output].tree.length == 0)
+        best = front_member(f, 0); /* the cheapest, where none is within the budget */
     if (best)
-        crown(a, &a->champion[tier][output], best);
+        crown(a, output, &a->champion[tier][output], best);
 }
 
 void archive_crown(struct archive *a, const struct plan *plan)
 {
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++)
+        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
             if (a->champion[i][k].exact == 0)
                 crown_best(a, plan, i, k);
 }

@@ -12,7 +12,7 @@
 
 /** One output of one tier. */
 struct champion {
-    struct tree tree; /* genes owned, constants are the program's; length 0: none yet */
+    struct tree tree; /* genes owned, constants are the program's, or decimals of a twin tree; length 0: none yet */
     double error;     /* on the training samples, in the scene's norm */
     double cost;      /* by the plan's model, with the values of the frame that it needs */
     bool bred;        /* found by this run */
@@ -24,7 +24,7 @@ struct champion {
 /** An expression to breed from. */
 struct seedling {
     long tier;        /* -1: every tier that has its symbols */
-    int output;       /* 0: xi, 1: eta */
+    int output;       /* 0: xi, 1: eta, 2: both, a twin tree */
     struct tree tree; /* genes owned; constants are decimal numbers */
 };
 
@@ -33,6 +33,9 @@ enum origin { ORIGIN_START, ORIGIN_SEED, ORIGIN_SEEDED, ORIGIN_RANDOM, ORIGINS }
 /** "start file", "seed", "seeded island", "random island". */
 extern const char *const origin_name[ORIGINS];
 
+/** Key of the note that holds the twin tree which a genome was written from. */
+extern const char archive_twin_note[];
+
 /** What this run is, for the provenance of what it finds. */
 struct run_facts {
     uint64_t seed;
@@ -40,16 +43,18 @@ struct run_facts {
 };
 
 struct archive {
-    const struct scene *scene;      /* not owned */
-    struct genome_file *program;    /* owned: what the genes mean; the genomes are added on writing */
-    char *bare;                     /* owned: the program's text before that */
-    struct genome_file *start;      /* owned; NULL: none */
-    struct champion (*champion)[2]; /* owned: for each tier xi and eta */
-    struct seedling *seed;          /* owned */
+    const struct scene *scene;                 /* not owned */
+    struct genome_file *program;               /* owned: what the genes mean; the genomes are added on writing */
+    char *bare;                                /* owned: the program's text before that */
+    struct genome_file *start;                 /* owned; NULL: none */
+    struct champion (*champion)[TIER_OUTPUTS]; /* owned: for each tier its outputs */
+    struct seedling *seed;                     /* owned */
     size_t seeds, seed_room;
-    struct frame_cost *frame;  /* owned; NULL before archive_judge */
-    struct front *(*front)[2]; /* owned: for each tier xi and eta; NULL before archive_judge */
-    struct front *(*old)[2];   /* owned: the start file and the seeds alone */
+    struct twins *twins;                  /* owned: of the program */
+    struct twin_counter *twin;            /* owned */
+    struct frame_cost *frame;             /* owned; NULL before archive_judge */
+    struct front *(*front)[TIER_OUTPUTS]; /* owned: for each tier its outputs; NULL before archive_judge */
+    struct front *(*old)[TIER_OUTPUTS];   /* owned: the start file and the seeds alone */
 };
 
 /** Champions of the file `start`; none where it is NULL or has no genome of a tier's name.  Takes the program over (and
@@ -83,9 +88,14 @@ void archive_print_exact(const struct archive *a, FILE *stream);
  *  @param[in] max_length  genes of the longest members of a front; 0: as each tier says */
 void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length);
 
-/** The genes of a tier: its terminals, + - * and, if rational, protected division, the paper's 201 constants
- *  -5.00..5.00 in steps of 0.05 and, rounded, those of the tier's champions. */
+/** The genes of a tier: its terminals and functions, the paper's 201 constants -5.00..5.00 in steps of 0.05 and,
+ * rounded, those of the tier's champions.
+ *  @param[in] rational  % beside + - *, where the tier lists no functions */
 struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational);
+
+/** Operations of a tree, with the values of the frame that it needs where it is a twin tree. */
+struct operations archive_operations(const struct archive *a, int output, const struct tree *t,
+                                     const struct genome_constant *constant);
 
 /** Offer a tree of decimal constants to a front. */
 void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
@@ -102,8 +112,11 @@ void archive_bind(struct genome_file *program, const struct tree *t, struct tree
  *  for nothing else. */
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct sample_set heldout[2],
                    struct diag *d);
-/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors. */
+/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors; of twin trees
+ *  there are none.  Where the path ends in .csv: a line for each member of all fronts. */
 bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
+/** The lines. */
+bool archive_write_csv(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
 /** Table of tier, output, error and genes, before and after. */
 void archive_table(const struct archive *a, FILE *stream);
 /** Table of the fronts, old against new, with where each member comes from. */

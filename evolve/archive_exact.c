@@ -29,7 +29,7 @@ void archive_find_exact(struct archive *a, const struct plan *plan, const struct
     if (!a->frame)
         a->frame = frame_cost_new(a->program, &plan->prices);
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = tier_first(&a->scene->tier[i]); k < TIER_BOTH; k++) {
             struct champion *c = &a->champion[i][k];
             const struct tree value = {&c->exact, 1};
             c->exact = exact_value(a, worst, &a->scene->tier[i], k, tolerance);

@@ -9,7 +9,7 @@ void archive_table(const struct archive *a, FILE *stream)
 {
     fprintf(stream, "%-24s %-6s %10s    %-10s %6s    %-6s\n", "tier", "output", "error", "", "genes", "");
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
             const struct champion *c = &a->champion[i][k];
             char error[16] = "-", length[16] = "-";
             if (c->length_before > 0) {
@@ -25,7 +25,7 @@ void archive_front_table(const struct archive *a, FILE *stream)
 {
     fprintf(stream, "%-24s %-6s %6s %10s %10s  %s\n", "front", "output", "cost", "old", "new", "from");
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++)
+        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
             for (size_t c = 0; c <= a->front[i][k]->limit; c++) {
                 const struct member *m = &a->front[i][k]->member[c];
                 const double old = a->old[i][k]->lowest[c];

@@ -4,6 +4,7 @@
 
 #include "frame.h"
 #include "scene_region.h"
+#include "twin_text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -81,25 +82,26 @@ static bool is_remark(const char *key)
 {
     char own[40];
     for (size_t i = 0; i < sizeof measured / sizeof *measured; i++)
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < TIER_OUTPUTS; k++) {
             note_key(measured[i], k, own);
             if (strcmp(key, own) == 0)
                 return false;
         }
-    return true;
+    return strcmp(key, archive_twin_note) != 0;
 }
 
 #define NOTE(...) genome_add_note(&g->note, &g->notes, &g->note_room, __VA_ARGS__)
 
 /* Provenance: carried over with an expression of the start file, new for one that this run found.  Remarks are about
  * the whole genome and stay as long as it stays. */
-static void add_provenance(struct genome *g, const struct champion champion[2], const struct genome *before,
-                           const struct run_facts *run)
+static void add_provenance(struct genome *g, const struct tier *t, const struct champion *champion,
+                           const struct genome *before, const struct run_facts *run)
 {
-    for (size_t i = 0; before && !champion[0].bred && !champion[1].bred && i < before->notes; i++)
+    const bool bred = champion[tier_first(t)].bred || champion[tier_last(t)].bred;
+    for (size_t i = 0; before && !bred && i < before->notes; i++)
         if (is_remark(before->note[i].key))
             NOTE(before->note[i].key, "%s", before->note[i].text);
-    for (int k = 0; k < 2; k++) {
+    for (int k = tier_first(t); k <= tier_last(t); k++) {
         char key[40];
         note_key("found", k, key);
         const char *old = before ? genome_find_note(before->note, before->notes, key) : NULL;
@@ -114,17 +116,20 @@ static void add_provenance(struct genome *g, const struct champion champion[2], 
     }
 }
 
-static void add_errors(struct genome *g, struct kernel *kernel, const struct archive *a,
-                       const struct champion champion[2], const struct sample_set heldout[2])
+/* Training errors are the champions'; those held out are measured on what is written. */
+static void add_errors(struct genome *g, struct kernel *kernel, const struct archive *a, size_t tier,
+                       const struct tree out[2], const struct sample_set heldout[2])
 {
+    const struct tier *t = &a->scene->tier[tier];
     char key[40];
-    for (int k = 0; k < 2; k++) {
+    for (int k = tier_first(t); k <= tier_last(t); k++) {
+        const struct champion *c = &a->champion[tier][k];
         note_key("training", k, key);
-        NOTE(key, "genes %zu %s %.3e", champion[k].tree.length, norm_name[a->scene->norm], champion[k].error);
+        NOTE(key, "genes %zu %s %.3e", c->tree.length, norm_name[a->scene->norm], c->error);
     }
     for (int part = 0; part < 2; part++)
         for (int k = 0; k < 2; k++) {
-            const struct errors e = errors_measure(kernel, a->program, &champion[k].tree, k, &heldout[part]);
+            const struct errors e = errors_measure(kernel, a->program, &out[k], k, &heldout[part]);
             note_key(part ? "heldout_random" : "heldout", k, key);
             NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
         }
@@ -133,13 +138,24 @@ static void add_errors(struct genome *g, struct kernel *kernel, const struct arc
 static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, const struct run_facts *run,
                      const struct sample_set heldout[2])
 {
+    const struct tier *t = &a->scene->tier[tier];
     const struct champion *c = a->champion[tier];
-    const char *name = a->scene->tier[tier].name;
-    struct genome *g = genome_add(a->program, name);
-    add_provenance(g, c, archive_start_genome(a, tier), run);
-    add_errors(g, kernel, a, c, heldout);
-    for (int k = 0; k < 2; k++)
-        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], c[k].tree.gene, c[k].tree.length);
+    struct tree out[2] = {c[0].tree, c[1].tree};
+    if (t->twin)
+        twin_expand(a->twins, &c[TIER_BOTH].tree, a->program, t->name, out);
+    struct genome *g = genome_add(a->program, t->name);
+    add_provenance(g, t, c, archive_start_genome(a, tier), run);
+    if (t->twin) {
+        char *text = twin_print(a->program, &c[TIER_BOTH].tree);
+        NOTE(archive_twin_note, "%s", text);
+        free(text);
+    }
+    add_errors(g, kernel, a, tier, out, heldout);
+    for (int k = 0; k < 2; k++) {
+        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
+        if (t->twin)
+            free(out[k].gene);
+    }
 }
 
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct sample_set heldout[2],
@@ -183,6 +199,9 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
 bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d)
 {
     struct outfile out;
+    const size_t length = strlen(path);
+    if (length > 4 && strcmp(path + length - 4, ".csv") == 0)
+        return archive_write_csv(a, path, heldout, d);
     struct genome_file *f = genome_parse(path, a->bare, strlen(a->bare), d);
     if (!f || !outfile_open(&out, path, d)) {
         genome_file_free(f);
@@ -192,7 +211,7 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
     add_file_notes(f, a->scene);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < 2; k++)
-            for (size_t c = 0; c <= a->front[i][k]->limit; c++)
+            for (size_t c = 0; a->front[i][k] && c <= a->front[i][k]->limit; c++)
                 if (a->front[i][k]->member[c].tree.length > 0)
                     add_member(a, kernel, &a->front[i][k]->member[c], i, k, heldout, f);
     kernel_free(kernel);

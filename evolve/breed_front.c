@@ -33,7 +33,8 @@ static double ratio(const struct island *is, const struct individual *x)
 /* Single precision tells most of the hopeless, in half the time, where it is fine enough for errors so large. */
 static double measured(struct island *is, const struct tree *t, double bound)
 {
-    const bool rank = is->judge->norm == NORM_MEAN && bound > coarse && bound < INFINITY;
+    const bool rank = is->judge->norm == NORM_MEAN && !judge_takes_both(is->judge, is->goal.target) && bound > coarse &&
+                      bound < INFINITY;
     if (rank && judge_rank(is->judge, t, is->goal.target, (1 + slack) * bound) == INFINITY)
         return INFINITY;
     return judge_error(is->judge, t, is->goal.target, bound);
@@ -130,8 +131,7 @@ static void fit_constants(struct island *is, struct tree *t)
     const bool tune = gsl_rng_uniform(is->rng) < is->plan->tune;
     const bool root_terms = !tune && gsl_rng_uniform(is->rng) < is->plan->fit;
     if ((tune && f->tune && f->tune(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)) ||
-        (root_terms && f->root_terms &&
-         f->root_terms(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)))
+        (root_terms && f->root_terms && f->root_terms(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)))
         tree_copy(&is->scratch, t);
 }
 

@@ -80,7 +80,7 @@ static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
 {
     static int symbol[VARIABLES], constant[4], operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
     static const char *const text[] = {"-0.35", "0.5", "1.25", "2"};
-    const struct gene_set genes = {symbol, VARIABLES, constant, 4, operation, kind->operations};
+    const struct gene_set genes = {symbol, VARIABLES, constant, 4, operation, kind->operations, 0};
     gsl_rng *rng = stream_new();
     stream_key(rng, 0, 0, 0, 0);
     *w = (struct workload){.table = columns_new(SAMPLES, VARIABLES + 1), .program = genome_file_new("benchmark")};

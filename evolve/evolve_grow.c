@@ -1,11 +1,12 @@
-/* Grown seeds; see evolve_grow.h.  A job grows one kind of tree for one output from one base; its rank tells the others
- * what it found, in the order of the jobs. */
+/* Grown seeds; see evolve_grow.h.  Those of twin trees are composed, on every rank alike.  A job grows one kind of tree
+ * for one output from one base; its rank tells the others what it found, in the order of the jobs. */
 #include "evolve_grow.h"
 
 #include "frame.h"
 #include "greedy.h"
 #include "grow.h"
 #include "progress.h"
+#include "twin_seeds.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,7 +50,7 @@ static struct jobs all_jobs(const struct run *r)
 {
     struct jobs jobs = {0};
     for (size_t tier = 0; tier < r->scene->tiers; tier++)
-        for (int output = 0; output < 2; output++) {
+        for (int output = tier_first(&r->scene->tier[tier]); output < TIER_BOTH; output++) {
             struct tree *seed;
             if (r->archive->champion[tier][output].exact)
                 continue;
@@ -104,6 +105,16 @@ static void keep(struct run *r, const struct job *job, int *number, size_t numbe
     }
 }
 
+/* Hand-written methods, composed of the functions of a tier of twin trees, to breed from. */
+static void compose_seeds(struct run *r, size_t tier)
+{
+    struct front *found = front_new(r->plan.front_limit, run_max_length(r, tier));
+    twin_seeds(&r->genes[tier], r->judge, &r->plan.prices, found);
+    for (size_t k = 0; k < front_count(found); k++)
+        archive_add_seed(r->archive, (long)tier, TIER_BOTH, &front_member(found, k)->tree);
+    front_free(found);
+}
+
 /* Why no other job should begin: a signal, or less time left than one of `job` seconds and the end may take, which is
  * reckoned as long as the beginning until growth `started`. */
 static enum stop_reason must_end(const struct run *r, double started, double job)
@@ -120,6 +131,9 @@ void evolve_grow(struct run *r)
     const size_t ranks = (size_t)r->team->size, rank = (size_t)r->team->rank;
     const double started = seconds_now();
     double longest = 0;
+    for (size_t i = 0; i < r->scene->tiers; i++)
+        if (r->scene->tier[i].twin)
+            compose_seeds(r, i);
     int **found = new_array(jobs.n, sizeof *found);
     size_t *numbers = new_array(jobs.n, sizeof *numbers);
     for (size_t i = rank; i < jobs.n && (r->reason = must_end(r, started, longest)) == STOP_DONE; i += ranks) {

@@ -153,7 +153,7 @@ static void vote(struct loop *l)
 {
     const struct run *r = l->run;
     double sum[POLL_SUMS] = {0}, *best = new_array(r->sea.rings, sizeof *best);
-    sum[POLL_WORK] = kernel_work(r->judge->kernel);
+    sum[POLL_WORK] = judge_work(r->judge);
     sum[POLL_SAVE] = keeper_wishes_save(&l->keeper) ? 1 : 0;
     sum[POLL_STOP + stop_noted()] = 1;
     if (time_is_up(l))

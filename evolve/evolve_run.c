@@ -206,15 +206,19 @@ static void found_rings(struct run *r)
 {
     const struct evolve_options *o = r->options;
     struct sea *s = &r->sea;
-    const size_t outputs = 2 * r->scene->tiers;
+    const size_t outputs = TIER_OUTPUTS * r->scene->tiers;
     r->quest = new_array(outputs, sizeof *r->quest);
     s->max_length = new_array(outputs, sizeof *s->max_length);
     s->places = o->islands;
-    for (size_t i = 0; i < outputs; i++)
-        if (needs_ring(r, &r->archive->champion[i / 2][i % 2])) {
-            r->quest[s->rings] = (struct quest){i / 2, (int)(i % 2)};
-            s->max_length[s->rings++] = run_max_length(r, i / 2);
+    for (size_t i = 0; i < outputs; i++) {
+        const struct quest q = {i / TIER_OUTPUTS, (int)(i % TIER_OUTPUTS)};
+        const struct tier *t = &r->scene->tier[q.tier];
+        if (q.output >= tier_first(t) && q.output <= tier_last(t) &&
+            needs_ring(r, &r->archive->champion[q.tier][q.output])) {
+            r->quest[s->rings] = q;
+            s->max_length[s->rings++] = run_max_length(r, q.tier);
         }
+    }
     s->owner = new_array(s->rings * s->places, sizeof *s->owner);
     s->island = new_array(s->rings * s->places, sizeof(struct island *));
     r->seeded = new_array(s->rings * s->places, sizeof *r->seeded);
@@ -234,7 +238,7 @@ size_t run_max_length(const struct run *r, size_t tier)
 
 size_t run_ring(const struct run *r, size_t ring)
 {
-    return 2 * r->quest[ring].tier + (size_t)r->quest[ring].output;
+    return 2 * r->quest[ring].tier + (size_t)(r->quest[ring].output % TIER_BOTH);
 }
 
 static void found_islands(struct run *r)

@@ -2,6 +2,7 @@
 #include "fits.h"
 
 #include "root_terms.h"
+#include "twin_fit.h"
 
 #include <stdlib.h>
 
@@ -11,16 +12,19 @@ struct fits {
     struct judge *judge;   /* not owned */
     struct columns thin;   /* owned: about ROWS of the samples */
     struct fitter *fitter; /* owned: to `thin` */
+    struct twin_run *twin; /* owned: the same for twin trees */
 };
 
 static bool root_terms(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
 {
-    return fit_root_terms(f->fitter, in, target, max_length, out);
+    return !judge_takes_both(f->judge, target) && fit_root_terms(f->fitter, in, target, max_length, out);
 }
 
 static bool tune(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
 {
     (void)max_length;
+    if (judge_takes_both(f->judge, target))
+        return twin_fit(f->twin, in, f->judge->norm, TUNING, out);
     tape_load(f->fitter->tape, in);
     fitter_descend_norm(f->fitter, target, f->judge->norm, TUNING);
     tape_store(f->fitter->tape, out);
@@ -31,6 +35,8 @@ static bool constants(struct fits *f, const struct tree *in, size_t target, size
 {
     double error;
     (void)max_length;
+    if (judge_takes_both(f->judge, target))
+        return twin_fit(f->twin, in, f->judge->norm, ITERATIONS, out);
     return fit_constants(f->fitter, f->judge, in, target, ITERATIONS, out, &error);
 }
 
@@ -38,8 +44,9 @@ struct fits *fits_new(struct judge *judge)
 {
     const size_t stride = judge->table->n / ROWS;
     struct fits *f = new_array(1, sizeof *f);
-    *f = (struct fits){judge, columns_thin(judge->table, stride > 1 ? stride : 1), NULL};
+    *f = (struct fits){judge, columns_thin(judge->table, stride > 1 ? stride : 1), NULL, NULL};
     f->fitter = fitter_new(&f->thin);
+    f->twin = twin_run_new(judge->twins, &f->thin);
     return f;
 }
 
@@ -48,6 +55,7 @@ void fits_free(struct fits *f)
     if (!f)
         return;
     fitter_free(f->fitter);
+    twin_run_free(f->twin);
     columns_free(&f->thin);
     free(f);
 }

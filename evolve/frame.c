@@ -1,13 +1,15 @@
 /* Frames; see frame.h.  Lets are evaluated by the same kernel as genomes, one column after the other. */
 #include "frame.h"
 
+#include "twin_text.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 enum { NAME = 300 };
 
-const char *const frame_output[2] = {"xi", "eta"};
+const char *const frame_output[TIER_OUTPUTS] = {"xi", "eta", "both"};
 
 /* Lets whose value is the scene's: the reference point and the box that its contact points lie in. */
 enum { FROM_SCENE = 6 };
@@ -92,6 +94,60 @@ static bool add_let(const struct genome_file *frame, const struct genome_expr *l
     return good;
 }
 
+static size_t same_symbol(const struct genome_file *frame, size_t symbol, const struct genome_file *program)
+{
+    return (size_t)genome_find_symbol(program, genome_symbol_name(frame, symbol));
+}
+
+/* Inputs may be exchanged in several frames, but alike. */
+static bool add_exchange(const struct genome_file *frame, const size_t pair[2], struct genome_file *program,
+                         struct diag *d)
+{
+    const size_t a = same_symbol(frame, pair[0], program), b = same_symbol(frame, pair[1], program);
+    for (size_t i = 0; i < program->exchanges; i++) {
+        const size_t *other = program->exchange[i];
+        if ((other[0] == a && other[1] == b) || (other[0] == b && other[1] == a))
+            return true;
+        if (other[0] == a || other[1] == a || other[0] == b || other[1] == b)
+            return diag_at(d, frame->path, 0, 0, "another frame of the scene exchanges '%s' or '%s' otherwise",
+                           genome_symbol_name(frame, pair[0]), genome_symbol_name(frame, pair[1]));
+    }
+    genome_add_exchange(program, a, b);
+    return true;
+}
+
+/* The frame's exchange and function lines. */
+static bool add_functions(const struct genome_file *frame, struct genome_file *program, struct diag *d)
+{
+    for (size_t i = 0; i < frame->exchanges; i++)
+        if (!add_exchange(frame, frame->exchange[i], program, d))
+            return false;
+    for (size_t i = 0; i < frame->functions; i++) {
+        const struct genome_function *f = &frame->function[i];
+        size_t from[2], to[2];
+        if (genome_find_function(program, f->name) >= 0 || program->functions == GENOME_FUNCTIONS)
+            return diag_at(d, frame->path, 0, 0, "function '%s' is one of another frame already, or one too many",
+                           f->name);
+        for (int k = 0; k < 2; k++) {
+            from[k] = same_symbol(frame, f->from[k], program);
+            to[k] = same_symbol(frame, f->to[k], program);
+        }
+        genome_add_function(program, f->name, from, to);
+    }
+    return true;
+}
+
+/* Names in a tier's list that are no operators. */
+static bool check_functions(const struct genome_file *frame, const struct scene *s, const struct tier *t,
+                            struct diag *d)
+{
+    for (size_t i = 0; i < t->functions; i++)
+        if (twin_gene(frame, t->function[i]) < 0)
+            return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name,
+                           t->function[i], t->frame);
+    return true;
+}
+
 static bool frame_is_new(const struct scene *s, size_t tier)
 {
     for (size_t i = 0; i < tier; i++)
@@ -116,6 +172,8 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
                        frame->segment->name);
     for (size_t i = 0; good && i < frame->lets && frame_is_new(s, tier); i++)
         good = add_let(frame, &frame->let[i], s, t, program, d);
+    good = good && (!frame_is_new(s, tier) || t->at || add_functions(frame, program, d)) &&
+           check_functions(frame, s, t, d);
     for (size_t i = 0; good && i < t->terminals; i++)
         if (genome_find_symbol(program, t->terminal[i]) < 0)
             good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],

@@ -20,11 +20,11 @@ bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, s
 
 /** The columns of n samples: every symbol of the program, then the true xi and eta. */
 struct columns frame_columns(struct kernel *k, const struct genome_file *program, const struct sample *s, size_t n);
-/** Column of the true xi (output 0) or eta (output 1). */
+/** Column of the true xi (output 0) or eta (output 1); past them for both (output 2). */
 size_t frame_target(const struct genome_file *program, int output);
 
-/** Names of the two outputs: "xi", "eta". */
-extern const char *const frame_output[2];
+/** Names of the outputs: "xi", "eta", and "both". */
+extern const char *const frame_output[TIER_OUTPUTS];
 
 /** The shortest decimal text that reads back as v. */
 void frame_number(double v, char text[32]);

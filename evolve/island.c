@@ -22,6 +22,7 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     is->rng = stream_new();
     is->counter = counter_new(goal->max_length);
     is->frame = frame_cost_new(judge->program, &plan->prices);
+    is->twin = twin_counter_new(judge->twins);
     is->now = new_array(room, sizeof *is->now);
     is->order = new_array(room, sizeof *is->order);
     is->fate = new_array(room, sizeof *is->fate);
@@ -46,6 +47,7 @@ void island_free(struct island *is)
     gsl_rng_free(is->rng);
     counter_free(is->counter);
     frame_cost_free(is->frame);
+    twin_counter_free(is->twin);
     front_free(is->all);
     front_free(is->stage);
     free(is->now);
@@ -67,8 +69,9 @@ struct remembered *island_memory(const struct island *is, uint64_t hash)
 
 void island_count(struct island *is, struct individual *x)
 {
-    const struct operations o = operations_count(is->counter, &x->tree, NULL);
-    x->cost = operations_price(&o, &is->plan->prices) + frame_cost_of(is->frame, &x->tree);
+    const bool both = judge_takes_both(is->judge, is->goal.target);
+    const struct operations o = both ? twin_count(is->twin, &x->tree) : operations_count(is->counter, &x->tree, NULL);
+    x->cost = operations_price(&o, &is->plan->prices) + (both ? 0 : frame_cost_of(is->frame, &x->tree));
     x->hash = o.hash;
 }
 

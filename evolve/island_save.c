@@ -80,8 +80,11 @@ void island_save(const struct island *is, unsigned char *to)
 
 static bool known_gene(const struct gene_set *s, int gene)
 {
-    if (gene < GENE_SYMBOL)
-        return gene < 0 ? decimal_valid(gene) : gene < GENE_OPERATORS;
+    if (gene < GENE_OPERATORS)
+        return gene >= 0 || decimal_valid(gene);
+    for (size_t i = 0; i < s->operations + s->functions; i++)
+        if (s->operation[i] == gene)
+            return true;
     for (size_t i = 0; i < s->symbols; i++)
         if (s->symbol[i] == gene)
             return true;

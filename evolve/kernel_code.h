@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-/* Operands of an instruction of a fast operator, first and second.  A tile is computed in the registers A, or beside a
- * live A in the registers B.  Form f of B is form f of A plus FORMS_OF_ONE. */
+/* Operands of an instruction of an operator of two, first and second.  A tile is computed in the registers A, or beside
+ * a live A in the registers B.  Form f of B is form f of A plus FORMS_OF_ONE. */
 enum kernel_form {
     A_COLUMN, /* A = A op column */
     COLUMN_A,
@@ -25,13 +25,12 @@ enum kernel_form {
     FORMS
 };
 
-/* Codes: gene * FORMS + form of + - * / %, then these. */
+/* Codes: gene * FORMS + form of + - * / % min max, then these. */
 enum kernel_code {
-    LOAD_COLUMN = (GENE_PDIV + 1) * FORMS, /* A = column */
+    LOAD_COLUMN = (GENE_MAX + 1) * FORMS, /* A = column */
     LOAD_CONSTANT,
-    STORE,     /* slot = A */
-    SLOW,      /* A = slot op A, or op A: any operator, in memory */
-    SLOW_SWAP, /* A = A op slot */
+    STORE, /* slot = A */
+    SLOW,  /* A = op A: an operator of one operand, in memory */
     END,
     CODES
 };
@@ -40,7 +39,7 @@ enum { SLOT = 512 /* bytes of a tile, at most */ };
 
 struct instruction {
     int code;
-    int gene; /* of a slow operator */
+    int gene; /* of SLOW */
     size_t a; /* bytes: the column, the first column of two, or the slot, from where they begin */
     union {
         size_t b; /* bytes: the second column */

@@ -26,6 +26,15 @@
         const BITS zero = (BITS)(divisor == (VECTOR){0});                                                              \
         t##i = (VECTOR)(((BITS)((x) / divisor) & ~zero) | ((BITS)((VECTOR){0} + 1) & zero));                           \
     }
+/* The one where `first` is true, else the other: one instruction, where the machine has it. */
+#define OPERATE_CHOICE(t, x, y, first)                                                                                 \
+    {                                                                                                                  \
+        const VECTOR one = (x), other = (y);                                                                           \
+        const BITS chosen = (BITS)(first);                                                                             \
+        t = (VECTOR)(((BITS)one & chosen) | ((BITS)other & ~chosen));                                                  \
+    }
+#define OPERATE_MIN(i, t, x, y) OPERATE_CHOICE(t##i, x, y, one < other)
+#define OPERATE_MAX(i, t, x, y) OPERATE_CHOICE(t##i, x, y, one > other)
 #define PLAIN_TILE(op, t, X, Y)                                                                                        \
     OPERATE_##op(0, t, X(0), Y(0)) OPERATE_##op(1, t, X(1), Y(1)) OPERATE_##op(2, t, X(2), Y(2))                       \
         OPERATE_##op(3, t, X(3), Y(3)) OPERATE_##op(4, t, X(4), Y(4)) OPERATE_##op(5, t, X(5), Y(5))                   \
@@ -33,6 +42,8 @@
 #define TILE_ADD PLAIN_TILE
 #define TILE_SUB PLAIN_TILE
 #define TILE_MUL PLAIN_TILE
+#define TILE_MIN PLAIN_TILE
+#define TILE_MAX PLAIN_TILE
 #define TILE_DIV DIVIDE_TILE
 #define TILE_PDIV DIVIDE_TILE
 #define OF_A(i) a##i
@@ -76,7 +87,7 @@
     HANDLER(op##_a_slot, op, a, WITH_P(r->slot), OF_A, OF_P)                                                           \
     HANDLER(op##_slot_a, op, a, WITH_P(r->slot), OF_P, OF_A)
 
-/* A loop that the compiler may vectorise: operands and result are one tile or separate ones. */
+/* A loop that the compiler may vectorise. */
 #if defined __clang__
 #define INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
 #else
@@ -84,5 +95,5 @@
 #endif
 #define SLOW_CASE(op)                                                                                                  \
     case op:                                                                                                           \
-        INDEPENDENT for (size_t i = 0; i < TILE; i++) to[i] = (REAL)kernel_apply(op, (double)x[i], (double)y[i]);      \
+        INDEPENDENT for (size_t i = 0; i < TILE; i++) x[i] = (REAL)kernel_apply(op, (double)x[i], 0);                  \
         break;

@@ -70,11 +70,6 @@ static double rounded(const struct translator *t, double x)
     return t->table->single ? (double)(float)x : x;
 }
 
-static bool fast(int gene)
-{
-    return gene <= GENE_PDIV;
-}
-
 static struct node leaf(const struct translator *t, const struct kernel_task *task, size_t i)
 {
     const int gene = task->gene[i];
@@ -88,7 +83,7 @@ static struct node leaf(const struct translator *t, const struct kernel_task *ta
 
 static int ershov_number(int gene, const struct node *x, const struct node *y)
 {
-    const int least = fast(gene) ? 1 : 2, greater = x->number > y->number ? x->number : y->number;
+    const int least = gene_arity(gene) == 2 ? 1 : 2, greater = x->number > y->number ? x->number : y->number;
     const int number = x->number == y->number && x->number > 0 && x != y ? greater + 1 : greater;
     return number > least ? number : least;
 }
@@ -134,7 +129,7 @@ static void write_constant(const struct translator *t, struct instruction *to, d
         to->u.as_double = value;
 }
 
-/* The two operands of a fast operator, at least one of them a leaf. */
+/* The two operands of an operator, at least one of them a leaf. */
 static void write_chain(struct translator *t, const struct kernel_task *task, const struct pending *p, size_t x,
                         size_t y)
 {
@@ -158,20 +153,15 @@ static void write_chain(struct translator *t, const struct kernel_task *task, co
         }
 }
 
-/* An operator of two branches, or a slow one of two operands. */
+/* An operator of two branches. */
 static void write_fork(struct translator *t, const struct kernel_task *task, const struct pending *p, size_t x,
                        size_t y)
 {
     const int gene = task->gene[p->node];
     const bool x_first = t->node[x].number > t->node[y].number;
     const size_t first = x_first ? x : y, second = x_first ? y : x;
-    const bool in_b = fast(gene) && t->node[second].number == 1;
-    if (!fast(gene)) {
-        emit(t, x_first ? SLOW : SLOW_SWAP);
-        t->begin->gene = gene;
-    } else {
-        emit(t, gene * FORMS + (in_b ? (x_first ? A_B : B_A) : (x_first ? SLOT_A : A_SLOT)));
-    }
+    const bool in_b = t->node[second].number == 1;
+    emit(t, gene * FORMS + (in_b ? (x_first ? A_B : B_A) : (x_first ? SLOT_A : A_SLOT)));
     if (!in_b)
         t->begin->a = (p->slot + 1) * SLOT;
     later(t, (struct pending){first, p->slot + (in_b ? 0 : 1), false, !in_b});
@@ -193,7 +183,7 @@ static void write_node(struct translator *t, const struct kernel_task *task, str
         later(t, (struct pending){p->node + 1, p->slot, false, false});
     } else {
         const size_t x = p->node + 1, y = t->node[x].end;
-        if (fast(gene) && (t->node[x].kind != BRANCH || t->node[y].kind != BRANCH))
+        if (t->node[x].kind != BRANCH || t->node[y].kind != BRANCH)
             write_chain(t, task, p, x, y);
         else
             write_fork(t, task, p, x, y);

@@ -20,12 +20,6 @@ struct node {
     bool needed;
 };
 
-/* A node with its sign. */
-struct operand {
-    int node;
-    bool negative;
-};
-
 struct slot {
     uint64_t round; /* the count in which it was filled */
     int node;
@@ -178,7 +172,7 @@ static struct operand other(struct counter *c, int gene, struct operand a, struc
     return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, OTHER, false}), false};
 }
 
-static struct operand operation(struct counter *c, int gene, struct operand a, struct operand b)
+struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b)
 {
     if (is_constant(c, a) && is_constant(c, b))
         return constant_of(c, kernel_apply(gene, signed_value(c, a), signed_value(c, b)));
@@ -199,49 +193,68 @@ static struct operand operation(struct counter *c, int gene, struct operand a, s
     }
 }
 
-static struct operand leaf(struct counter *c, int gene, const struct genome_constant *constant)
+void counter_begin(struct counter *c)
 {
-    if (gene < 0)
-        return constant_of(c, constant ? constant[-1 - gene].value : decimal_value(gene));
+    c->nodes = 0;
+    c->round++;
+}
+
+struct operand counter_number(struct counter *c, double value)
+{
+    return constant_of(c, value);
+}
+
+struct operand counter_leaf(struct counter *c, int gene)
+{
     return (struct operand){
         node_of(c, (struct node){mix(LEAF, (uint64_t)gene), 0, -1, -1, LEAF, false}),
         false,
     };
 }
 
-/* Count what the root needs: users stand behind their operands. */
-static void count(struct counter *c, int root, struct operations *o)
+/* Count what the roots need: users stand behind their operands. */
+struct operations counter_end(struct counter *c, const struct operand *root, size_t roots)
 {
-    c->node[root].needed = true;
-    for (int i = root; i >= 0; i--) {
+    struct operations o = {.hash = 0};
+    for (size_t i = 0; i < roots; i++) {
+        const uint64_t hash = mix(c->node[root[i].node].hash, root[i].negative);
+        o.hash = i == 0 ? hash : mix(o.hash, hash);
+        c->node[root[i].node].needed = true;
+    }
+    for (int i = c->nodes - 1; i >= 0; i--) {
         const struct node *n = &c->node[i];
         if (!n->needed)
             continue;
         if (n->a >= 0)
             c->node[n->a].needed = c->node[n->b].needed = true;
-        o->mul += n->kind == PRODUCT;
-        o->add += n->kind == SUM;
-        o->div += n->kind == QUOTIENT;
-        o->other += n->kind == OTHER;
+        o.mul += n->kind == PRODUCT;
+        o.add += n->kind == SUM;
+        o.div += n->kind == QUOTIENT;
+        o.other += n->kind == OTHER;
     }
+    return o;
+}
+
+static struct operand leaf(struct counter *c, int gene, const struct genome_constant *constant)
+{
+    if (gene < 0)
+        return constant_of(c, constant ? constant[-1 - gene].value : decimal_value(gene));
+    return counter_leaf(c, gene);
 }
 
 struct operations operations_count(struct counter *c, const struct tree *t, const struct genome_constant *constant)
 {
     struct operand *top = c->stack; /* one past the top */
-    c->nodes = 0;
-    c->round++;
+    counter_begin(c);
     for (size_t i = t->length; i-- > 0;) {
         const int arity = gene_arity(t->gene[i]);
         if (arity == 0) {
             *top++ = leaf(c, t->gene[i], constant);
         } else {
             const struct operand a = *--top, b = arity == 2 ? *--top : a;
-            *top++ = operation(c, t->gene[i], a, b);
+            *top++ = counter_operation(c, t->gene[i], a, b);
         }
     }
     const struct operand root = *--top;
-    struct operations o = {.hash = mix(c->node[root.node].hash, root.negative)};
-    count(c, root.node, &o);
-    return o;
+    return counter_end(c, &root, 1);
 }

@@ -19,7 +19,7 @@ struct prices {
 };
 double operations_price(const struct operations *o, const struct prices *m);
 
-/** Workspace for trees of at most max_length genes. */
+/** Workspace for trees of at most max_length genes, or for so many leaves and operations. */
 struct counter;
 struct counter *counter_new(size_t max_length);
 void counter_free(struct counter *c);
@@ -27,5 +27,18 @@ void counter_free(struct counter *c);
 /** Count in time proportional to the genes, without allocation.
  *  @param[in] constant  what constants mean; NULL: decimal numbers (decimal.h) */
 struct operations operations_count(struct counter *c, const struct tree *t, const struct genome_constant *constant);
+
+/* The same step by step, for what is no tree: values up to their sign, from leaves and operations on them. */
+struct operand {
+    int node;
+    bool negative;
+};
+void counter_begin(struct counter *c);
+struct operand counter_leaf(struct counter *c, int gene);
+struct operand counter_number(struct counter *c, double value);
+/** b is a where the gene has one operand. */
+struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b);
+/** Operations of all that the roots need. */
+struct operations counter_end(struct counter *c, const struct operand *root, size_t roots);
 
 #endif

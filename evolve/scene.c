@@ -312,15 +312,48 @@ static bool read_tier_reference(const struct reader *r, const config_setting_t *
     return true;
 }
 
+static bool is_operator(const char *name, int arity)
+{
+    for (int gene = 0; gene < GENE_OPERATORS; gene++)
+        if (gene_arity(gene) == arity && strcmp(gene_name(gene), name) == 0)
+            return true;
+    return false;
+}
+
+/* "polynomial", "rational", or a list of operators and of functions of the frame. */
+static bool read_functions(const struct reader *r, const config_setting_t *s, struct tier *t)
+{
+    static const char *const word[] = {"polynomial", "rational"};
+    int which, sums = 0;
+    if (!config_setting_is_aggregate(s) || config_setting_is_group(s)) {
+        const bool good = read_word(r, s, "functions", word, 2, &which);
+        t->rational = good && which == 1;
+        return good;
+    }
+    t->function = new_array((size_t)config_setting_length(s), sizeof *t->function);
+    for (int i = 0; i < config_setting_length(s); i++) {
+        const config_setting_t *e = config_setting_get_elem(s, (unsigned)i);
+        const char *name = config_setting_get_string(e);
+        const bool known = name && (is_operator(name, 1) || is_operator(name, 2));
+        if (!name || !(known || is_identifier(name)))
+            return fail(r, e, "'functions' holds something that is neither an operator nor a name");
+        for (size_t k = 0; k < t->functions; k++)
+            if (strcmp(t->function[k], name) == 0)
+                return fail(r, e, "function '%s' stands twice", name);
+        t->function[t->functions++] = new_text(name, strlen(name));
+        t->twin = t->twin || !known;
+        sums += strcmp(name, "+") == 0 || strcmp(name, "*") == 0;
+    }
+    return sums == 2 || fail(r, s, "'functions' must hold \"+\" and \"*\", which terms are added with");
+}
+
 static bool read_tier(const struct reader *r, config_setting_t *g, const config_setting_t *frame, struct scene *scene)
 {
     static const char *const required[] = {"name", "terminals", "max_length", "functions", NULL};
     static const char *const optional[] = {"frame", "budget", "reference", NULL};
-    static const char *const functions[] = {"polynomial", "rational"};
     struct tier *t = &scene->tier[scene->tiers++];
     const config_setting_t *own;
     long long length;
-    int which;
     t->line = (int)config_setting_source_line(g);
     if (!config_setting_is_group(g))
         return fail(r, g, "a tier must be a group, { name = ...; }");
@@ -341,13 +374,14 @@ static bool read_tier(const struct reader *r, config_setting_t *g, const config_
         return fail(r, own ? own : frame, "frame '%s' is not a name", t->frame);
     if (!read_terminals(r, config_setting_get_member(g, "terminals"), t) ||
         !read_count(r, config_setting_get_member(g, "max_length"), "max_length", 1, 100000, &length) ||
-        !read_word(r, config_setting_get_member(g, "functions"), "functions", functions, 2, &which))
+        !read_functions(r, config_setting_get_member(g, "functions"), t))
         return false;
     t->max_length = (size_t)length;
-    t->rational = which == 1;
     own = config_setting_get_member(g, "reference");
     if (own && !read_tier_reference(r, own, scene, t))
         return false;
+    if (own && t->twin)
+        return fail(r, own, "tier '%s': functions of a frame are about the scene's reference point", t->name);
     const config_setting_t *budget = config_setting_get_member(g, "budget");
     return !budget || read_number(r, budget, "budget", 1, 1e6, &t->budget);
 }
@@ -553,6 +587,9 @@ void scene_free(struct scene *s)
         for (size_t k = 0; k < s->tier[i].terminals; k++)
             free(s->tier[i].terminal[k]);
         free(s->tier[i].terminal);
+        for (size_t k = 0; k < s->tier[i].functions; k++)
+            free(s->tier[i].function[k]);
+        free(s->tier[i].function);
         free(s->tier[i].frame);
         free(s->tier[i].name);
     }

@@ -47,12 +47,26 @@ struct tier {
                         suffix */
     size_t terminals;
     size_t max_length; /* genes of one expression */
-    bool rational;     /* % beside + - * */
-    double budget;     /* operations of one expression, in the plan's cost model; 0: none is set */
+    bool rational;     /* % beside + - *, where no functions are listed */
+    char **function;   /* owned: names of operators, "exchange", "halves" and functions of the frame */
+    size_t functions;  /* 0: none are listed */
+    bool twin;         /* one tree makes xi and eta (twin.h): a function is none of the genome text's operators */
+    double budget;     /* operations of one expression, or of a twin tree, in the plan's cost model; 0: none is set */
     double reference[2];
     int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
     int line; /* where it stands in the scene */
 };
+
+/** Outputs of a tier, first..last: 0 is xi, 1 eta, and 2 both, of a tier of twin trees. */
+enum { TIER_BOTH = 2, TIER_OUTPUTS };
+static inline int tier_first(const struct tier *t)
+{
+    return t->twin ? TIER_BOTH : 0;
+}
+static inline int tier_last(const struct tier *t)
+{
+    return t->twin ? TIER_BOTH : 1;
+}
 
 struct scene {
     char *name, *path; /* owned; name is the file's base name without .scene */

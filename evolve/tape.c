@@ -2,19 +2,11 @@
  * numbers, so that values run backward through the genes and derivatives forward. */
 #include "tape.h"
 
+#include "blocks.h"
 #include "decimal.h"
-#include "wide.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#if defined __clang__
-#pragma clang diagnostic ignored "-Wpass-failed" /* of builds that do not optimise */
-#define EACH _Pragma("clang loop vectorize(assume_safety)") for (size_t k = 0; k < TAPE_BLOCK; k++)
-#else
-#define EACH _Pragma("GCC ivdep") for (size_t k = 0; k < TAPE_BLOCK; k++)
-#endif
 
 struct tape *tape_new(const struct columns *table)
 {
@@ -89,42 +81,6 @@ void tape_store(const struct tape *t, struct tree *tree)
         tree->gene[i] = t->gene[i] < 0 ? decimal_gene(t->number[i]) : t->gene[i];
 }
 
-static inline __attribute__((always_inline)) void value_of(int gene, const double *a, const double *b, double *to)
-{
-    switch (gene) {
-    case GENE_ADD:
-        EACH to[k] = a[k] + b[k];
-        break;
-    case GENE_SUB:
-        EACH to[k] = a[k] - b[k];
-        break;
-    case GENE_MUL:
-        EACH to[k] = a[k] * b[k];
-        break;
-    case GENE_DIV:
-        EACH to[k] = a[k] / b[k];
-        break;
-    case GENE_PDIV:
-        EACH to[k] = b[k] == 0 ? 1 : a[k] / b[k];
-        break;
-    case GENE_MIN:
-        EACH to[k] = a[k] < b[k] ? a[k] : b[k];
-        break;
-    case GENE_MAX:
-        EACH to[k] = a[k] > b[k] ? a[k] : b[k];
-        break;
-    case GENE_NEG:
-        EACH to[k] = -a[k];
-        break;
-    case GENE_SQRT:
-        EACH to[k] = sqrt(a[k]);
-        break;
-    default:
-        EACH to[k] = fabs(a[k]);
-        break;
-    }
-}
-
 WIDE void tape_values(struct tape *t, size_t row)
 {
     for (size_t i = t->length; i-- > 0;) {
@@ -140,46 +96,6 @@ WIDE void tape_values(struct tape *t, size_t row)
         } else {
             value_of(gene, t->value[i + 1], gene_arity(gene) == 2 ? t->value[t->operand[i]] : NULL, to);
         }
-    }
-}
-
-/* Slopes of the operands: s is that of the operation, v its value. */
-static inline __attribute__((always_inline)) void slope_of(int gene, const double *s, const double *v, const double *a,
-                                                           const double *b, double *sa, double *sb)
-{
-    switch (gene) {
-    case GENE_SUB:
-        EACH sb[k] = -s[k];
-        break;
-    case GENE_MUL:
-        EACH sa[k] = s[k] * b[k];
-        EACH sb[k] = s[k] * a[k];
-        break;
-    case GENE_DIV:
-        EACH sa[k] = s[k] / b[k];
-        EACH sb[k] = -sa[k] * v[k];
-        break;
-    case GENE_PDIV:
-        EACH sa[k] = b[k] == 0 ? 0 : s[k] / b[k];
-        EACH sb[k] = -sa[k] * v[k];
-        break;
-    case GENE_MIN:
-        EACH sa[k] = a[k] < b[k] ? s[k] : 0;
-        EACH sb[k] = a[k] < b[k] ? 0 : s[k];
-        break;
-    case GENE_MAX:
-        EACH sa[k] = a[k] > b[k] ? s[k] : 0;
-        EACH sb[k] = a[k] > b[k] ? 0 : s[k];
-        break;
-    case GENE_NEG:
-        EACH sa[k] = -s[k];
-        break;
-    case GENE_SQRT:
-        EACH sa[k] = 0.5 * s[k] / v[k];
-        break;
-    default:
-        EACH sa[k] = a[k] < 0 ? -s[k] : s[k];
-        break;
     }
 }
 

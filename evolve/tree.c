@@ -60,9 +60,9 @@ static size_t grow(gsl_rng *rng, const struct gene_set *s, int depth, bool full,
         gene[0] = random_leaf(rng, s);
         return 1;
     }
-    gene[0] = s->operation[below(rng, s->operations)];
+    gene[0] = s->operation[below(rng, s->operations + s->functions)];
     size_t n = 1;
-    for (size_t operands = 2; operands-- > 0;) {
+    for (size_t operands = (size_t)gene_arity(gene[0]); operands-- > 0;) {
         const bool ends = !full && gsl_rng_uniform(rng) < branch_ends;
         n += grow(rng, s, ends ? 0 : depth - 1, full, room - n - operands, gene + n);
     }
@@ -142,7 +142,9 @@ void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct tree *t)
     case 2:
         *gene = s->operation[below(rng, s->operations)];
         break;
-    default: /* operators of one operand come with seeds and have no others of their kind */
+    default: /* where there are none to choose from, it came with a seed and stays */
+        if (s->functions > 0)
+            *gene = s->operation[s->operations + below(rng, s->functions)];
         break;
     }
 }

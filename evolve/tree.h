@@ -19,8 +19,8 @@ struct gene_set {
     size_t symbols;
     int *constant; /* owned; decimal numbers (decimal.h), ascending, so that neighbours are near in value */
     size_t constants;
-    int *operation; /* owned; all of two operands */
-    size_t operations;
+    int *operation;               /* owned; those of two operands, then those of one */
+    size_t operations, functions; /* how many of each */
 };
 void gene_set_free(struct gene_set *s);
 

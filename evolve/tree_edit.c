@@ -57,7 +57,11 @@ bool tree_wrap(gsl_rng *rng, const struct gene_set *s, const struct tree *t, siz
     const struct branch x = tree_random_branch(rng, t);
     const struct tree in = twig(rng, s, max - t->length - 1, gene);
     const bool first = below(rng, 2) == 0; /* the new branch is the first operand */
-    head[0] = s->operation[below(rng, s->operations)];
+    head[0] = s->operation[below(rng, s->operations + s->functions)];
+    if (gene_arity(head[0]) == 1) {
+        tree_splice(t, (struct branch){x.at, 0}, head, 1, child);
+        return true;
+    }
     for (size_t i = 0; i < in.length; i++)
         head[1 + i] = in.gene[i];
     if (first) {

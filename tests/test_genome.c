@@ -17,6 +17,8 @@ static const char sample[] = "footpoint-genome 1\n"
                              "let s = + x\n"
                              "   y # a comment\n"
                              "let t = sqrt abs s\n"
+                             "exchange x y\n"
+                             "function step x y s t\n"
                              "genome one\n"
                              "note error 0.5\n"
                              "r = % * t -1.5e-2 min x max y 0.25\n"
@@ -46,6 +48,9 @@ static void test_round_trip(void **state)
     assert_string_equal(text, twice);
     assert_int_equal(f->inputs, 3);
     assert_int_equal(f->lets, 2);
+    assert_int_equal(g->exchanges, 1);
+    assert_int_equal(genome_find_function(g, "step"), 0);
+    assert_int_equal(g->function[0].to[1], genome_find_symbol(g, "t"));
     assert_int_equal(g->genome[0].outs, 2);
     assert_int_equal(g->genome[0].out[0].length, f->genome[0].out[0].length);
     for (size_t i = 0; i < f->genome[0].out[0].length; i++)
@@ -95,6 +100,30 @@ static void test_span(void **state)
     assert_int_equal(gene_span(gene, 0), 0);
 }
 
+static void test_functions_of_frames(void **state)
+{
+    (void)state;
+    static const char *const bad[][2] = {
+        {"exchange x", "4:11: error: a value is missing here"},
+        {"exchange x 1", "4:12: error: '1' is not a value"},
+        {"exchange x y z", "4:14: error: 'z' is too much here"},
+        {"exchange x y\nexchange z y", "5:12: error: 'y' or its partner is exchanged already"},
+        {"function", "4:9: error: function without a name"},
+        {"function x x y s s", "4:10: error: name 'x' is defined already"},
+        {"function halves x y s s", "4:10: error: function 'halves' is defined already"},
+        {"function f x y s", "4:17: error: a value is missing here"},
+        {"function f x y s u", "4:18: error: unknown gene 'u'"},
+        {"function f x y s s\nfunction f x y s s", "5:10: error: function 'f' is defined already"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char text[200], wanted[100];
+        struct diag d;
+        snprintf(text, sizeof text, "footpoint-genome 1\ninput x y z\nlet s = + x y\n%s\n", bad[i][0]);
+        snprintf(wanted, sizeof wanted, "frame:%s", bad[i][1]);
+        assert_null(genome_parse("frame", text, strlen(text), &d));
+        assert_string_equal(d.text, wanted);
+    }
+}
+
 /* Every truncation and thousands of mutations of the sample end in a program or in one line. */
 static void test_hostile_text(void **state)
 {
@@ -123,9 +152,8 @@ static void test_hostile_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),
-        cmocka_unit_test(test_long_expression_wraps),
-        cmocka_unit_test(test_span),
+        cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_long_expression_wraps),
+        cmocka_unit_test(test_span),         cmocka_unit_test(test_functions_of_frames),
         cmocka_unit_test(test_hostile_text),
     };
     return cmocka_run_group_tests_name("genome", tests, NULL, NULL);

@@ -36,7 +36,7 @@ static int setup(void **state)
     for (int k = 0; k <= 20; k++)
         constant[k] = decimal_gene((k - 10) / 10.0);
     f->program = genome_file_new("test");
-    f->genes = (struct gene_set){symbol, 2, constant, 21, operation, 3};
+    f->genes = (struct gene_set){symbol, 2, constant, 21, operation, 3, 0};
     f->judge = judge_new(f->program, &f->table, NORM_MEAN);
     f->judge->decimal = true;
     gsl_rng_free(rng);

@@ -96,7 +96,7 @@ static const struct gene_set *test_genes(void)
 {
     static int symbol[] = {X, Y}, constant[7], operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
     static const double value[] = {-2, -1, -0.5, 0, 0.5, 1, 3};
-    static const struct gene_set set = {symbol, 2, constant, 7, operation, 4};
+    static const struct gene_set set = {symbol, 2, constant, 7, operation, 4, 0};
     for (int i = 0; i < 7; i++)
         constant[i] = decimal_gene(value[i]);
     return &set;

@@ -15,7 +15,7 @@ enum { POPULATION = 50, MAX_LENGTH = 41, OPERATIONS = 100000 };
 static int symbol[] = {GENE_SYMBOL, GENE_SYMBOL + 1, GENE_SYMBOL + 2};
 static int constant[] = {-1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12};
 static int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
-static const struct gene_set set = {symbol, 3, constant, 12, operation, 4};
+static const struct gene_set set = {symbol, 3, constant, 12, operation, 4, 0};
 
 static bool contains(const int *gene, size_t n, int wanted)
 {
@@ -117,7 +117,7 @@ static void edits_keep_genomes_valid(void **state)
     static const char *const name[] = {"graft", "twig", "wrap", "hoist", "shrink", "add", "drop", "constant"};
     static int gene[POPULATION + 1][MAX_LENGTH], decimal[12];
     struct tree tree[POPULATION + 1];
-    const struct gene_set decimals = {symbol, 3, decimal, 12, operation, 4};
+    const struct gene_set decimals = {symbol, 3, decimal, 12, operation, 4, 0};
     int done[8] = {0};
     gsl_rng *rng = stream_new();
     stream_key(rng, 4, 0, 0, 0);

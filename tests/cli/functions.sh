@@ -1,0 +1,50 @@
+# Tiers of twin trees: same bytes on any number of ranks, from a checkpoint and from their own genomes; the front as a
+# table; the header; what is no function of the frame.
+. tests/cli/expect.inc
+evolve=$BIN/footpoint-evolve
+export OMPI_MCA_btl_base_warn_component_unused=0 OMPI_MCA_ess_singleton_isolated=1
+mpirun="mpirun -q --oversubscribe"
+[ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
+same() { cmp -s "$1" "$2"; report $((! $?)) "$3"; }
+
+scene() { sed "$1" tests/scenes/steps.scene > "$work/s.scene"; }
+refused() { expect "$1" 1 '' "$work/s.scene:$2" "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1; }
+scene 's/"newton_kept"/"newton_lost"/'; refused 'no function of the frame' "13: error: tier 'both': 'newton_lost' is no function of frame 'steps'"
+scene 's/"newton_kept"/"+"/';  refused 'a function twice' "14: error: function '+' stands twice"
+scene 's/"newton_kept"/"4"/';  refused 'no name' "14: error: 'functions' holds something that is neither an operator nor a name"
+scene 's/\["+",.*\]/["inside"]/'; refused 'no sums' "14: error: 'functions' must hold \"+\" and \"*\", which terms are added with"
+scene 's/\["+",.*\]/"all"/'; refused 'no word' "14: error: 'functions' must be \"polynomial\" or \"rational\""
+
+cp tests/scenes/steps.scene "$work/"
+options="--scene $work/steps.scene --seed 3 --islands 3 --population 30 --quiet"
+"$evolve" $options --from-scratch --generations 12 -o "$work/one.gen" --front "$work/one.csv" > "$work/table"
+grep -q '^both  *both  *- -> ' "$work/table" && grep -q '^clamped  *xi ' "$work/table"; report $((! $?)) 'one line for both outputs'
+for ranks in 3; do
+    $mpirun -n $ranks "$evolve" $options --from-scratch --generations 12 -o "$work/more.gen" --front "$work/more.csv" > /dev/null 2>&1
+    same "$work/one.gen" "$work/more.gen" "$ranks ranks: the same genomes"
+    same "$work/one.csv" "$work/more.csv" 'and the same front'
+done
+$mpirun -n 2 "$evolve" $options --from-scratch --generations 6 -o "$work/parts.gen" --checkpoint "$work/ck" > /dev/null 2>&1
+"$evolve" --resume "$work/ck" --generations 12 --quiet > /dev/null
+same "$work/one.gen" "$work/parts.gen" 'resumed: the same genomes'
+"$evolve" --scene "$work/steps.scene" --quiet --start "$work/one.gen" --generations 0 -o "$work/again.gen" > /dev/null
+same "$work/one.gen" "$work/again.gen" 'no generations: the same file again'
+
+# The front: errors fall with rising cost; hand-written methods are on it; the budget's champion is its best within.
+awk -F, 'NR > 1 && $1 == "both" { if (n++ && !($3 > cost && $9 <= error)) bad = 1; cost = $3; error = $9 }
+    NR > 1 && NF != 18 { bad = 1 } END { exit bad || n < 30 }' "$work/one.csv"; report $((! $?)) 'the front as a table'
+best=$(awk -F, '$1 == "both" && $3 <= 250 { tree = $18 } END { print tree }' "$work/one.csv")
+[ "$best" = "$(sed -n 's/^note twin //p' "$work/one.gen")" ]; report $((! $?)) 'the champion is the best within the budget'
+
+# What is written needs no functions: codegen makes the same of it without those lines, and what they cost is as counted.
+sed '/^function/d; /^exchange/d' "$work/one.gen" > "$work/plain.gen"
+"$BIN/footpoint-codegen" --effort 0 --allow-poles --count "$work/one.gen" > "$work/a" 2> /dev/null
+"$BIN/footpoint-codegen" --effort 0 --allow-poles --count "$work/plain.gen" > "$work/b" 2> /dev/null
+[ -s "$work/a" ] && same "$work/a" "$work/b" 'nothing but lets and outputs is needed'
+awk -F, -v tree="$best" 'NR == FNR { if ($18 == tree) { mul = $4; div = $6 } next }
+    $1 == "both" { exit !($2 <= 1.05 * mul && $3 <= div) }' "$work/one.csv" "$work/a"; report $((! $?)) 'and costs no more than was counted'
+
+expect 'a header, all denominators proved free of zeros' 0 '*' '*' "$BIN/footpoint-codegen" --effort 0 "$work/one.gen" -o "$work/one.h"
+
+sed 's/^note twin .*/note twin newton_lost p/' "$work/one.gen" > "$work/bad.gen"
+expect 'malformed note' 1 '' "*" "$evolve" --scene "$work/steps.scene" --start "$work/bad.gen" -o "$work/o.gen"
