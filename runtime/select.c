@@ -2,7 +2,7 @@
  * r x c2 and n are parallel, and the part of t along m drops out of n . (c1 x r) = n . (c1 x t).  So (3) and (4) are
  *     n . (c1 x t) > 0   and   n . (t x c2) > 0,
  * without a root or a division. */
-#include "closest.h"
+#include "footpoint.h"
 #include "vector.h"
 
 #include <float.h>
@@ -92,6 +92,7 @@ static int measure(const double *xyz, const int node[4], const double xS[3], dou
 {
     const double *x[4];
     double at[2];
+    int status;
     *extent = 0.0;
     for (int k = 0; k < 4; k++) {
         double d[3];
@@ -103,7 +104,10 @@ static int measure(const double *xyz, const int node[4], const double xS[3], dou
             return FOOTPOINT_ERR_NOT_FINITE;
         *extent = fmax(*extent, sqrt(vector_dot(d, d)));
     }
-    *distance = footpoint_closest(x[0], x[1], x[2], x[3], xS, at);
+    status = footpoint_robust(x[0], x[1], x[2], x[3], xS, at, distance);
+    if (status == FOOTPOINT_ERR_DOMAIN) /* from so far, the segment is a point */
+        *distance = *extent;
+    *distance = fabs(*distance);
     return isfinite(*distance) ? FOOTPOINT_OK : FOOTPOINT_ERR_NOT_FINITE;
 }
 

@@ -1,7 +1,7 @@
 /* The choice of a segment by distance, against all stationary points and edges, on random fans of segments around a
  * node: ridges, valleys, reflex nodes, three to nine segments, edge and corner hits.  And forces that balance. */
 #include "../evolve/reference.h"
-#include "../runtime/closest.h"
+#include "../runtime/footpoint.h"
 #include "../runtime/quad4.h"
 #include "ordinary_quad.h"
 
@@ -69,7 +69,9 @@ static void test_closest(void **state)
         if (i % 8 == 1)
             memcpy(q.x[i / 8 % 4], q.x[(i / 8 + 1) % 4], sizeof q.x[0]);
         const double size = distance_between(q.x[0], q.x[2]) + distance_between(q.x[1], q.x[3]);
-        const double d = footpoint_closest(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, at);
+        double d = -1;
+        (void)footpoint_robust(q.x[0], q.x[1], q.x[2], q.x[3], q.xs, at, &d);
+        d = fabs(d);
         const double truth = true_distance((const double(*)[3])q.x, q.xs);
         assert_true(fabs(at[0]) <= 1 && fabs(at[1]) <= 1);
         footpoint_quad4_position(q.x[0], q.x[1], q.x[2], q.x[3], at[0], at[1], r);
