@@ -1,5 +1,5 @@
 # The hard cases, some of each family: the search never errs without a status, footpoint_robust finds the closest point or
-# says why not, and no certificate is wrong.  long/hard.sh does so at length.
+# says why not, and no certificate is wrong.  long/hard_cases.sh does so at length.
 . tests/cli/expect.inc
 . tests/hard/build.inc
 worst=$(sed -n '/^ \* footpoint_quad4_accurate$/,/^ \*\//s/.*heldout.* max \([0-9.e-]*\)$/\1/p' generated/footpoint_quad4.h | sort -g | tail -1)
