@@ -216,11 +216,16 @@ $(BIN)/tests/%: $(OBJ)/tests/%.o $(call object,$(test_lib) $(evolve_lib) $(codeg
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_test)
 
-check: all $(TESTS) ## run the tests (some minutes)
-	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh
+JOBS ?= $(shell nproc)
 
-check-long: all $(TESTS) ## the tests and the long ones
-	$(Q)FOOTPOINT_LONG=1 BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh tests/long/*.sh
+build-tests: all $(TESTS)
+
+check: ## run the tests (some minutes; JOBS= at a time)
+	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
+	$(Q)JOBS=$(JOBS) BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh
+
+check-long: build-tests ## the tests and the long ones, one after the other
+	$(Q)FOOTPOINT_LONG=1 JOBS=1 BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh tests/long/*.sh
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
@@ -313,4 +318,4 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        perceptrons paper deps deps-long install uninstall clean help FORCE
+        perceptrons paper build-tests deps deps-long install uninstall clean help FORCE

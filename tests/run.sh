@@ -1,11 +1,10 @@
 #!/bin/sh
-# Runs test programs and scripts that print TAP ("ok ...", "not ok ..."); a program that prints no plan, or dies, fails.
-# Closes with "N passed, N failed"; exits 1 if anything failed.
-export CMOCKA_MESSAGE_OUTPUT=TAP
-passed=0 failed=0
-out=$(mktemp) || exit 3
-trap 'rm -f "$out"' EXIT
-for test; do
+# Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), as many at a time as there are processors
+# (JOBS=); a program that prints no plan, or dies, fails.  Closes with "N passed, N failed"; exits 1 if anything failed.
+if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed" to a file of counts
+    counts=$2 test=$3
+    out=$(mktemp) || exit 3
+    trap 'rm -f "$out"' EXIT
     start=$(date +%s)
     case $test in *.sh) sh "$test" ;; *) "$test" ;; esac > "$out" 2>&1
     status=$?
@@ -13,9 +12,18 @@ for test; do
     if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ "$good" -eq 0 ]; }; then
         bad=1
     fi
-    [ "$bad" -eq 0 ] || { echo "--- $test (exit status $status)"; cat "$out"; }
-    printf '%-32s %4d passed %4d failed %5d s\n' "$(basename "$test")" "$good" "$bad" $(($(date +%s) - start))
-    passed=$((passed + good)) failed=$((failed + bad))
-done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+    {
+        [ "$bad" -eq 0 ] || { echo "--- $test (exit status $status)"; cat "$out"; }
+        printf '%-32s %4d passed %4d failed %5d s\n' "$(basename "$test")" "$good" "$bad" $(($(date +%s) - start))
+    } > "$out.report"
+    cat "$out.report"
+    rm -f "$out.report"
+    echo "$good $bad" >> "$counts"
+    exit 0
+fi
+export CMOCKA_MESSAGE_OUTPUT=TAP
+counts=$(mktemp) || exit 3
+trap 'rm -f "$counts"' EXIT
+printf '%s\n' "$@" | xargs -n 1 -P "${JOBS:-$(nproc)}" sh "$0" --one "$counts"
+awk -v tests=$# '{ passed += $1; failed += $2 }
+    END { failed += tests - NR; printf "%d passed, %d failed\n", passed, failed; exit failed > 0 }' "$counts"
