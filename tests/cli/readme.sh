@@ -8,7 +8,7 @@ expect 'the program' 0 'xi -0.349489 eta 0.395534 gap 0.193207' '' "$work/use"
 awk '/^footpoint-genome/ { on = 1 } /^```$/ { on = 0 } on' README.md > "$work/example.gen"
 expect 'the genome' 0 'genome,mul,div,add,sqrt,compare
 example,1,1,2,0,1' '' "$BIN/footpoint-codegen" --count "$work/example.gen"
-for f in fast coarse medium balanced fine precise accurate; do
+for f in fast coarse gauss2 medium balanced fine precise accurate full; do
     row=$(sed -n "s/^| \*\*footpoint_quad4_$f\*\* | \([0-9]*\) | \([0-9]*\) | \([0-9]*\) |.*/\1 \2 \3/p" README.md)
     counted=$(awk -v f="footpoint_quad4_$f" '$2 == f { on = 1 } on && /operations:/ { print $3, $5, $7; exit }' generated/footpoint_quad4.h)
     [ -n "$row" ] && [ "$row" = "$counted" ]; report $((! $?)) "operations of quad4_$f"
