@@ -11,7 +11,9 @@
 #include "vector.h"
 
 /* Not for callers of the library. */
+#ifdef __GNUC__
 #pragma GCC visibility push(hidden)
+#endif
 
 /** The closest point of the straight edges of a polygon of n corners x.
  *  @param[in]  corner  their local coordinates
@@ -30,7 +32,9 @@ void footpoint_attach_quad4(const double x[4][3], const double xs[3], double loc
 void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[2]);
 void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc[2]);
 
+#ifdef __GNUC__
 #pragma GCC visibility pop
+#endif
 
 /* m(p) = g . p + p . H p / 2, the change of half the squared distance by a move p in (xi, eta). */
 struct model {

@@ -37,11 +37,20 @@ struct lanes {
     void (*verify)(struct block *b, size_t count);
 };
 
+/* Not for callers of the library. */
+#ifdef __GNUC__
+#pragma GCC visibility push(hidden)
+#endif
+
 /* The set that suits this machine best. */
 const struct lanes *footpoint_batch_lanes(void);
 
 /* Number `set`, from 0 (what the compiler was told) to LANE_SETS - 1; NULL if this machine has it not. */
 enum { LANE_SETS = 3 };
 const struct lanes *footpoint_batch_lanes_of(int set);
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 
 #endif

@@ -51,8 +51,8 @@ static double sum_of(const double x[3])
     return x[0] * 0.0 + x[1] * 0.0 + x[2] * 0.0;
 }
 
-int bilinear_of(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
-                struct bilinear *f)
+int footpoint_bilinear_of(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                          const double xS[3], struct bilinear *f)
 {
     if (!(sum_of(xA) + sum_of(xB) + sum_of(xC) + sum_of(xD) + sum_of(xS) == 0.0))
         return FOOTPOINT_ERR_NOT_FINITE;
@@ -85,7 +85,7 @@ static int parallel(const double a[3], const double b[3])
     return vector_dot(n, n) <= 1024.0 * DBL_EPSILON * DBL_EPSILON * (vector_dot(a, a) * vector_dot(b, b));
 }
 
-int bilinear_has_area(const struct bilinear *f)
+int footpoint_bilinear_has_area(const struct bilinear *f)
 {
     return !(parallel(f->ab, f->ad) && parallel(f->ab, f->bc) && parallel(f->dc, f->ad) && parallel(f->dc, f->bc));
 }

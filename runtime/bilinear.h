@@ -13,6 +13,11 @@
 
 #include <float.h>
 
+/* Not for callers of the library. */
+#ifdef __GNUC__
+#pragma GCC visibility push(hidden)
+#endif
+
 /* Half the distance from 1 to the next number: the relative error of one operation, fused or not. */
 #define BILINEAR_UNIT (0.5 * DBL_EPSILON)
 #define BILINEAR_LEAST 0x1p-100 /* edges for which no product that matters under- or overflows, unscaled */
@@ -40,8 +45,8 @@ struct bilinear_point {
     double error;         /* rounding error of h11, h12, h22; times m: of f1, f2; over m, m^2: of ac, bc; cc */
 };
 
-/* What Newton's step from a point proves, see bilinear_prove: one stationary point lies within `radius` of it, and that
- * one within `radius_after` of where the step leads; lengths, of m1 xi and m2 eta each. */
+/* What Newton's step from a point proves, see footpoint_bilinear_prove: one stationary point lies within `radius` of
+ * it, and that one within `radius_after` of where the step leads; lengths, of m1 xi and m2 eta each. */
 struct bilinear_proof {
     double move[2]; /* of xi and eta */
     double radius, radius_after;
@@ -65,28 +70,28 @@ static inline double bilinear_clamp(double x)
 /** Fills *f, in scaled lengths if the edges are extreme.
  *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (all corners coincide),
  *          FOOTPOINT_ERR_DOMAIN (xS is too far away) */
-int bilinear_of(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
-                struct bilinear *f);
+int footpoint_bilinear_of(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                          const double xS[3], struct bilinear *f);
 
 /** 0 if the edges are parallel, to rounding, so that there is no normal anywhere. */
-int bilinear_has_area(const struct bilinear *f);
+int footpoint_bilinear_has_area(const struct bilinear *f);
 
 /** Newton's step from (xi,eta) and, if it can be had, its proof.
  *  @param[out] p      the point
  *  @param[out] proof  the radii only if proved
  *  @return 1 if proved, 0 if there is but a step, -1 if there is none that is finite */
-int bilinear_prove(const struct bilinear *f, double xi, double eta, struct bilinear_point *p,
-                   struct bilinear_proof *proof);
+int footpoint_bilinear_prove(const struct bilinear *f, double xi, double eta, struct bilinear_point *p,
+                             struct bilinear_proof *proof);
 
 /** The same from the products at (xi,eta), f1 and f2 of which are within `error` of the truth. */
-int bilinear_prove_from(const struct bilinear *f, double xi, double eta, const struct bilinear_point *p, double error,
-                        struct bilinear_proof *proof);
+int footpoint_bilinear_prove_from(const struct bilinear *f, double xi, double eta, const struct bilinear_point *p,
+                                  double error, struct bilinear_proof *proof);
 
 /** Moves z to the stationary point next to it, to rounding, by residuals of twice the precision.
  *  @param[in]  x       the nodes A, B, C, D, S
  *  @param[out] radius  how far m1 xi and m2 eta may be off, proved; a length
  *  @return 1, or 0 with z and *radius untouched if there is none that can be told from others */
-int bilinear_refine(const double *const x[5], const struct bilinear *f, double z[2], double *radius);
+int footpoint_bilinear_refine(const double *const x[5], const struct bilinear *f, double z[2], double *radius);
 
 /* Products at (xi,eta).  Their errors: let u be the unit, X = 1 + |xi|, Y = 1 + |eta|, D = s + 2 m X Y >= |d_i|, and
  * mm the smaller of m1, m2.  The error of c1 is at most u m1, of c2 u m2, of c3 u mm (it is from the shorter edges), of
@@ -118,13 +123,17 @@ static inline void bilinear_at(const struct bilinear *f, double xi, double eta, 
  *  or that it lies on the edge and moves into the segment lead away from xS.  0 says nothing.
  *  @param[in] slack  how far m1 xi and m2 eta may be from the point that is meant; a length
  *  @param[in] floor  what the square of the distance has to gain, at least, over the square of such a way */
-int bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta, double slack,
-                        double floor);
+int footpoint_bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta,
+                                  double slack, double floor);
 
 /** Points within [-1,1]^2 where a . d = b . d = 0 to rounding, all of them; where they are so close together that they
  *  cannot be told apart, some of them.  In no particular order.
  *  @param[out] loc  up to BILINEAR_STATIONARY x 2
  *  @return how many */
-int bilinear_stationary(const struct bilinear *f, double loc[][2]);
+int footpoint_bilinear_stationary(const struct bilinear *f, double loc[][2]);
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 
 #endif

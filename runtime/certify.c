@@ -22,8 +22,8 @@ static double norm(double y11, double y12, double y22)
     return bilinear_larger(fabs(y11), fabs(y22)) + fabs(y12);
 }
 
-int bilinear_prove_from(const struct bilinear *f, double xi, double eta, const struct bilinear_point *p, double error,
-                        struct bilinear_proof *proof)
+int footpoint_bilinear_prove_from(const struct bilinear *f, double xi, double eta, const struct bilinear_point *p,
+                                  double error, struct bilinear_proof *proof)
 {
     const double per = 1.0 / (p->h11 * p->h22 - p->h12 * p->h12);
     const double y11 = p->h22 * per, y22 = p->h11 * per, y12 = -p->h12 * per;
@@ -49,11 +49,11 @@ int bilinear_prove_from(const struct bilinear *f, double xi, double eta, const s
     return 1;
 }
 
-int bilinear_prove(const struct bilinear *f, double xi, double eta, struct bilinear_point *p,
-                   struct bilinear_proof *proof)
+int footpoint_bilinear_prove(const struct bilinear *f, double xi, double eta, struct bilinear_point *p,
+                             struct bilinear_proof *proof)
 {
     bilinear_at(f, xi, eta, p);
-    return bilinear_prove_from(f, xi, eta, p, p->error * f->m, proof);
+    return footpoint_bilinear_prove_from(f, xi, eta, p, p->error * f->m, proof);
 }
 
 /* q(v) = h22 |a + v c3|^2 - (h12 + v b.c3)^2, less the margin, is positive for low <= v <= high, which hold 0 between
@@ -72,8 +72,8 @@ static int is_definite(double h11, double h12, double h22, double ac, double bc,
  * a quadratic form in (u,v) whose coefficients depend on v alone, with the determinant q(v).  Where that is positive
  * for all v of the segment, no point is nearer; the same with xi and eta exchanged.  The margin covers rounding, and a
  * shift of the point by slack, which changes h11, h12, h22 by at most 2 (|a.c3| + |b.c3| + c3.c3 slack) slack. */
-int bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta, double slack,
-                        double floor)
+int footpoint_bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta,
+                                  double slack, double floor)
 {
     const double change = fabs(p->ac) + fabs(p->bc) + 2.0 * f->m * p->cc;
     const double sum = p->h11 + p->h22 + 2.0 * fabs(p->h12) + 6.0 * f->m * change;
@@ -91,10 +91,10 @@ int footpoint_certify(const double xA[3], const double xB[3], const double xC[3]
     struct bilinear_proof proof;
     if (!isfinite(loc[0]) || !isfinite(loc[1]))
         return FOOTPOINT_ERR_NOT_FINITE;
-    const int status = bilinear_of(xA, xB, xC, xD, xS, &f);
+    const int status = footpoint_bilinear_of(xA, xB, xC, xD, xS, &f);
     if (status != FOOTPOINT_OK)
         return status;
-    if (bilinear_prove(&f, loc[0], loc[1], &p, &proof) != 1)
+    if (footpoint_bilinear_prove(&f, loc[0], loc[1], &p, &proof) != 1)
         return FOOTPOINT_UNPROVED;
     rho[0] = proof.radius / f.m1 * ROUND_UP;
     rho[1] = proof.radius / f.m2 * ROUND_UP;

@@ -41,7 +41,7 @@ static void residual(const double *const x[5], int exponent, double xi, double e
     f[1] = 0.5 * f2.high;
 }
 
-int bilinear_refine(const double *const x[5], const struct bilinear *f, double z[2], double *radius)
+int footpoint_bilinear_refine(const double *const x[5], const struct bilinear *f, double z[2], double *radius)
 {
     const double start[2] = {z[0], z[1]};
     double xi = z[0], eta = z[1];
@@ -53,7 +53,7 @@ int bilinear_refine(const double *const x[5], const struct bilinear *f, double z
         residual(x, f->exponent, xi, eta, rest);
         p.f1 = rest[0] / f->m1;
         p.f2 = rest[1] / f->m2;
-        const int solved = bilinear_prove_from(f, xi, eta, &p, 0x1p-40 * p.error * f->m, &proof);
+        const int solved = footpoint_bilinear_prove_from(f, xi, eta, &p, 0x1p-40 * p.error * f->m, &proof);
         if (solved < 0)
             return 0;
         xi += proof.move[0];

@@ -41,14 +41,14 @@ static int find_foot(const struct bilinear *f, double xi, double eta, struct ans
         struct bilinear_proof proof;
         if (!(fabs(xi) <= FAR_START && fabs(eta) <= FAR_START))
             return 0;
-        const int proved = bilinear_prove(f, xi, eta, &p, &proof);
+        const int proved = footpoint_bilinear_prove(f, xi, eta, &p, &proof);
         if (proved < 0)
             return 0;
         const double x = xi + proof.move[0], y = eta + proof.move[1];
         if (proved && proof.radius_after <= ACCURACY * f->m) {
             const double u = bilinear_clamp(x), v = bilinear_clamp(y);
             if (fabs(u - x) * f->m1 > proof.radius_after || fabs(v - y) * f->m2 > proof.radius_after ||
-                !bilinear_is_nearest(f, &p, xi, eta, proof.radius, 0.0))
+                !footpoint_bilinear_is_nearest(f, &p, xi, eta, proof.radius, 0.0))
                 return 0;
             for (int i = 0; i < 3; i++)
                 p.d[i] -= p.a[i] * (u - xi) + (p.b[i] + f->c3[i] * (u - xi)) * (v - eta);
@@ -113,7 +113,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
             best = c;
     }
     bilinear_at(f, best.loc[0], best.loc[1], &p);
-    if (!is_held(f, best.loc, &p) || !bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
+    if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
         return 0;
     answer->loc[0] = best.loc[0];
     answer->loc[1] = best.loc[1];
@@ -138,7 +138,7 @@ static void complete_inside(const double *const x[5], const struct bilinear *f, 
 {
     struct bilinear_point p;
     double radius;
-    c->certain = bilinear_refine(x, f, c->loc, &radius);
+    c->certain = footpoint_bilinear_refine(x, f, c->loc, &radius);
     set_inside(f, c->loc, c);
     bilinear_at(f, c->loc[0], c->loc[1], &p);
     c->least = p.h11 * p.h22 - p.h12 * p.h12 > -4.0 * p.error * (p.h11 + p.h22 + fabs(p.h12));
@@ -152,7 +152,7 @@ static void complete_edge(const double *const x[5], const struct bilinear *f, st
     bilinear_at(f, c->loc[0], c->loc[1], &p);
     const double error = p.error * f->m;
     c->certain = is_held(f, c->loc, &p) ||
-                 (bilinear_refine(x, f, z, &radius) && fabs(z[0] - c->loc[0]) * f->m1 <= ACCURACY * f->m &&
+                 (footpoint_bilinear_refine(x, f, z, &radius) && fabs(z[0] - c->loc[0]) * f->m1 <= ACCURACY * f->m &&
                   fabs(z[1] - c->loc[1]) * f->m2 <= ACCURACY * f->m);
     c->least = !leads_nearer(c->loc[0], p.f1, error) && !leads_nearer(c->loc[1], p.f2, error);
 }
@@ -167,7 +167,7 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
 {
     struct candidate c[MOST];
     double loc[BILINEAR_STATIONARY][2];
-    const int inside = bilinear_stationary(f, loc), all = inside + EDGES;
+    const int inside = footpoint_bilinear_stationary(f, loc), all = inside + EDGES;
     double nearest = HUGE_VAL;
     int best = 0;
     for (int k = 0; k < all; k++) {
@@ -191,7 +191,7 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
     answer->loc[0] = c[best].loc[0];
     answer->loc[1] = c[best].loc[1];
     answer->dist = signed_length(p.a, p.b, c[best].d);
-    if (!bilinear_has_area(f)) {
+    if (!footpoint_bilinear_has_area(f)) {
         answer->dist = fabs(answer->dist);
         return FOOTPOINT_ERR_DEGENERATE;
     }
@@ -229,7 +229,7 @@ int footpoint_robust(const double xA[3], const double xB[3], const double xC[3],
     const double *const x[5] = {xA, xB, xC, xD, xS};
     struct bilinear f;
     struct answer answer;
-    int status = bilinear_of(xA, xB, xC, xD, xS, &f);
+    int status = footpoint_bilinear_of(xA, xB, xC, xD, xS, &f);
     if (status == FOOTPOINT_ERR_DEGENERATE)
         return nearest_of_point(xA, xS, loc, dist);
     if (status != FOOTPOINT_OK)

@@ -184,7 +184,7 @@ static int polish(const struct bilinear *f, double farthest, double z[2])
     for (int n = 0; n < POLISH && fabs(x - start[0]) <= farthest && fabs(y - start[1]) <= farthest; n++) {
         struct bilinear_point p;
         struct bilinear_proof proof;
-        const int solved = bilinear_prove(f, x, y, &p, &proof);
+        const int solved = footpoint_bilinear_prove(f, x, y, &p, &proof);
         const double rest = bilinear_larger(fabs(p.f1), fabs(p.f2));
         if (rest < least) {
             least = rest;
@@ -240,7 +240,7 @@ static void offer_line(const struct bilinear *f, const struct lines *l, int exch
     offer(f, exchanged ? 2.0 * t - 1.0 : s, exchanged ? s : 2.0 * t - 1.0, loc, count);
 }
 
-int bilinear_stationary(const struct bilinear *f, double loc[][2])
+int footpoint_bilinear_stationary(const struct bilinear *f, double loc[][2])
 {
     int count = 0;
     for (int exchanged = 0; exchanged < 2; exchanged++) {
@@ -265,16 +265,16 @@ int footpoint_stationary(const double xA[3], const double xB[3], const double xC
     const double *const x[5] = {xA, xB, xC, xD, xS};
     struct bilinear f;
     double found[BILINEAR_STATIONARY][2], sharp[BILINEAR_STATIONARY][2];
-    const int status = bilinear_of(xA, xB, xC, xD, xS, &f);
+    const int status = footpoint_bilinear_of(xA, xB, xC, xD, xS, &f);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!bilinear_has_area(&f))
+    if (!footpoint_bilinear_has_area(&f))
         return FOOTPOINT_ERR_DEGENERATE;
-    const int all = bilinear_stationary(&f, found);
+    const int all = footpoint_bilinear_stationary(&f, found);
     int refined = 0, blurred = 0;
     for (int k = 0; k < all; k++) {
         double z[2] = {found[k][0], found[k][1]}, radius;
-        if (bilinear_refine(x, &f, z, &radius))
+        if (footpoint_bilinear_refine(x, &f, z, &radius))
             refined = keep(sharp, refined, z, APART);
         else
             blurred = keep(found, blurred, z, BLURRED);
