@@ -277,7 +277,8 @@ VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/b
 PUBLIC  := $(shell grep -l 'extern "C"' runtime/*.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
-PAGES_1 := evolve/footpoint-evolve.1 codegen/footpoint-codegen.1 tests/footpoint-bench.1
+PAGES_1 := $(addprefix evolve/footpoint-,evolve.1 pga.1 perceptron.1) \
+           $(addprefix codegen/footpoint-,codegen.1 calibrate.1) tests/footpoint-bench.1
 PAGES_3 := runtime/footpoint.3
 # Packages name their folders from their own, so that an installation may be staged and moved.
 from = $$(realpath -m --relative-to=$(1) $(2))

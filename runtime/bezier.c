@@ -11,7 +11,7 @@ static int handle(const double p[3], const double q[3], const double n[3], doubl
     const double along = vector_dot(d, n);
     for (int k = 0; k < 3; k++)
         h[k] = (d[k] - along * n[k]) / 3.0;
-    return vector_dot(h, h) > 0.0 ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+    return isnormal(vector_dot(h, h)) ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
 }
 
 /* Net index of a corner, and of the corner at the other end of its edge along xi. */
@@ -32,7 +32,7 @@ int footpoint_bezier_points(const double x[4][3], const double n[4][3], struct f
     for (int c = 0; c < 4; c++) {
         const int i = place[c][0], j = place[c][1], m = inwards(i), l = inwards(j);
         double by_xi[3], by_eta[3];
-        if (handle(x[c], x[along_xi[c]], n[c], by_xi) != FOOTPOINT_OK ||
+        if (!(vector_dot(n[c], n[c]) > 0.0) || handle(x[c], x[along_xi[c]], n[c], by_xi) != FOOTPOINT_OK ||
             handle(x[c], x[3 - c], n[c], by_eta) != FOOTPOINT_OK)
             return FOOTPOINT_ERR_DEGENERATE;
         vector_sub(x[c], x[0], made.p[i][j]);

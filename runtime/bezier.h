@@ -29,7 +29,8 @@ struct footpoint_jet {
 /** Control points from corners x[4][3] and unit normals n[4][3] there, in the order A, B, C, D.  The inner points of an
  *  edge lie in the tangent planes of its ends, a third of the projected edge away; the four innermost complete
  *  parallelograms with their corner's three (no twist).
- *  FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if an edge is parallel to the normal at an end of it. */
+ *  FOOTPOINT_ERR_NOT_FINITE; FOOTPOINT_ERR_DEGENERATE if an edge has no length or is parallel to the normal at an end
+ *  of it, a normal is 0, or squares of lengths are beyond double.  *patch is untouched then. */
 int footpoint_bezier_points(const double x[4][3], const double n[4][3], struct footpoint_bezier *patch);
 
 /** Point and derivatives at any (xi,eta). */

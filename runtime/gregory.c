@@ -63,8 +63,11 @@ int footpoint_gregory_points(const double x[4][3], const double n[4][3], struct 
         {p[0][0], p[0][1], p[0][2], p[0][3], p[1][0], p[1][3], n[0], n[3], made.twin[0][0], made.twin[0][1]},
         {p[3][0], p[3][1], p[3][2], p[3][3], p[2][0], p[2][3], n[1], n[2], made.twin[1][0], made.twin[1][1]},
     };
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; i++) {
         smooth(&edges[i]);
+        if (!vector_finite(edges[i].q1) || !vector_finite(edges[i].q2))
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
     *patch = made;
     return FOOTPOINT_OK;
 }

@@ -22,9 +22,9 @@ int footpoint_node_normals(size_t nodes, const double *xyz, size_t segments, con
         }
     for (size_t i = 0; i < nodes; i++) {
         double *n = &normal[3 * i];
-        const double length = sqrt(vector_dot(n, n));
+        const double square = vector_dot(n, n), length = sqrt(square);
         for (int k = 0; k < 3; k++)
-            n[k] = length > 0.0 && isfinite(length) ? n[k] / length : 0.0;
+            n[k] = isnormal(square) ? n[k] / length : 0.0;
     }
     return FOOTPOINT_OK;
 }

@@ -35,13 +35,14 @@ static inline int vector_equal(const double a[3], const double b[3])
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* n = a x b / |a x b|; FOOTPOINT_ERR_DEGENERATE if it has no length, or none that is finite. */
+/* n = a x b / |a x b|; FOOTPOINT_ERR_DEGENERATE if the square of that length is 0, not finite, or too small for all its
+ * digits. */
 static inline int vector_normal(const double a[3], const double b[3], double n[3])
 {
     double c[3];
     vector_cross(a, b, c);
-    const double length = sqrt(vector_dot(c, c));
-    if (!(length > 0.0) || !isfinite(length))
+    const double square = vector_dot(c, c), length = sqrt(square);
+    if (!isnormal(square))
         return FOOTPOINT_ERR_DEGENERATE;
     for (int i = 0; i < 3; i++)
         n[i] = c[i] / length;

@@ -1,4 +1,5 @@
-# The example to copy, in C: it compiles alone, keeps momentum to rounding and energy nearly, and both searches agree.
+# The examples to copy, in C.  Impact: it compiles alone, keeps momentum to rounding and energy nearly, and both
+# searches agree.  Slide: contact with Gregory patches makes forces smoother, and is never lost.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
@@ -32,3 +33,32 @@ report $((! $?)) 'whose cells have nodes'
 awk -F, 'NF != 9 { exit 1 } $4 > 0 { touched = 1 } END { exit !(touched && $4 == 0) }' "$work/frames/energy.csv"
 report $((! $?)) 'the plates meet and part'
 expect 'usage' 2 '' 'usage: impact [SCALE [FOLDER]] | --inp       0 < SCALE <= 1: of the time step' "$work/impact" 0
+
+# ---- slide ----
+$CC $strict -O2 tests/example/slide.c runtime/gregory.c runtime/bezier.c runtime/normals.c -o "$work/slide" -lm \
+    > "$work/log" 2>&1
+good=$?
+[ $good = 0 ] || sed 's/^/# /' "$work/log"
+report $((!good)) 'slide compiles'
+"$work/slide" 1 "$work" > "$work/table"; report $((! $?)) 'slide runs'
+FACETS='(NF-3)' PATCHES='(NF-2)' EVEN='(NF-1)' BODY='NF'
+smoother() { # smoother WHAT COLUMN FACTOR: the facets' figure is at least FACTOR times that of COLUMN
+    below "$1: $3 times less" "$(value "$1" "$2")" "$(value "$1" "$FACETS / $3")"
+}
+smoother 'its jitter / mean' "$PATCHES" 5
+smoother 'its jitter / mean' "$EVEN" 50
+smoother 'its jitter, rms' "$PATCHES" 2
+smoother 'its jitter, rms' "$EVEN" 30
+smoother 'tangential force, rms' "$PATCHES" 2
+smoother 'tangential force, rms' "$EVEN" 15
+smoother 'its largest change in a step' "$PATCHES" 100
+smoother 'normal turned' "$PATCHES" 500
+below 'one gap on both sides of a patch edge, mm' "$(value "gap's jump" "$PATCHES")" 1e-4
+for column in "$PATCHES" "$EVEN" "$BODY"; do
+    below 'no node loses contact' "$(value 'nodes that lost' "$column")" 1
+    below 'energy is kept' "$(value 'energy error' "$column")" 1e-4
+    below 'momentum is kept' "$(value 'momentum error' "$column")" 1e-14
+done
+awk -F, 'NF != 9 { exit 1 } END { exit !(NR > 1000 && $1 > 15.99) }' "$work/slide.csv"
+report $((! $?)) 'forces over the way'
+expect 'usage of slide' 2 '' 'usage: slide [SCALE [FOLDER]]       0 < SCALE <= 1: of the time step' "$work/slide" 2

@@ -119,7 +119,7 @@ expect 'of which codegen makes the header' 0 '*' '*' "$installed/bin/footpoint-c
     "$work/elsewhere/bricks-quad4.gen" -o "$work/elsewhere/footpoint_bricks_quad4.h"
 expect 'that is installed' 0 '' '' cmp "$work/elsewhere/footpoint_bricks_quad4.h" \
     "$installed/include/footpoint/footpoint_bricks_quad4.h"
-for program in evolve codegen bench; do
+for program in evolve codegen bench calibrate pga perceptron; do
     page=$installed/share/man/man1/footpoint-$program.1
     "$installed/bin/footpoint-$program" --help | grep -oE '(^|[ ,])--[a-z-]+' | tr -d ' ,' | sort -u |
         while read -r option; do

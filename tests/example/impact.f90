@@ -5,7 +5,7 @@
 !     footpoint-codegen --allow-poles --language fortran evolve/genomes/quad4.gen -o footpoint_quad4.f90
 !     gfortran -O3 -march=native -flto footpoint_quad4.f90 plates.f90 impact.f90 -o impact
 !     ./impact                 both searches, a table
-!     ./impact 0.5             half the time step
+!     ./impact 0.5 FOLDER      half the time step; VTK files in a folder that exists
 !
 ! -flto puts the search into the loop over pairs, which is vectorised then.
 program impact
@@ -15,7 +15,7 @@ program impact
   real(dp), parameter :: FINAL = 0.03_dp                       ! ms
   real(dp), parameter :: VELOCITY(3) = [20d0, 5d0, -40d0]      ! of the upper plate, mm/ms
   real(dp), parameter :: REACH = 0.3_dp, DEPTH = 0.5_dp        ! of global search, and of penetration at most; mm
-  integer, parameter :: GLOBAL_EVERY = 10, BLOCK = 128
+  integer, parameter :: GLOBAL_EVERY = 10, BLOCK = 128, FRAMES = 20
   integer, parameter :: NEWTON = 1, FOOTPOINT = 2
 
   ! A state in motion, with its contact pairs and its bill.
@@ -39,14 +39,15 @@ program impact
   type(world) :: w(2)
   type(balance) :: b(2)
   real(dp) :: scale, dt, ns(2)
-  character(32) :: argument
+  character(4096) :: argument, folder
   integer :: i, step, steps, bad
 
   scale = 1
   call get_command_argument(1, argument)
   bad = 0
   if (argument /= '') read (argument, *, iostat=bad) scale
-  if (bad /= 0 .or. .not. (scale > 0 .and. scale <= 1)) stop 'usage: impact [SCALE]: of the time step, to 1'
+  if (bad /= 0 .or. .not. (scale > 0 .and. scale <= 1)) stop 'usage: impact [SCALE [FOLDER]]: of the time step, to 1'
+  call get_command_argument(2, folder)
   call make_plates(m)
   dt = scale * m%dt
   steps = ceiling(FINAL / dt)
@@ -59,6 +60,8 @@ program impact
       call advance(w(i))
       call take_balance(w(i), b(i), .false.)
     end do
+    i = step * FRAMES / steps
+    if (folder /= '' .and. i /= (step - 1) * FRAMES / steps) call write_vtk(w(2), i)
   end do
 
   ns = [(1e9_dp * median(w(i)%local), i=1, 2)]
@@ -358,6 +361,28 @@ contains
     if (first) b = balance(energy, momentum, moment)
     b%worst = max(b%worst, [abs(energy / b%energy - 1), norm2(momentum - b%momentum) / norm2(b%momentum), &
                             norm2(moment - b%moment) / norm2(b%moment)])
+  end subroutine
+
+  ! Frame for ParaView or VisIt: the deformed plates with velocities.
+  subroutine write_vtk(w, frame)
+    type(world), intent(in) :: w
+    integer, intent(in) :: frame
+    character(16) :: name
+    integer :: unit, e, elements
+    elements = size(m%hex, 2)
+    write (name, '(a, i4.4, a)') 'impact_', frame, '.vtk'
+    open (newunit=unit, file=trim(folder)//'/'//name, status='replace', action='write')
+    write (unit, '(a)') '# vtk DataFile Version 3.0', 'impact', 'ASCII', 'DATASET UNSTRUCTURED_GRID'
+    write (unit, '(a, i0, a)') 'POINTS ', size(w%x, 2), ' double'
+    write (unit, '(3es16.6e3)') w%x
+    write (unit, '(a, i0, 1x, i0)') 'CELLS ', elements, 9 * elements
+    write (unit, '(9(i0, :, 1x))') (8, m%hex(:, e) - 1, e=1, elements)
+    write (unit, '(a, i0)') 'CELL_TYPES ', elements
+    write (unit, '(a)') ('12', e=1, elements)
+    write (unit, '(a, i0)') 'POINT_DATA ', size(w%x, 2)
+    write (unit, '(a)') 'VECTORS velocity double'
+    write (unit, '(3es14.4e3)') w%v
+    close (unit)
   end subroutine
 
   ! A step that something else interrupted does not count.

@@ -1,8 +1,37 @@
 #!/bin/sh
-# picture.sh FOLDER: what the example does as a picture, FOLDER/impact.svg, with the data that it is made of: energies
-# of both worlds over time, and what local search of a pair takes with each function of the header.
+# picture.sh FOLDER [slide]: what the examples do as pictures, with the data that they are made of.  FOLDER/impact.svg:
+# energies of both worlds over time, and what local search of a pair takes with each function of the header;
+# FOLDER/slide.svg, made alone if asked for: contact forces over the distance slid.
 here=$(dirname "$0") folder=$1 CC=${CC:-gcc}
-[ -d "$folder" ] || { echo 'usage: picture.sh FOLDER' >&2; exit 2; }
+[ -d "$folder" ] || { echo 'usage: picture.sh FOLDER [slide]' >&2; exit 2; }
+$CC -O3 -march=native "$here/slide.c" "$here/../../runtime/gregory.c" "$here/../../runtime/bezier.c" \
+    "$here/../../runtime/normals.c" -o "$folder/slide" -lm &&
+    "$folder/slide" 1 "$folder" > "$folder/slide.txt" || exit 3
+gnuplot << PLOT || exit 3
+set terminal svg size 1000,430 font 'sans,13' background rgb 'white'
+set output '$folder/slide.svg'
+set datafile separator ','
+set multiplot layout 1,2
+set grid lc rgb '#dddddd' lt 1
+set xlabel 'distance slid, mm'
+set xrange [4:16]
+file = '$folder/slide.csv'
+set title 'a block slides over a coarse drum: normal force, N'
+set yrange [0:200]
+set key at graph 0.98, 0.30
+plot file every 6 using 1:2 with lines lw 1.5 lc rgb '#d1495b' title 'facets', \
+     file every 6 using 1:4 with lines lw 2 lc rgb '#1f6fb4' title 'Gregory patches, normals (44)', \
+     file every 6 using 1:6 with lines lw 2 lc rgb '#2a9d4a' title 'Gregory patches, even normals', \
+     file every 6 using 1:8 with lines lw 1 lc rgb '#000000' title 'the round body itself'
+set title 'tangential force, N'
+set yrange [*:*]
+unset key
+plot file every 6 using 1:3 with lines lw 1.5 lc rgb '#d1495b', \
+     file every 6 using 1:5 with lines lw 2 lc rgb '#1f6fb4', \
+     file every 6 using 1:7 with lines lw 2 lc rgb '#2a9d4a', \
+     file every 6 using 1:9 with lines lw 1 lc rgb '#000000'
+PLOT
+[ "$2" = slide ] && exit
 : > "$folder/times.txt"
 for function in fast coarse medium balanced precise accurate; do
     $CC -O3 -march=native -DHEADER='"../../generated/footpoint_quad4.h"' -DLOCATE=footpoint_quad4_${function}_n \
