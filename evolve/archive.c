@@ -342,6 +342,11 @@ static bool outdoes(const struct plan *plan, double budget, const struct member 
            merit(plan, budget, m->error, m->cost) < worth * now;
 }
 
+static bool ends_well(const struct archive *a, const struct tier *t, const struct tree *tree)
+{
+    return !t->last || tree->gene[0] == twin_gene(a->program, t->last);
+}
+
 static void crown_best(struct archive *a, const struct plan *plan, size_t tier, int output)
 {
     const struct front *f = a->front[tier][output];
@@ -349,7 +354,8 @@ static void crown_best(struct archive *a, const struct plan *plan, size_t tier, 
     const struct member *best = NULL;
     for (size_t c = 0; c <= f->limit; c++) {
         const struct member *m = &f->member[c];
-        if (m->tree.length > 0 && m->origin != ORIGIN_START && outdoes(plan, budget, m, &a->champion[tier][output]) &&
+        if (m->tree.length > 0 && m->origin != ORIGIN_START && ends_well(a, &a->scene->tier[tier], &m->tree) &&
+            outdoes(plan, budget, m, &a->champion[tier][output]) &&
             (!best || merit(plan, budget, m->error, m->cost) < merit(plan, budget, best->error, best->cost)))
             best = m;
     }

@@ -102,7 +102,8 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
                    double error, enum origin origin);
 /** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
  *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest demerit by the plan, if it is
- *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header. */
+ *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header.
+ *  Where the tier says what trees end in, those alone. */
 void archive_crown(struct archive *a, const struct plan *plan);
 
 /** Copy of a tree whose decimal numbers become constants of a program. */

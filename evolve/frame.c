@@ -68,14 +68,27 @@ bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, s
     return rebind(from, e, "", to, gene, d);
 }
 
+/* A value of the program, unless another frame of the scene has defined the same one under that name. */
+static bool add_value(const struct genome_file *frame, const struct genome_expr *let, const char *name, const int *gene,
+                      size_t length, struct genome_file *program, struct diag *d)
+{
+    const long k = genome_find_symbol(program, name);
+    if (k < 0) {
+        genome_add_let(program, name, gene, length);
+        return true;
+    }
+    const struct genome_expr *known = (size_t)k < program->inputs ? NULL : &program->let[(size_t)k - program->inputs];
+    if (known && known->length == length && memcmp(known->gene, gene, length * sizeof *gene) == 0)
+        return true;
+    return diag_at(d, frame->path, let->line, 0, "'%s' is another value in another frame of the scene", name);
+}
+
 static bool add_let(const struct genome_file *frame, const struct genome_expr *let, const struct scene *s,
                     const struct tier *t, struct genome_file *program, struct diag *d)
 {
     char name[NAME], suffix[16];
     tier_suffix(t, suffix);
     suffixed(let->name, suffix, name);
-    if (genome_find_symbol(program, name) >= 0)
-        return diag_at(d, frame->path, let->line, 0, "'%s' is a value of another frame of the scene already", name);
     double value[FROM_SCENE];
     scene_values(s, t, value);
     for (int k = 0; k < FROM_SCENE; k++)
@@ -83,13 +96,11 @@ static bool add_let(const struct genome_file *frame, const struct genome_expr *l
             char text[32];
             frame_number(value[k], text);
             const int gene = -1 - (int)genome_add_constant(program, text);
-            genome_add_let(program, name, &gene, 1);
-            return true;
+            return add_value(frame, let, name, &gene, 1, program, d);
         }
     int *gene = new_array(let->length, sizeof *gene);
-    const bool good = rebind(frame, let, suffix, program, gene, d);
-    if (good)
-        genome_add_let(program, name, gene, let->length);
+    const bool good =
+        rebind(frame, let, suffix, program, gene, d) && add_value(frame, let, name, gene, let->length, program, d);
     free(gene);
     return good;
 }

@@ -347,10 +347,21 @@ static bool read_functions(const struct reader *r, const config_setting_t *s, st
     return sums == 2 || fail(r, s, "'functions' must hold \"+\" and \"*\", which terms are added with");
 }
 
+/* The function that a tier's trees must end in, one of its list. */
+static bool read_last(const struct reader *r, const config_setting_t *s, struct tier *t)
+{
+    bool known = false;
+    if (!read_string(r, s, "last", &t->last))
+        return false;
+    for (size_t i = 0; i < t->functions; i++)
+        known = known || strcmp(t->function[i], t->last) == 0;
+    return (known && t->twin) || fail(r, s, "tier '%s': '%s' is none of its functions of the frame", t->name, t->last);
+}
+
 static bool read_tier(const struct reader *r, config_setting_t *g, const config_setting_t *frame, struct scene *scene)
 {
     static const char *const required[] = {"name", "terminals", "max_length", "functions", NULL};
-    static const char *const optional[] = {"frame", "budget", "reference", NULL};
+    static const char *const optional[] = {"frame", "budget", "reference", "last", NULL};
     struct tier *t = &scene->tier[scene->tiers++];
     const config_setting_t *own;
     long long length;
@@ -382,6 +393,9 @@ static bool read_tier(const struct reader *r, config_setting_t *g, const config_
         return false;
     if (own && t->twin)
         return fail(r, own, "tier '%s': functions of a frame are about the scene's reference point", t->name);
+    own = config_setting_get_member(g, "last");
+    if (own && !read_last(r, own, t))
+        return false;
     const config_setting_t *budget = config_setting_get_member(g, "budget");
     return !budget || read_number(r, budget, "budget", 1, 1e6, &t->budget);
 }
@@ -591,6 +605,7 @@ void scene_free(struct scene *s)
             free(s->tier[i].function[k]);
         free(s->tier[i].function);
         free(s->tier[i].frame);
+        free(s->tier[i].last);
         free(s->tier[i].name);
     }
     free(s->tier);

@@ -52,6 +52,7 @@ struct tier {
     size_t functions;  /* 0: none are listed */
     bool twin;         /* one tree makes xi and eta (twin.h): a function is none of the genome text's operators */
     double budget;     /* operations of one expression, or of a twin tree, in the plan's cost model; 0: none is set */
+    char *last;        /* owned: function of the frame that a twin tree must end in; NULL: any */
     double reference[2];
     int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
     int line; /* where it stands in the scene */

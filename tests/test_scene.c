@@ -292,6 +292,9 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "max_length = 50; ", "", "12: error: tier lacks 'max_length'"},
     {HEAD SHAPES TAIL, "\"rational\"", "\"any\"", "12: error: 'functions' must be \"polynomial\" or \"rational\""},
     {HEAD SHAPES TAIL, "max_length", "reference = [0.0, 2.0]; max_length", "12: error: 'reference' must be in -1..1"},
+    {HEAD SHAPES TAIL, "max_length", "last = 3; max_length", "12: error: 'last' must be a text in quotes"},
+    {HEAD SHAPES TAIL, "max_length", "last = \"foot\"; max_length",
+     "12: error: tier 'fast': 'foot' is none of its functions of the frame"},
     {HEAD SHAPES TAIL, "max_length", "maximum", "12: error: unknown key 'maximum' in tier"},
 };
 
@@ -352,6 +355,40 @@ static void tiers_expand_about_points_of_their_own(void **state)
     genome_file_free(program);
     scene_free(s);
 #undef TIER
+}
+
+/* Two frames in one scene: what both define alike is one value; what they define differently is refused. */
+static void frames_share_what_is_alike(void **state)
+{
+#define TIERS(other)                                                                                                   \
+    "tiers = (\n    { name = \"a\"; frame = \"guarded\"; terminals = [\"p\"]; max_length = 1; functions = "            \
+    "\"rational\"; },\n"                                                                                               \
+    "    { name = \"b\"; frame = \"" other                                                                             \
+    "\"; terminals = [\"p\"]; max_length = 1; functions = \"rational\"; }\n);\n"
+    struct diag d;
+    struct scene *s = read_from_text(HEAD SHAPES TIERS("steps"), &d);
+    (void)state;
+    assert_non_null(s);
+    struct genome_file *program = frame_program(".", s, "program", &d);
+    struct genome_file *guarded = genome_read("evolve/frames/guarded.gen", &d);
+    struct genome_file *steps = genome_read("evolve/frames/steps.gen", &d);
+    assert_non_null(program);
+    size_t common = 0;
+    for (size_t i = 0; i < steps->lets; i++)
+        common += genome_find_symbol(guarded, steps->let[i].name) >= 0;
+    assert_true(common > 50);
+    assert_int_equal(program->lets, guarded->lets + steps->lets - common);
+    assert_int_equal(program->functions, steps->functions);
+    genome_file_free(steps);
+    genome_file_free(guarded);
+    genome_file_free(program);
+    scene_free(s);
+    s = read_from_text(HEAD SHAPES TIERS("parallelogram"), &d);
+    assert_non_null(s);
+    assert_null(frame_program(".", s, "program", &d));
+    assert_non_null(strstr(d.text, "' is another value in another frame of the scene"));
+    scene_free(s);
+#undef TIERS
 }
 
 static void missing_scenes_are_refused(void **state)
@@ -658,6 +695,7 @@ int main(void)
         cmocka_unit_test(every_value_arrives),
         cmocka_unit_test(malformed_scenes_are_refused),
         cmocka_unit_test(tiers_expand_about_points_of_their_own),
+        cmocka_unit_test(frames_share_what_is_alike),
         cmocka_unit_test(missing_scenes_are_refused),
         cmocka_unit_test(parts_share_nothing),
         cmocka_unit_test(seeds_draw_other_samples),
