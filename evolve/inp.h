@@ -122,7 +122,7 @@ void inp_names_clear(struct inp_names *t);
 
 /* ---- elements: inp_element.c ---- */
 
-enum { INP_MAX_NODES = 20, INP_MAX_FACES = 6 };
+enum { INP_MAX_NODES = 27, INP_MAX_FACES = 6 };
 
 /** Face S1..S6 of a solid is 0..5; a shell has SNEG and SPOS alone, which are its 0 and 1. */
 enum inp_face_label { INP_FACE_NONE = -1, INP_FACE_SNEG = INP_MAX_FACES, INP_FACE_SPOS };
@@ -131,14 +131,19 @@ struct inp_shape {
     int faces;
     struct {
         int corners;
-        unsigned char node[8]; /* from 1: corners counter-clockwise seen from outside, then the mid-side nodes */
+        /* from 1: corners counter-clockwise seen from outside, then the mid-side nodes, then the middle */
+        unsigned char node[9];
     } face[INP_MAX_FACES];
 };
+
+/** Nodes of a face: its corners; mid-side nodes, too; and one in the middle. */
+enum inp_order { INP_LINEAR, INP_QUADRATIC, INP_BIQUADRATIC };
 
 struct inp_type {
     const char *name;
     int nodes;
-    bool shell, quadratic;
+    bool shell;
+    enum inp_order order;
     const struct inp_shape *shape;
 };
 
@@ -220,6 +225,6 @@ bool inp_master_faces(struct inp_model *m, const struct inp_pair *pair, struct i
 
 /** Nodes of such a face, counter-clockwise from outside, then mid-side nodes: positions in the sorted node table.
  *  Returns how many. */
-int inp_face_nodes(const struct inp_model *m, size_t face, int node[8]);
+int inp_face_nodes(const struct inp_model *m, size_t face, int node[9]);
 
 #endif

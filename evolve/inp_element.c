@@ -1,6 +1,6 @@
 /* Element types and their faces, by the numbering that Abaqus and CalculiX share.  The codes list the corners of a
- * solid's face so that some normals point inwards; here all point outwards.  One table serves the linear and the
- * quadratic element of a shape: a linear face uses the corners alone. */
+ * solid's face so that some normals point inwards; here all point outwards.  One table serves all elements of a
+ * shape: a linear face uses the corners alone.  Of 27 nodes the last are the middle of the element and of S1 to S6. */
 #include "inp.h"
 
 #include <ctype.h>
@@ -18,28 +18,40 @@ static const struct inp_shape wedge = {5,
                                         {4, {3, 1, 4, 6, 9, 13, 12, 15}}}};
 
 static const struct inp_shape hexahedron = {6,
-                                            {{4, {1, 4, 3, 2, 12, 11, 10, 9}},
-                                             {4, {5, 6, 7, 8, 13, 14, 15, 16}},
-                                             {4, {1, 2, 6, 5, 9, 18, 13, 17}},
-                                             {4, {2, 3, 7, 6, 10, 19, 14, 18}},
-                                             {4, {3, 4, 8, 7, 11, 20, 15, 19}},
-                                             {4, {4, 1, 5, 8, 12, 17, 16, 20}}}};
+                                            {{4, {1, 4, 3, 2, 12, 11, 10, 9, 22}},
+                                             {4, {5, 6, 7, 8, 13, 14, 15, 16, 23}},
+                                             {4, {1, 2, 6, 5, 9, 18, 13, 17, 24}},
+                                             {4, {2, 3, 7, 6, 10, 19, 14, 18, 25}},
+                                             {4, {3, 4, 8, 7, 11, 20, 15, 19, 26}},
+                                             {4, {4, 1, 5, 8, 12, 17, 16, 20, 27}}}};
 
 static const struct inp_shape triangle = {2, {{3, {1, 3, 2, 6, 5, 4}}, {3, {1, 2, 3, 4, 5, 6}}}};
 
-static const struct inp_shape quadrilateral = {2, {{4, {1, 4, 3, 2, 8, 7, 6, 5}}, {4, {1, 2, 3, 4, 5, 6, 7, 8}}}};
+static const struct inp_shape quadrilateral = {2, {{4, {1, 4, 3, 2, 8, 7, 6, 5, 9}}, {4, {1, 2, 3, 4, 5, 6, 7, 8, 9}}}};
 
 /* Names up to the letters that say how an element is integrated, coupled or modified. */
 static const struct inp_type types[] = {
-    {"C3D4", 4, false, false, &tetrahedron},  {"C3D10", 10, false, true, &tetrahedron},
-    {"C3D6", 6, false, false, &wedge},        {"C3D15", 15, false, true, &wedge},
-    {"C3D8", 8, false, false, &hexahedron},   {"C3D20", 20, false, true, &hexahedron},
-    {"S3", 3, true, false, &triangle},        {"S6", 6, true, true, &triangle},
-    {"S4", 4, true, false, &quadrilateral},   {"S8", 8, true, true, &quadrilateral},
-    {"STRI3", 3, true, false, &triangle},     {"STRI65", 6, true, true, &triangle},
-    {"M3D3", 3, true, false, &triangle},      {"M3D6", 6, true, true, &triangle},
-    {"M3D4", 4, true, false, &quadrilateral}, {"M3D8", 8, true, true, &quadrilateral},
-    {"R3D3", 3, true, false, &triangle},      {"R3D4", 4, true, false, &quadrilateral},
+    {"C3D4", 4, false, INP_LINEAR, &tetrahedron},
+    {"C3D10", 10, false, INP_QUADRATIC, &tetrahedron},
+    {"C3D6", 6, false, INP_LINEAR, &wedge},
+    {"C3D15", 15, false, INP_QUADRATIC, &wedge},
+    {"C3D8", 8, false, INP_LINEAR, &hexahedron},
+    {"C3D20", 20, false, INP_QUADRATIC, &hexahedron},
+    {"C3D27", 27, false, INP_BIQUADRATIC, &hexahedron},
+    {"S3", 3, true, INP_LINEAR, &triangle},
+    {"S6", 6, true, INP_QUADRATIC, &triangle},
+    {"S4", 4, true, INP_LINEAR, &quadrilateral},
+    {"S8", 8, true, INP_QUADRATIC, &quadrilateral},
+    {"S9", 9, true, INP_BIQUADRATIC, &quadrilateral},
+    {"STRI3", 3, true, INP_LINEAR, &triangle},
+    {"STRI65", 6, true, INP_QUADRATIC, &triangle},
+    {"M3D3", 3, true, INP_LINEAR, &triangle},
+    {"M3D6", 6, true, INP_QUADRATIC, &triangle},
+    {"M3D4", 4, true, INP_LINEAR, &quadrilateral},
+    {"M3D8", 8, true, INP_QUADRATIC, &quadrilateral},
+    {"M3D9", 9, true, INP_BIQUADRATIC, &quadrilateral},
+    {"R3D3", 3, true, INP_LINEAR, &triangle},
+    {"R3D4", 4, true, INP_LINEAR, &quadrilateral},
 };
 
 const struct inp_type *inp_type_find(struct inp_text name)

@@ -158,11 +158,12 @@ static bool surface_faces(struct inp_model *m, int name, const struct inp_surfac
     return done && finish(m, name, s, faces);
 }
 
-int inp_face_nodes(const struct inp_model *m, size_t face, int node[8])
+int inp_face_nodes(const struct inp_model *m, size_t face, int node[9])
 {
     const struct inp_element *e = &m->element[m->elements.entry[face / INP_MAX_FACES].order];
     const struct inp_shape *shape = e->type->shape;
-    const int corners = shape->face[face % INP_MAX_FACES].corners, n = e->type->quadratic ? 2 * corners : corners;
+    const int corners = shape->face[face % INP_MAX_FACES].corners;
+    const int n = e->type->order == INP_LINEAR ? corners : 2 * corners + (e->type->order == INP_BIQUADRATIC);
     for (int i = 0; i < n; i++)
         node[i] = m->connectivity[e->first + shape->face[face % INP_MAX_FACES].node[i] - 1];
     return n;
@@ -181,7 +182,7 @@ bool inp_master_faces(struct inp_model *m, const struct inp_pair *pair, struct i
 static void add_nodes(struct search *nodes, const struct inp_list *faces)
 {
     for (size_t i = 0; i < faces->n; i++) {
-        int node[8];
+        int node[9];
         for (int k = inp_face_nodes(nodes->m, faces->index[i], node); k-- > 0; nodes->mark[node[k]] = 1)
             if (!nodes->mark[node[k]])
                 append(&nodes->found, (size_t)node[k]);

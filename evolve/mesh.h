@@ -4,10 +4,11 @@
 
 #include "../codegen/base.h"
 
-/** Corner nodes (and mid-side nodes, in Abaqus order) of one element face, counter-clockwise seen from outside. */
+/** Corner nodes (and mid-side nodes, and the middle, in Abaqus order) of one element face, counter-clockwise seen from
+ * outside. */
 struct mesh_face {
-    int nodes;   /* 3, 4, 6 or 8 */
-    int node[8]; /* indices into xyz */
+    int nodes;   /* 3, 4, 6, 8 or 9 */
+    int node[9]; /* indices into xyz */
 };
 
 /** The slave nodes and the master faces of all contact pairs of a model. */

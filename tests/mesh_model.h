@@ -65,7 +65,7 @@ static inline void check_sound(const struct mesh *m)
         }
         for (size_t k = 0; k < p->masters; k++) {
             const int n = p->master[k].nodes;
-            assert_true(n == 3 || n == 4 || n == 6 || n == 8);
+            assert_true(n == 3 || n == 4 || n == 6 || n == 8 || n == 9);
             for (int j = 0; j < n; j++)
                 assert_true(p->master[k].node[j] >= 0 && (size_t)p->master[k].node[j] < m->nodes);
         }

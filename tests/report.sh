@@ -1,10 +1,16 @@
 #!/bin/sh
 # report.sh FOLDER: one run of the bench as a page: pictures of time against error of each scene, tables, error maps,
-# and the rivals that lie below our front.  BENCH_OPTIONS, say "--scene quad4", go to the bench.
+# and the rivals that lie below our front; then the hard cases.  BENCH_OPTIONS, say "--scene quad4", go to the bench.
 folder=$1 BIN=${BIN:-build}
 rm -rf "$folder" && mkdir -p "$folder/maps" || exit 3
 "$BIN/footpoint-bench" --csv --map "$folder/maps" $BENCH_OPTIONS > "$folder/bench.csv" || exit 3
 awk -f tests/report/front.awk "$folder/bench.csv" > "$folder/front.txt" || exit 3
+work=$folder/work
+mkdir "$work" && . tests/hard/build.inc && hard_build "$work/hard" "${CC:-gcc}" -O3 -ffp-contract=off || exit 3
+"$work/hard" 100 > "$folder/hard.csv"
+hard=$?
+[ "$hard" -le 1 ] || exit 3
+rm -r "$work"
 scenes=$(awk -F, 'NR > 1 && !seen[$1]++ { print $1 }' "$folder/bench.csv")
 
 picture() { # picture SCENE SAMPLE MODE NORM
@@ -73,6 +79,14 @@ END
         done
         map "$scene"
     done
+    cat << END
+<h2>Hard cases</h2>
+<p>Families of segments and slave nodes that searches fail on, against the truth in extended precision. Wrong: an answer
+too far off without a status, or a status that is not true. An expression, Newton's method and the trust region are
+allowed to; footpoint_locate, footpoint_robust and footpoint_stationary are not, and
+$([ "$hard" = 0 ] && echo 'none of them was' || echo '<b>one of them was</b>') (<a href="hard.csv">hard.csv</a>).</p>
+END
+    awk -f tests/report/hard.awk "$folder/hard.csv"
 } > "$folder/index.html" || exit 3
 tail -n 1 "$folder/front.txt"
 echo "$folder/index.html"

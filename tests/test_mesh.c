@@ -16,7 +16,7 @@ static void face_normal(const struct mesh *m, const struct mesh_face *f, double 
     }
 }
 
-/* Largest distance of a mid-side node from the middle of its side. */
+/* Largest distance of a mid-side node from the middle of its side, and of the middle from that of the corners. */
 static double midside_error(const struct mesh *m, const struct mesh_face *f)
 {
     const int corners = f->nodes / 2;
@@ -25,6 +25,12 @@ static double midside_error(const struct mesh *m, const struct mesh_face *f)
         for (int k = 0; k < 3; k++)
             error = fmax(error, fabs(m->xyz[f->node[corners + i]][k] -
                                      (m->xyz[f->node[i]][k] + m->xyz[f->node[(i + 1) % corners]][k]) / 2));
+    for (int k = 0; f->nodes == 9 && k < 3; k++) {
+        double middle = 0;
+        for (int i = 0; i < corners; i++)
+            middle += m->xyz[f->node[i]][k] / corners;
+        error = fmax(error, fabs(m->xyz[f->node[8]][k] - middle));
+    }
     return error;
 }
 
@@ -43,6 +49,7 @@ static void sample_models(void **state)
         {"tests/meshes/tetra4.inp", 9, 1, 4, 1, 3, "bottom", "top"},
         {"tests/meshes/tetra10.inp", 12, 1, 2, 1, 6, "POINTS", "FACE"},
         {"tests/meshes/hexa20.inp", 23, 1, 3, 2, 8, "TIPS", "TOPANDSIDE"},
+        {"tests/meshes/hexa27.inp", 30, 1, 3, 2, 9, "TIPS", "TOPANDSIDE"},
         {"tests/meshes/shell3.inp", 8, 2, 4, 2, 3, "TENT_INSIDE", "PLATE_TOP"},
     };
     (void)state;
@@ -147,6 +154,30 @@ static const struct shape quadrilateral = {
     {{1, 4, 3, 2}, {1, 2, 3, 4}},
 };
 
+static void mean(const struct shape *s, const int *corner, int n, double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        x[k] = 0;
+        for (int i = 0; i < n; i++)
+            x[k] += s->corner[corner[i] - 1][k] / n;
+    }
+}
+
+/* Node i, from 0: corners, middles of edges; of a solid that of the whole, then of faces, of a shell its own. */
+static void place(const struct shape *s, int i, double x[3])
+{
+    static const int all[] = {1, 2, 3, 4, 5, 6, 7, 8};
+    const int middle = i - s->corners - s->edges;
+    if (i < s->corners)
+        memcpy(x, s->corner[i], 3 * sizeof *x);
+    else if (middle < 0)
+        mean(s, s->edge[i - s->corners], 2, x);
+    else if (middle == 0)
+        mean(s, all, s->corners, x);
+    else
+        mean(s, s->face[middle - 1], s->face_corners[middle - 1], x);
+}
+
 /* Model of one element with nodes 1.. at their places and node 99 as slave. */
 static struct mesh *read_element(const char *type, const struct shape *s, int nodes, const char *label)
 {
@@ -154,11 +185,7 @@ static struct mesh *read_element(const char *type, const struct shape *s, int no
     int n = snprintf(text, sizeof text, "*NODE\n99, 9, 9, 9\n");
     for (int i = 0; i < nodes; i++) {
         double x[3];
-        for (int k = 0; k < 3; k++)
-            x[k] =
-                i < s->corners
-                    ? s->corner[i][k]
-                    : (s->corner[s->edge[i - s->corners][0] - 1][k] + s->corner[s->edge[i - s->corners][1] - 1][k]) / 2;
+        place(s, i, x);
         n += snprintf(text + n, sizeof text - (size_t)n, "%d, %.17g, %.17g, %.17g\n", i + 1, x[0], x[1], x[2]);
     }
     n += snprintf(text + n, sizeof text - (size_t)n, "*ELEMENT, TYPE=%s\n5", type);
@@ -177,7 +204,7 @@ static void check_face(const char *type, const struct shape *s, int nodes, int f
     double normal[3], centre[3], outwards = 0;
     check_sound(m);
     assert_int_equal(m->pair[0].masters, 1);
-    assert_int_equal(f->nodes, nodes > s->corners ? 2 * corners : corners);
+    assert_int_equal(f->nodes, (nodes > s->corners ? 2 * corners : corners) + (nodes > s->corners + s->edges));
     for (int i = 0; i < corners; i++) {
         int times = 0;
         for (int k = 0; k < corners; k++)
@@ -207,14 +234,15 @@ static void every_face(void **state)
         const struct shape *shape;
         int nodes;
     } types[] = {
-        {"C3D4", &tetrahedron, 4},   {"C3D10", &tetrahedron, 10},  {"C3D10M", &tetrahedron, 10},
-        {"C3D6", &wedge, 6},         {"C3D15", &wedge, 15},        {"C3D8", &hexahedron, 8},
-        {"c3d8r", &hexahedron, 8},   {"C3D8I", &hexahedron, 8},    {"C3D8RH", &hexahedron, 8},
-        {"C3D20", &hexahedron, 20},  {"C3D20R", &hexahedron, 20},  {"S3", &triangle, 3},
-        {"S3R", &triangle, 3},       {"S6", &triangle, 6},         {"STRI65", &triangle, 6},
-        {"S4", &quadrilateral, 4},   {"S4R", &quadrilateral, 4},   {"S8R", &quadrilateral, 8},
-        {"S8R5", &quadrilateral, 8}, {"M3D4R", &quadrilateral, 4}, {"R3D4", &quadrilateral, 4},
-        {"R3D3", &triangle, 3},
+        {"C3D4", &tetrahedron, 4},    {"C3D10", &tetrahedron, 10},  {"C3D10M", &tetrahedron, 10},
+        {"C3D6", &wedge, 6},          {"C3D15", &wedge, 15},        {"C3D8", &hexahedron, 8},
+        {"c3d8r", &hexahedron, 8},    {"C3D8I", &hexahedron, 8},    {"C3D8RH", &hexahedron, 8},
+        {"C3D20", &hexahedron, 20},   {"C3D20R", &hexahedron, 20},  {"S3", &triangle, 3},
+        {"S3R", &triangle, 3},        {"S6", &triangle, 6},         {"STRI65", &triangle, 6},
+        {"S4", &quadrilateral, 4},    {"S4R", &quadrilateral, 4},   {"S8R", &quadrilateral, 8},
+        {"S8R5", &quadrilateral, 8},  {"M3D4R", &quadrilateral, 4}, {"R3D4", &quadrilateral, 4},
+        {"R3D3", &triangle, 3},       {"C3D27", &hexahedron, 27},   {"C3D27R", &hexahedron, 27},
+        {"M3D9R", &quadrilateral, 9}, {"S9R5", &quadrilateral, 9},
     };
     static const char *const labels[] = {"S1", "s2", "S3", "S4", "S5", "S6"};
     (void)state;

@@ -23,6 +23,7 @@ $column["scene"] == scene && $column["sample"] == sample && $column["mode"] == m
     n++
     name[n] = $column["method"]; ours[n] = $column["ours"]; x[n] = $column["ns"] + 0
     y[n] = e < least_error ? least_error : e
+    if (!ours[n]) sub(/^(tri|quad)[0-9]+_/, "", name[n])
 }
 END {
     if (n == 0) exit 1
