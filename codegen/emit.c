@@ -67,12 +67,13 @@ static void print_node(struct emitter *e, int n)
     if (node->kind == NODE_ONE)
         return;
     if (node->kind == NODE_INPUT) {
-        const char *input = e->file->input[node->input];
+        const size_t input = (size_t)node->input;
         if (e->file->segment) {
-            snprintf(name, sizeof name, "x%c[%c]", input[1], (char)(input[0] - 'x' + '0'));
-            t->num = new_joined(name, "", "");
+            char vector[4];
+            segment_vector_name(e->file->segment, input / 3, vector);
+            t->num = new_format("%s[%zu]", vector, input % 3);
         } else
-            t->num = new_joined("in_", input, "");
+            t->num = new_joined("in_", e->file->input[input], "");
         t->level = ATOM;
         return;
     }

@@ -74,12 +74,78 @@ static const char quad9[] =
                 "        pv[k] = f[column[k]] * dg[row[k]];\n"
                 "    }\n");
 
+/* A Gregory patch, runtime/gregory.h, as a sum over its corners c: of the handles a[c][0] along xi and a[c][1] along
+ * eta and the inner points q, which the two edges make each for itself.  w weighs these; f and g are the Bernstein
+ * polynomials of a corner and of its handle, h their sum, and fd, gd, hd what they rise by towards larger xi, eta. */
+static const char gregory[] =
+    "    @R a[4][2][3], t[4][2][3], k[4][2], l[4][2], q[4][2][3];\n"
+    "    int c, m, j;\n"
+    "    for (c = 0; c < 4; c++)\n"
+    "        for (m = 0; m < 2; m++) {\n"
+    "            const @R *const y = x[m ? 3 - c : c ^ 1], *const n = x[4 + c];\n"
+    "            const @R along = (y[0] - x[c][0]) * n[0] + (y[1] - x[c][1]) * n[1] + (y[2] - x[c][2]) * n[2];\n"
+    "            for (j = 0; j < 3; j++)\n"
+    "                a[c][m][j] = (y[j] - x[c][j] - along * n[j]) / 3.0@F;\n"
+    "            for (j = 0; j < 3; j++)\n"
+    "                t[c][m][j] = n[(j + 1) % 3] * a[c][m][(j + 2) % 3] - n[(j + 2) % 3] * a[c][m][(j + 1) % 3];\n"
+    "        }\n"
+    "    for (c = 0; c < 4; c++)\n"
+    "        for (m = 0; m < 2; m++) {\n"
+    "            const @R *const b = a[c][m], *const o = a[c][1 - m];\n"
+    "            const @R size = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];\n"
+    "            k[c][m] = (t[c][m][0] * o[0] + t[c][m][1] * o[1] + t[c][m][2] * o[2]) / size;\n"
+    "            l[c][m] = (b[0] * o[0] + b[1] * o[1] + b[2] * o[2]) / size;\n"
+    "        }\n"
+    "    for (c = 0; c < 4; c++)\n"
+    "        for (m = 0; m < 2; m++) {\n"
+    "            const int e = m ? 3 - c : c ^ 1;\n"
+    "            for (j = 0; j < 3; j++) {\n"
+    "                const @R middle = x[e][j] + a[e][m][j] - x[c][j] - a[c][m][j];\n"
+    "                q[c][m][j] = a[c][m][j] + ((k[c][m] - k[e][m]) * t[c][m][j] - k[c][m] * t[e][m][j] +\n"
+    "                                           2.0@F * l[c][m] * middle - l[e][m] * a[c][m][j]) / 3.0@F;\n"
+    "            }\n"
+    "        }\n"
+    "    for (j = 0; j < 3; j++) {\n"
+    "        u[j] = v[j] = 0.0@F;\n"
+    "        d[j] = x[8][j] - x[0][j];\n"
+    "    }\n"
+    "    for (c = 0; c < 4; c++) {\n"
+    "        const @R z[2] = {c == 1 || c == 2 ? 0.5@F : -0.5@F, c > 1 ? 0.5@F : -0.5@F};\n"
+    "        @R f[2], g[2], h[2], fd[2], gd[2], hd[2], s[2], w, wd[2];\n"
+    "        for (m = 0; m < 2; m++) {\n"
+    "            const @R p = 0.5@F + z[m] * (m ? eta : xi), r = 1.0@F - p;\n"
+    "            s[m] = r;\n"
+    "            f[m] = p * p * p;\n"
+    "            g[m] = 3.0@F * p * p * r;\n"
+    "            h[m] = f[m] + g[m];\n"
+    "            fd[m] = 3.0@F * z[m] * p * p;\n"
+    "            gd[m] = 3.0@F * z[m] * p * (2.0@F * r - p);\n"
+    "            hd[m] = 6.0@F * z[m] * p * r;\n"
+    "        }\n"
+    "        w = (s[0] > 0.0@F ? s[0] : 0.0@F) + (s[1] > 0.0@F ? s[1] : 0.0@F);\n"
+    "        wd[0] = wd[1] = 0.0@F;\n"
+    "        if (s[0] > 0.0@F && s[1] > 0.0@F) {\n"
+    "            wd[0] = z[0] * s[1] / (w * w);\n"
+    "            wd[1] = -z[1] * s[0] / (w * w);\n"
+    "        }\n"
+    "        w = w > 0.0@F ? (s[1] > 0.0@F ? s[1] / w : 0.0@F) : 0.5@F;\n"
+    "        for (j = 0; j < 3; j++) {\n"
+    "            const @R y = x[c][j] - x[0][j], o = q[c][1][j] - q[c][0][j], i = q[c][0][j] + w * o;\n"
+    "            d[j] -= y * h[0] * h[1] + a[c][0][j] * g[0] * f[1] + a[c][1][j] * f[0] * g[1] + i * g[0] * g[1];\n"
+    "            u[j] += y * hd[0] * h[1] + a[c][0][j] * gd[0] * f[1] + a[c][1][j] * fd[0] * g[1] +\n"
+    "                    (i * gd[0] + o * wd[0] * g[0]) * g[1];\n"
+    "            v[j] += y * h[0] * hd[1] + a[c][0][j] * g[0] * fd[1] + a[c][1][j] * f[0] * gd[1] +\n"
+    "                    (i * gd[1] + o * wd[1] * g[1]) * g[0];\n"
+    "        }\n"
+    "    }\n";
+
 static const struct segment_kind kinds[] = {
     {.name = "quad4", .nodes = "ABCD", .normals = "", .corners = 4, .turns = true},
     {.name = "tri3", .nodes = "ABC", .normals = "", .corners = 3, .triangle = true, .surface = tri3},
     {.name = "tri6", .nodes = "ABCDEF", .normals = "", .corners = 3, .triangle = true, .surface = tri6},
     {.name = "quad8", .nodes = "ABCDEFGH", .normals = "", .corners = 4, .surface = quad8},
     {.name = "quad9", .nodes = "ABCDEFGHI", .normals = "", .corners = 4, .surface = quad9},
+    {.name = "gregory", .nodes = "ABCD", .normals = "ABCD", .corners = 4, .surface = gregory},
 };
 
 const struct segment_kind *segment_find(const char *name)

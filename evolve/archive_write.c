@@ -18,6 +18,12 @@ static void note_shapes(struct genome_file *f, const struct scene *s)
     const double degree = acos(-1) / 180;
     const struct shapes *p = &s->shapes;
     char warps[60] = "", curves[60] = "";
+    if (*s->segment->normals) {
+        genome_add_note(&f->note, &f->notes, &f->note_room, "range",
+                        "segments of smooth bodies, with the normals of their meshes, |gap| <= %g of the shortest edge",
+                        p->gap);
+        return;
+    }
     if (!s->segment->triangle)
         snprintf(warps, sizeof warps, ", taper <= %g, warp <= %g deg", p->taper, p->warp / degree);
     if (strlen(s->segment->nodes) > s->segment->corners)
@@ -40,6 +46,8 @@ static void note_range(struct genome_file *f, const struct scene *s)
         NOTE("contact pairs of %s within %g mesh lengths", slash ? slash + 1 : s->mesh.file, s->mesh.distance);
     else
         NOTE("A = (0,0,0), B = (1,0,0); |x|, |y| <= %g, |z| <= %g", s->lattice.xy_max, s->lattice.z_max);
+    if (s->source == SOURCE_LATTICE && *s->segment->normals)
+        NOTE("tangent of the angle between a normal and the facet's own <= %g", s->lattice.tilt);
     if (s->segment->triangle)
         NOTE("xi > %g, eta > %g, xi + eta <= %g", lo[0], lo[1], hi[0]);
     else

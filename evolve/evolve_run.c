@@ -5,6 +5,7 @@
 #include "evolve_grow.h"
 #include "evolve_loop.h"
 #include "frame.h"
+#include "frame_cost.h"
 #include "progress.h"
 #include "root.h"
 #include "scene_follow.h"
@@ -147,6 +148,23 @@ static bool sample(struct run *r, struct diag *d)
            scene_samples(r->scene, PART_HELDOUT_RANDOM, &r->heldout[1], d);
 }
 
+/* A front keeps what costs no more than its limit: where a value of a frame is dearer, the limit is raised. */
+static size_t front_limit(const struct run *r)
+{
+    enum { SPARE = 128 };
+    const struct genome_file *program = r->archive->program;
+    struct frame_cost *f = frame_cost_new(program, &r->plan.prices);
+    double dearest = 0;
+    for (size_t i = 0; i < r->scene->tiers; i++)
+        for (size_t k = 0; k < r->scene->tier[i].terminals; k++) {
+            int gene = GENE_SYMBOL + (int)genome_find_symbol(program, r->scene->tier[i].terminal[k]);
+            const struct tree t = {&gene, 1};
+            dearest = fmax(dearest, frame_cost_of(f, &t));
+        }
+    frame_cost_free(f);
+    return dearest > (double)r->plan.front_limit ? (size_t)dearest + SPARE : r->plan.front_limit;
+}
+
 static void make_plan(struct run *r)
 {
     const struct evolve_options *o = r->options;
@@ -157,6 +175,7 @@ static void make_plan(struct run *r)
     r->plan.parsimony = o->parsimony;
     r->plan.prices = o->cost == COST_PAPER ? (struct prices){.add = 0, .div = 1} : (struct prices){.add = 1, .div = 8};
     r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
+    r->plan.front_limit = front_limit(r);
 }
 
 /* Which inputs the scene varies, and what follows from that.  A run that is resumed has said it before. */

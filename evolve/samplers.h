@@ -9,6 +9,9 @@
 bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
+/** Of segments with normals: the lattice with random ones, where `training` and `heldout` count samples before those
+ *  are left out whose foot point is not in the box, or smooth bodies. */
+bool patches_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 
 /** A random slave node of segment s->x: s->xs = r(xi,eta) + gap n with (xi,eta) uniform in the scene's box and gap
  *  uniform in -gap..gap (mesh length), labelled with its certain foot point.  False, to be drawn again, when another

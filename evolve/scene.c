@@ -150,9 +150,23 @@ static bool is_identifier(const char *t)
     return true;
 }
 
-static bool read_lattice(const struct reader *r, config_setting_t *g, struct lattice *l)
+/* Of segments with normals: how these are drawn. */
+static bool read_normals(const struct reader *r, const config_setting_t *g, struct lattice *l)
 {
-    static const char *const required[] = {"xy", "z", "xi", "eta", NULL}, *const optional[] = {"newton", NULL};
+    long long sets;
+    if (!read_count(r, config_setting_get_member(g, "normal_sets"), "normal_sets", 1, 1000, &sets) ||
+        !read_number(r, config_setting_get_member(g, "tilt"), "tilt", 0, 1, &l->tilt))
+        return false;
+    l->normal_sets = (int)sets;
+    return true;
+}
+
+static bool read_lattice(const struct reader *r, config_setting_t *g, const struct segment_kind *kind,
+                         struct lattice *l)
+{
+    const bool normals = *kind->normals != '\0';
+    const char *const required[] = {"xy", "z", "xi", "eta", normals ? "normal_sets" : NULL, "tilt", NULL};
+    static const char *const optional[] = {"newton", NULL};
     const struct {
         const char *key;
         double *limit, *step;
@@ -185,15 +199,21 @@ static bool read_lattice(const struct reader *r, config_setting_t *g, struct lat
     if (s && !read_count(r, s, "newton", 1, 1000, &steps))
         return false;
     l->newton = (int)steps;
-    return true;
+    return !normals || read_normals(r, g, l);
 }
 
-/* Triangles have no taper and no warp of their own; curve and shift are of mid-side nodes. */
+/* Triangles have no taper and no warp of their own; curve and shift are of mid-side nodes.  Segments with normals come
+ * from meshes of smooth bodies (smooth.h), and end at their edges. */
 static bool read_shapes(const struct reader *r, config_setting_t *g, const struct segment_kind *kind, struct shapes *s)
 {
     const bool middles = strlen(kind->nodes) > kind->corners, warps = !kind->triangle;
     const char *required[10] = {"aspect", "skew", "gap", "overhang"}, *const optional[] = {NULL};
     size_t n = 4;
+    if (*kind->normals) {
+        static const char *const gap[] = {"gap", NULL};
+        return check_keys(r, g, "shapes", gap, optional) &&
+               read_number(r, config_setting_get_member(g, "gap"), "gap", 0, 100, &s->gap);
+    }
     if (warps) {
         required[n++] = "taper";
         required[n++] = "warp";
@@ -421,7 +441,7 @@ static bool read_tiers(const struct reader *r, config_setting_t *root, struct sc
 
 static bool read_segment(const struct reader *r, const config_setting_t *s, const struct segment_kind **segment)
 {
-    static const char *const planned[] = {"gregory", "bezier"};
+    static const char *const planned[] = {"bezier"};
     char *name = NULL;
     if (!read_string(r, s, "segment", &name))
         return false;
@@ -457,11 +477,14 @@ static bool read_source(const struct reader *r, config_setting_t *root, struct s
     }
     if (!found)
         return diag_at(r->d, r->path, 0, 0, "none of lattice, shapes and mesh; a scene has one of them");
+    if (scene->source == SOURCE_MESH && *scene->segment->normals)
+        return fail(r, found, "segments '%s' come from 'lattice' or 'shapes', not from a mesh file",
+                    scene->segment->name);
     switch (scene->source) {
     case SOURCE_LATTICE:
-        if (scene->segment->surface)
-            return fail(r, found, "a 'lattice' is of segments quad4");
-        return read_lattice(r, found, &scene->lattice);
+        if (scene->segment->surface && !*scene->segment->normals)
+            return fail(r, found, "a 'lattice' is of segments quad4 and gregory");
+        return read_lattice(r, found, scene->segment, &scene->lattice);
     case SOURCE_RANDOM:
         return read_shapes(r, found, scene->segment, &scene->shapes);
     case SOURCE_MESH:
@@ -629,6 +652,8 @@ void scene_box(const struct scene *s, double lo[2], double hi[2])
 
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
 {
+    if (*s->segment->normals)
+        return patches_samples(s, part, set, d);
     switch (s->source) {
     case SOURCE_LATTICE:
         return lattice_samples(s, part, set, d);

@@ -24,7 +24,7 @@ struct surface {
      * < xi,eta <= hi (component-wise; on triangles xi + eta <= hi[0], too).  Fills xi, eta, gap of *s.  False if there
      * is none, or if none can be told with certainty. */
     bool (*foot)(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
-    /** A random segment about the origin, edges of length about 2.  False: draw again. */
+    /** A random segment about the origin, edges of length about 2.  False: draw again.  NULL: see patches_samples(). */
     bool (*draw)(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
 };
 
@@ -42,5 +42,8 @@ bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct sh
 /** Kinds with shape functions of degree up to 2 in xi and in eta: see reference_polynomial.c and faces.c. */
 bool reference_foot_polynomial(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 bool faces_draw(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
+/** Gregory patches: see patches.c. */
+void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
+bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

@@ -13,6 +13,7 @@
 #include "pinball.h"
 #include "rivals_closed.h"
 #include "rivals_faces.h"
+#include "rivals_patches.h"
 #include "trust_region.h"
 
 /* Memory changes between samples, as far as the compiler knows: each search stands for itself. */
@@ -161,6 +162,15 @@ DEFINE_LANES(newton_previous, 1, RIVAL_NEWTON_TOLERANCE)
 #define METHOD_tri6 METHOD_OF
 #define METHOD_quad8 METHOD_OF
 #define METHOD_quad9 METHOD_OF
+#define METHOD_gregory METHOD_OF
+#define PATCH_FIXED(name, from, start, gauss_newton, newton) DEFINE_METHOD_OF(name, rival_##name(x, &xi, &eta))
+#define PATCH_CONVERGED(name, search) DEFINE_METHOD_OF(name, if ((search) == 0) xi = eta = BENCH_NO_ANSWER)
+#define PATCH_CONVERGING(R)                                                                                            \
+    R(patch_newton, rival_patch_newton(x, RIVAL_CENTRE, RIVAL_NEWTON_TOLERANCE, &xi, &eta))                            \
+    R(patch_newton_plain, rival_patch_newton_plain(x, RIVAL_NEWTON_TOLERANCE, &xi, &eta))                              \
+    R(patch_newton_loose, rival_patch_newton(x, RIVAL_CENTRE, RIVAL_NEWTON_LOOSE, &xi, &eta))                          \
+    R(quarter_newton, rival_patch_newton(x, RIVAL_QUARTER, RIVAL_NEWTON_TOLERANCE, &xi, &eta))                         \
+    R(quarter_newton_loose, rival_patch_newton(x, RIVAL_QUARTER, RIVAL_NEWTON_LOOSE, &xi, &eta))
 RIVAL_ITERATIONS(ITERATION)
 RIVAL_TUNED_ITERATIONS(TUNED_ITERATION)
 RIVAL_CLOSED_FORMS(CLOSED_FORM)
@@ -169,6 +179,8 @@ CLOSED_FORM(pinball)
 RIVAL_FACES(DEFINE_CONVERGED_OF)
 RIVAL_FACE_ITERATIONS(FACE_ITERATION)
 FACE_ITERATION(tri3_areas, tri3, 0, 0)
+PATCH_CONVERGING(PATCH_CONVERGED)
+RIVAL_PATCHES(PATCH_FIXED)
 #include "footpoint_perceptron.inc"
 #include "methods.inc"
 #undef ITERATION
@@ -176,6 +188,8 @@ FACE_ITERATION(tri3_areas, tri3, 0, 0)
 #undef CLOSED_FORM
 #undef TUNED_ITERATION
 #undef POLYNOMIAL
+#undef PATCH_FIXED
+#undef PATCH_CONVERGED
 #undef METHOD
 
 /* ops_NAME and step_NAME of the rivals. */
@@ -192,6 +206,9 @@ FACE_ITERATION(tri3_areas, tri3, 0, 0)
 #define FACE_CONVERGED(kind, vectors)                                                                                  \
     {FACE(kind##_newton, kind), .step = STEP_##kind##_newton, .steps = steps_##kind##_newton},
 #define FACE_ITERATION(name, kind, gauss_newton, newton) {FACE(name, kind)},
+#define PATCH(name_) {.name = #name_, .kind = "gregory", LOOPS(name_)},
+#define PATCH_FIXED(name, from, start, gauss_newton, newton) PATCH(name)
+#define PATCH_CONVERGED(name, search) PATCH(name)
 #define METHOD(scene_, kind_, name_, mul, div, add, sqrt)                                                              \
     {.name = #name_, .kind = #kind_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #define batch_trust_region NULL
@@ -206,6 +223,7 @@ static const struct bench_method methods[] = {
         RIVAL_ITERATIONS(ITERATION) RIVAL_TUNED_ITERATIONS(TUNED_ITERATION) RIVAL_CLOSED_FORMS(CLOSED_FORM)
             RIVAL_POLYNOMIALS(POLYNOMIAL){RIVAL(pinball), .depth_only = 1},
     FACE_ITERATION(tri3_areas, tri3, 0, 0) RIVAL_FACES(FACE_CONVERGED) RIVAL_FACE_ITERATIONS(FACE_ITERATION)
+        PATCH_CONVERGING(PATCH_CONVERGED) RIVAL_PATCHES(PATCH_FIXED)
 #include "methods.inc"
 #undef METHOD
 /* They go by perceptron_hidden_8 and so on. */

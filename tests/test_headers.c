@@ -3,6 +3,7 @@
  * corners are numbered. */
 #include "../evolve/frame.h"
 #include "../evolve/scene.h"
+#include "../evolve/surface.h"
 #include "../runtime/footpoint.h"
 #include "error_stats.h"
 #include "kinds.h"
@@ -128,8 +129,21 @@ static void compare_with_genome(const struct method *m, const struct genome_file
     kernel_free(kernel);
 }
 
+/* The gap is that of the surface at the xi and eta found. */
+static void check_gap(const struct method *m, const struct segment_kind *kind, const struct sample *s,
+                      const double loc[2], double gap, double size)
+{
+    double x[SEGMENT_VECTORS][3], r[3], n[3], there = 0;
+    memcpy(x, s->x, sizeof x);
+    assert_true(surface_normal(surface_find(kind), x, loc[0], loc[1], r, n));
+    for (int k = 0; k < 3; k++)
+        there += (s->xs[k] - r[k]) * n[k];
+    if (!(fabs(gap - there) <= size * 1e-11))
+        fail_msg("%s: gap %a, on the surface %a", m->name, gap, there);
+}
+
 /* The checked function agrees with the unchecked one, and its gap is right at first order. */
-static void check(const struct method *m, const struct sample *s)
+static void check(const struct method *m, const struct segment_kind *kind, const struct sample *s)
 {
     const double *x[SEGMENT_VECTORS];
     double loc[2], first[2], gap, size = 0;
@@ -143,6 +157,7 @@ static void check(const struct method *m, const struct sample *s)
     assert_true(loc[0] == first[0] && loc[1] == first[1]);
     if (!(fabs(gap - s->gap) <= size * (1e-12 + 20 * off)))
         fail_msg("%s: gap %a, certain %a, with xi, eta off by %g", m->name, gap, s->gap, off);
+    check_gap(m, kind, s, loc, gap, size);
 }
 
 /* Rotations and reflections of the numbering give the same point of the segment. */
@@ -184,7 +199,7 @@ static void check_scene(const char *name)
             compare_with_genome(&methods[i], f, g, &set);
             for (size_t k = 0; p == 1 && k < set.n; k += 1 + set.n / 500) /* off the grid: there corners tie */
                 if (scene->order == CORNERS_ANY)
-                    check(&methods[i], &set.s[k]);
+                    check(&methods[i], scene->segment, &set.s[k]);
                 else
                     renumber(&methods[i], &set.s[k]);
         }

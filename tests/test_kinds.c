@@ -261,12 +261,52 @@ static void vectors_have_names(void **state)
         assert_int_equal(segment_inputs(segment_find(kinds[n].name)), 3 * (kinds[n].nodes + 1));
 }
 
+/* Samples of patches: the slave node stands over its foot point, at the gap; parts share none. */
+static void patches_hold_their_foot_points(void **state)
+{
+    static const char *const name[] = {"gregory", "paper-gregory"};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct diag d = {0};
+        struct scene *scene = scene_read(".", name[i], &d);
+        struct sample_set set = {0};
+        double lo[2], hi[2];
+        assert_non_null(scene);
+        scene->training = scene->heldout = SAMPLES;
+        scene_box(scene, lo, hi);
+        for (int part = i == 0 ? PART_TRAINING : PART_HELDOUT_RANDOM; part <= PART_HELDOUT_RANDOM; part++)
+            assert_true(scene_samples(scene, (enum sample_part)part, &set, &d));
+        assert_true(set.n > 3 * SAMPLES / 4);
+        for (size_t k = 0; k < set.n; k++) {
+            const struct sample *s = &set.s[k];
+            struct sample again = *s;
+            double x[SEGMENT_VECTORS][3], r[3], n[3];
+            memcpy(x, s->x, sizeof x);
+            assert_true(s->xi > lo[0] && s->xi <= hi[0] && s->eta > lo[1] && s->eta <= hi[1]);
+            assert_true(surface_normal(surface_find(scene->segment), x, s->xi, s->eta, r, n));
+            for (int c = 0; c < 3; c++)
+                check_near(name[i], r[c] + s->gap * n[c], s->xs[c], 1e-9);
+            assert_true(surface_find(scene->segment)->foot(surface_find(scene->segment), &again, lo, hi));
+            check_near(name[i], again.xi, s->xi, 1e-9);
+            if (k > 0)
+                assert_true(memcmp(set.s[k - 1].xs, s->xs, sizeof s->xs) != 0 ||
+                            memcmp(set.s[k - 1].x, s->x, sizeof s->x) != 0);
+        }
+        sample_set_free(&set);
+        scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(polynomials_are_reproduced), cmocka_unit_test(shape_functions_are_right),
-        cmocka_unit_test(labels_are_nearest),         cmocka_unit_test(bisection_agrees_with_the_quintic),
-        cmocka_unit_test(degenerate_faces_have_none), cmocka_unit_test(vectors_have_names),
+        cmocka_unit_test(polynomials_are_reproduced),
+        cmocka_unit_test(shape_functions_are_right),
+        cmocka_unit_test(labels_are_nearest),
+        cmocka_unit_test(bisection_agrees_with_the_quintic),
+        cmocka_unit_test(degenerate_faces_have_none),
+        cmocka_unit_test(vectors_have_names),
+        cmocka_unit_test(patches_hold_their_foot_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

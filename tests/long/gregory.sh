@@ -3,7 +3,7 @@
 . tests/cli/expect.inc
 FAST='-ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only'
 parts="tests/error_stats.c codegen/base.c codegen/genome.c codegen/genome_parse.c runtime/bezier.c runtime/gregory.c
-       runtime/normals.c runtime/quad4.c $(ls evolve/*.c | grep -vE '_main\.c$|/migrate|/evolve_')"
+       runtime/normals.c $(ls runtime/quad*.c runtime/tri*.c evolve/*.c | grep -vE '_main\.c$|/migrate|/evolve_')"
 
 # shellcheck disable=SC2046,SC2086
 {
