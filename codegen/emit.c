@@ -109,6 +109,12 @@ static void print_node(struct emitter *e, int n)
     free(all);
 }
 
+static rational output_coefficient(const struct schedule *s, size_t o)
+{
+    const struct value *v = &s->dag->output[o];
+    return rational_mul(v->coef, rational_inv(s->scale[v->node]));
+}
+
 /* Values that are written twice (a square, 2x as x + x) need names; so does a divisor of more than one factor or term,
  * and what is inverted by several users.  A sum that is known before a choice is computed before it, not where it is
  * used after: else its operands would have to wait in registers. */
@@ -130,6 +136,8 @@ static void mark_named(struct emitter *e)
                 g->node[n->edge[k].node].kind == NODE_SUM && e->s->stage[n->edge[k].node] < e->s->stage[e->s->order[i]];
         }
     }
+    for (size_t o = 0; o < g->outputs; o++)
+        e->named[g->output[o].node] |= schedule_doublings(e->s, output_coefficient(e->s, o)) > 0;
     for (size_t i = 0; i < e->s->n; i++) {
         const int n = e->s->order[i];
         if (g->node[n].kind == NODE_INVERSE && divides_anew(e, n))
@@ -153,7 +161,7 @@ static void mark_last(struct emitter *e)
 static void print_output(struct emitter *e, size_t o)
 {
     const struct value *v = &e->s->dag->output[o];
-    const rational coef = rational_mul(v->coef, rational_inv(e->s->scale[v->node])), size = rational_abs(coef);
+    const rational coef = output_coefficient(e->s, o), size = rational_abs(coef);
     const bool negative = rational_sign(coef) < 0;
     enum precedence level;
     char head[100];

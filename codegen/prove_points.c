@@ -76,7 +76,7 @@ static bool is_function(enum op_kind kind)
 }
 
 /* log2 of the chance of an error, times 2^(bits - 1); infinite if the bounds leave the range of double. */
-static double log2_weight(const struct program *p)
+static double log2_weight(const struct program *p, bool *has_functions)
 {
     struct bound *bound = new_array(p->ops, sizeof *bound);
     double most = 0, functions = 0;
@@ -101,6 +101,7 @@ static double log2_weight(const struct program *p)
         functions += is_function(o->kind);
     }
     free(bound);
+    *has_functions = functions > 0;
     const double pairs = (double)p->outputs + (functions + 2) * (functions + 2);
     return log2(most) + log2(pairs) + (functions > 0 ? 2 * SMALL + 1 : 0);
 }
@@ -121,13 +122,13 @@ static bool quotient(const struct points *p, fmpz *x, const fmpz *a, const fmpz 
     return good;
 }
 
-/* The rational of at most SMALL bits whose residue is x, if there is one; where the program has no functions the prime
- * may hold fewer. */
-static bool get_rational(const struct points *p, fmpq *q, const fmpz *x)
+/* The rational of at most so many bits whose residue is x, if there is one.  The prime holds SMALL bits where the
+ * program has functions, else maybe fewer. */
+static bool get_rational(const struct points *p, fmpq *q, const fmpz *x, unsigned long bits)
 {
     fmpz_t most;
     fmpz_init(most);
-    fmpz_setbit(most, SMALL);
+    fmpz_setbit(most, bits);
     const int found = fmpq_reconstruct_fmpz_2(q, x, p->prime, most, most);
     fmpz_clear(most);
     return found;
@@ -149,13 +150,19 @@ bool points_equal(const struct points *x, int a, int b)
 }
 
 /* a / b if it is such a rational. */
-static bool get_factor(const struct points *x, int a, int b, fmpq *factor)
+static bool get_factor(const struct points *x, int a, int b, fmpq *factor, unsigned long bits)
 {
     fmpz_t c;
     fmpz_init(c);
-    const bool good = quotient(x, c, &x->value[0][a], &x->value[0][b]) && get_rational(x, factor, c);
+    const bool good = quotient(x, c, &x->value[0][a], &x->value[0][b]) && get_rational(x, factor, c, bits);
     fmpz_clear(c);
     return good;
+}
+
+bool points_factor(const struct points *x, int a, int b, fmpq *factor)
+{
+    const double spare = -CERTAIN - 1 - x->log2_failure;
+    return get_factor(x, a, b, factor, x->functions ? SMALL : spare > 0 ? (unsigned long)(spare / 2) : 0);
 }
 
 /* Values that are constant multiples of each other have the same ratio of the first point's to the second's. */
@@ -217,7 +224,7 @@ static bool get_constant(const struct field *e, fmpq *q, int op)
 {
     if (e->known[op])
         fmpq_set(q, &e->exact[op]);
-    return e->known[op] || (is_constant(e->points, op) && get_rational(e->points, q, &e->points->value[0][op]));
+    return e->known[op] || (is_constant(e->points, op) && get_rational(e->points, q, &e->points->value[0][op], SMALL));
 }
 
 /* False if the operands are not known constants. */
@@ -291,7 +298,7 @@ static void apply_abs(struct field *e, int a, int op)
     }
     fmpq_init(factor);
     const int first = find_ray(&e->sizes, x, a, op);
-    if (first != op && get_factor(x, a, e->program->op[first].a, factor)) {
+    if (first != op && get_factor(x, a, e->program->op[first].a, factor, SMALL)) {
         fmpq_abs(factor, factor);
         set_constant(e, op, factor);
         e->known[op] = false;
@@ -420,7 +427,8 @@ static bool evaluate(const struct program *p, struct points *x, int attempt, int
 
 struct points *points_new(const struct program *p, int *divisor)
 {
-    const double weight = log2_weight(p), bits = 64 * ceil((CERTAIN + 1 + weight) / 64);
+    bool functions;
+    const double weight = log2_weight(p, &functions), bits = 64 * ceil((CERTAIN + 1 + weight) / 64);
     *divisor = -1;
     if (!(bits <= MOST_BITS))
         return NULL;
@@ -428,6 +436,7 @@ struct points *points_new(const struct program *p, int *divisor)
     x->ops = p->ops;
     x->bits = (unsigned long)bits;
     x->log2_failure = weight - (bits - 1);
+    x->functions = functions;
     fmpz_init(x->prime);
     for (int point = 0; point < 2; point++)
         x->value[point] = _fmpz_vec_init((slong)p->ops);

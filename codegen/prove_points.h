@@ -10,6 +10,7 @@ struct points {
     size_t ops;
     unsigned long bits;  /* of the prime */
     double log2_failure; /* log2 of the chance that two operations of different value look equal */
+    bool functions;      /* the program has any; the prime then tells larger rationals */
 };
 
 /** Evaluates p.  Functions stand for new variables, one for each kind and arguments, but for what holds of them: those
@@ -21,6 +22,9 @@ void points_free(struct points *x);
 
 /** Whether two operations have the same value. */
 bool points_equal(const struct points *x, int a, int b);
+
+/** The ratio a / b, a constant, unless its numerator or denominator has more bits than can be told. */
+bool points_factor(const struct points *x, int a, int b, fmpq *factor);
 
 /** For each operation the first one that it is a constant multiple of, or -1 for constants.  Caller frees. */
 int *points_classes(const struct points *x);

@@ -204,7 +204,8 @@ static struct interval known_range(const struct region *r, const struct op *op)
 /* ---- twins ---- */
 
 /* Operations that are multiples of an earlier one, at least as far as is proved with all but certainty
- * (points_classes), with their exact ratios: those of their values at any point. */
+ * (points_classes), with their exact ratios: those of their values at any point; or where these are too long, of their
+ * residues. */
 static void find_twins(struct region *r)
 {
     const struct program *p = r->program;
@@ -214,6 +215,8 @@ static void find_twins(struct region *r)
     fmpq *input = new_array(p->inputs, sizeof *input), *value = new_array(p->ops, sizeof *value);
     bool *defined = new_array(p->ops, sizeof *defined);
     uint64_t seed = 1;
+    fmpq_t ratio;
+    fmpq_init(ratio);
     for (size_t i = 0; i < p->inputs; i++) {
         fmpq_init(&input[i]);
         fmpq_set_si(&input[i], (slong)(random_next(&seed) % 61) - 30, 8);
@@ -224,13 +227,18 @@ static void find_twins(struct region *r)
         point_rational(p, p->ops, input, value, defined);
     for (size_t i = 0; class && i < p->ops; i++) {
         const int twin = class[i];
-        if (twin < 0 || (size_t)twin >= i || !defined[i] || !defined[twin] || fmpq_is_zero(&value[i]))
+        if (twin < 0 || (size_t)twin >= i)
             continue;
-        fmpq_div(&value[i], &value[i], &value[twin]);
-        r->ratio[i] = interval_around(&value[i]);
+        if (defined[i] && defined[twin]) {
+            if (fmpq_is_zero(&value[i]))
+                continue;
+            fmpq_div(ratio, &value[i], &value[twin]);
+        } else if (!points_factor(points, (int)i, twin, ratio))
+            continue;
+        r->ratio[i] = interval_around(ratio);
         r->twin[i] = twin;
-        fmpq_mul(&value[i], &value[i], &value[twin]);
     }
+    fmpq_clear(ratio);
     for (size_t i = 0; i < p->inputs; i++)
         fmpq_clear(&input[i]);
     for (size_t i = 0; i < p->ops; i++)

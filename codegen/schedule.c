@@ -22,6 +22,7 @@ static void order_nodes(struct schedule *s)
     for (size_t o = 0; o < g->outputs; o++) {
         size_t depth = 0;
         s->uses[g->output[o].node]++;
+        s->alone[g->output[o].node]++;
         if (seen[g->output[o].node])
             continue;
         stack[depth++] = (struct frame){g->output[o].node, 0};
@@ -36,6 +37,7 @@ static void order_nodes(struct schedule *s)
             }
             const int k = n->edge[top->edge++].node;
             s->uses[k]++;
+            s->alone[k] += n->kind != NODE_PRODUCT;
             if (!seen[k]) {
                 seen[k] = true;
                 stack[depth++] = (struct frame){k, 0};
@@ -85,8 +87,8 @@ rational schedule_coefficient(const struct schedule *s, int n, size_t i)
 
 bool schedule_has_numerator(const struct schedule *s, int n)
 {
-    const int uses = s->uses[n];
-    return s->dag->node[n].kind == NODE_INVERSE && uses > 1 && (uses - 1) * s->model->div >= uses * s->model->mul;
+    const int uses = s->uses[n], products = uses - s->alone[n];
+    return s->dag->node[n].kind == NODE_INVERSE && uses > 1 && (uses - 1) * s->model->div >= products * s->model->mul;
 }
 
 static int compare_addends(const void *a, const void *b)
@@ -154,6 +156,7 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     s->model = model;
     s->order = new_array(g->nodes, sizeof *s->order);
     s->uses = new_array(g->nodes, sizeof *s->uses);
+    s->alone = new_array(g->nodes, sizeof *s->alone);
     s->stage = new_array(g->nodes, sizeof *s->stage);
     s->scale = new_array(g->nodes, sizeof *s->scale);
     for (size_t n = 0; n < g->nodes; n++) {
@@ -180,6 +183,7 @@ void schedule_free(struct schedule *s)
     free(s->scale);
     free(s->order);
     free(s->uses);
+    free(s->alone);
     free(s->stage);
     free(s);
 }

@@ -19,6 +19,7 @@ struct schedule {
     size_t n;
     int *stage;               /* owned: by node; even for arithmetic, odd for choices, no operand's is higher */
     int *uses;                /* owned: by node, how many operands and outputs name it */
+    int *alone;               /* owned: by node, how many of these are no factor of a product */
     rational *scale;          /* owned: by node; the emitted value is scale * the node's value */
     struct shared_term *term; /* owned: hash table, a power of 2 of places */
     size_t terms;

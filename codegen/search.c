@@ -3,6 +3,7 @@
  * that the result does not depend on the machine. */
 #include "search.h"
 
+#include "absorb.h"
 #include "balance.h"
 #include "distribute.h"
 #include "horner.h"
@@ -35,6 +36,7 @@ static const double HOT = 0.5;  /* multiplications by which annealing may go up 
 struct shape {
     struct dag *dag; /* owned */
     double behind;   /* given up if it costs so many times the first one */
+    bool open;       /* it was multiplied out at no great expense */
     const char *what;
 };
 
@@ -94,7 +96,7 @@ void search_add(struct search *s, struct dag *g, double behind, const char *what
     grow_array(&s->shape, s->shapes, &s->shape_room, sizeof *s->shape);
     if (s->shapes == 0)
         s->most_degree = dag_degree(g) > s->least_degree ? dag_degree(g) : s->least_degree;
-    s->shape[s->shapes++] = (struct shape){g, behind, what};
+    s->shape[s->shapes++] = (struct shape){.dag = g, .behind = behind, .what = what};
 }
 
 const struct dag *search_first(const struct search *s)
@@ -191,6 +193,9 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     step(s, &g, horner_factor(g, p, record), "Horner");
     s->removing = dag_removed(g);
     s->degree = dag_degree(g);
+    struct dag *absorbed = p->absorb ? absorb_coefficients(g) : NULL;
+    if (absorbed)
+        step(s, &g, absorbed, "coefficients absorbed");
     count_dear(s, (double)share_pairs(g));
     if (s->explaining)
         explain_graph(s->options->explain, "sharing", g);
@@ -323,6 +328,7 @@ static void try_first(struct search *s)
                 continue;
             try_policy(s, i, &p);
             dear |= s->work - before > s->limit / 20;
+            s->shape[i].open |= p.dissolve > 0 && !dear;
         }
         for (int attempt = 0; attempt < RANDOM_TRIES && s->work < s->limit / 2 * (double)(i + 1) / (double)s->shapes;
              attempt++) {
@@ -385,6 +391,17 @@ static void anneal(struct search *s, struct candidate *best, double hot, double 
     record_clear(&next);
 }
 
+/* Once more multiplied out, the outputs' coefficients absorbed.  It comes last and is no start for the others, so that
+ * it leaves no trace where it does not win. */
+static void try_absorbing(struct search *s)
+{
+    for (size_t i = 0; i < s->shapes; i++) {
+        struct candidate c = {.shape = i, .policy = {.plain = true, .dissolve = 1, .absorb = true}};
+        if (s->shape[i].open)
+            evaluate(s, &c, NULL, HUGE_VAL);
+    }
+}
+
 /* How the result came about: the winner's passes once more. */
 static void explain(struct search *s)
 {
@@ -413,6 +430,7 @@ size_t search_run(struct search *s, struct emission *e)
             best = i;
     if (s->n > 0 && s->work < s->limit)
         anneal(s, &s->beam[best], HOT, s->limit);
+    try_absorbing(s);
     if (s->options->explain && s->best.text)
         explain(s);
     *e = s->best;

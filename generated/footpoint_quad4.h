@@ -184,7 +184,7 @@
  *   poles: t45 * t48 - t43 * t43: proved free of zeros, |...| >= 0.00021
  *   poles: t57 * t60 - t55 * t55: proved free of zeros, |...| >= 0.00021
  *   poles: t69 * t72 - t67 * t67: proved free of zeros, |...| >= 0.00021
- *   poles: t81 * t84 - t79 * t79: undecided
+ *   poles: t81 * t84 - t79 * t79: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 9.9e-14 worst of 10000 points
  *   rounding error of eta: no bound found, 1.2e-13 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding

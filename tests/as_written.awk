@@ -1,6 +1,6 @@
 # The genomes of evolve/genomes as C functions that compute each value as the genome writes it: one statement for each
 # `let`, in its order and association, for the compiler to simplify.  Genome fast of quad4.gen becomes
-# written_quad4_fast(xA, xB, xC, xD, xS, &xi, &eta).
+# written_quad4_fast(xA, xB, xC, xD, xS, &xi, &eta).  Files of other inputs than those are left out.
 function expression(    op, a, b) {
     op = token[++at]
     if (op ~ /^[-+*\/]$/) {
@@ -41,7 +41,13 @@ FNR == 1 {
     sub(/\.gen$/, "", file)
     gsub(/-/, "_", file)
     lets = ""
+    other = 0
 }
+$1 == "input" {
+    for (i = 2; i <= NF; i++)
+        other = other || $i !~ /^[xyz][ABCDS]$/
+}
+other { next }
 $1 == "let" { name = $2; lets = lets "    const double " name " = " tokens(4) ";\n"; next }
 $1 == "genome" {
     printf "FOOTPOINT_FN void written_%s_%s(const double xA[3], const double xB[3], const double xC[3],\n" \

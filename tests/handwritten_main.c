@@ -61,7 +61,7 @@ struct search {
     M(blocks_quad4_medium, hand_medium)                                                                                \
     M(blocks_quad4_balanced, hand_balanced)                                                                            \
     M(blocks_quad4_fine, hand_fine)                                                                                    \
-    M(blocks_quad4_accurate, hand_accurate)                                                                            \
+    M(blocks_quad4_accurate, hand_precise)                                                                             \
     M(paper_quad4_gauss, hand_paper_gauss)                                                                             \
     M(paper_quad4_fast, written_paper_quad4_fast)                                                                      \
     M(paper_quad4_taper, hand_paper_taper)                                                                             \
@@ -80,7 +80,7 @@ struct search {
     M(punch_quad4_medium, hand_medium)                                                                                 \
     M(punch_quad4_balanced, hand_balanced)                                                                             \
     M(punch_quad4_fine, hand_fine)                                                                                     \
-    M(punch_quad4_accurate, hand_accurate)                                                                             \
+    M(punch_quad4_accurate, hand_precise)                                                                              \
     M(quad4_fast, hand_fast)                                                                                           \
     M(quad4_coarse, hand_coarse)                                                                                       \
     M(quad4_gauss2, hand_gauss2)                                                                                       \
