@@ -14,7 +14,7 @@
  * corners: any (as the mesh has them)
  *
  * footpoint_paper_gregory_facet
- *   genome_sha256: 4624f343d086db78e516d3ae06a4fb0485a88fbea151cfcaac6c600bd9aaed30
+ *   genome_sha256: dd6866670565118f81d87d60e1e1e8bf90b24cb16a7c3afdf18a71982a5562bc
  *   operations: 49 mul, 1 div, 52 add, 0 sqrt, 13 compare; 56 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
@@ -36,7 +36,7 @@
  *   heldout_random_eta: n 28409 mean 3.014e-02 p99 2.822e-01 max 9.080e-01
  *
  * footpoint_paper_gregory_smooth
- *   genome_sha256: ed6285285193d2c2fc4e90c52498109a0fa5ccdbc1cd22aa7b0e93495cddf04a
+ *   genome_sha256: 3e9794031c836bb5bbbf3febf23b76a71f0d6ddb17d233e05b57ffb2b91af314
  *   operations: 202 mul, 2 div, 159 add, 0 sqrt, 13 compare; 136 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
@@ -59,7 +59,7 @@
  *   heldout_random_eta: n 28409 mean 2.082e-02 p99 2.870e-01 max 9.061e-01
  *
  * footpoint_paper_gregory_weighted
- *   genome_sha256: 2af07afd43b3b8214cb9d610e236206c79c4d0263e0cbdfec18abad731409728
+ *   genome_sha256: a477c4273bd7b1e0c07320d18ad7681d7dc219b49ba847ff327073b9c9e2cc09
  *   operations: 406 mul, 3 div, 295 add, 0 sqrt, 18 compare; 237 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
@@ -83,7 +83,7 @@
  *   heldout_random_eta: n 28409 mean 5.893e-03 p99 1.027e-01 max 9.080e-01
  *
  * footpoint_paper_gregory_precise
- *   genome_sha256: 5477e418e72bf0045880cac9ce97845418d736f0b8bf93a9d76b8990e762433e
+ *   genome_sha256: 449e377dec40f18b52fed1bb6b7e3d8bfa6ab543b90b60eb8eec42e684df4ad6
  *   operations: 631 mul, 15 div, 459 add, 0 sqrt, 27 compare; 347 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],

@@ -175,7 +175,8 @@ FOOTPOINT_FN void verify(struct block *b, size_t count)
     for (size_t i = 0; i < count; i++) {
         NODES_OF(b, b->xi, 0, i);
         const int64_t sure = footpoint_check(xA, xB, xC, xD, xS, b->xi[i], b->eta[i]);
-        b->status[i] = (b->status[i] == FOOTPOINT_OK) & !sure ? FOOTPOINT_ERR_DOMAIN : b->status[i];
+        const int doubtful = (b->status[i] == FOOTPOINT_OK) & !sure;
+        b->status[i] = doubtful ? FOOTPOINT_ERR_DOMAIN : b->status[i];
     }
 }
 
