@@ -105,6 +105,17 @@ static void append(char **data, size_t *size, const void *more, size_t n)
     *size += n;
 }
 
+static void append_faces(char **data, size_t *size, const struct mesh_face *face, size_t faces)
+{
+    int *node = new_array(faces * (sizeof face->node / sizeof *face->node), sizeof *node);
+    size_t n = 0;
+    for (size_t i = 0; i < faces; i++)
+        for (int k = 0; k < face[i].nodes; k++)
+            node[n++] = face[i].node[k];
+    append(data, size, node, n * sizeof *node);
+    free(node);
+}
+
 /* What the mesh contributes to the scene's digest: its nodes and contact pairs, whatever files they stand in. */
 static bool read_mesh_content(const char *path, char **data, size_t *size, struct diag *d)
 {
@@ -114,7 +125,7 @@ static bool read_mesh_content(const char *path, char **data, size_t *size, struc
     append(data, size, m->xyz, m->nodes * sizeof *m->xyz);
     for (size_t i = 0; i < m->pairs; i++) {
         append(data, size, m->pair[i].slave, m->pair[i].slaves * sizeof *m->pair[i].slave);
-        append(data, size, m->pair[i].master, m->pair[i].masters * sizeof *m->pair[i].master);
+        append_faces(data, size, m->pair[i].master, m->pair[i].masters);
     }
     mesh_free(m);
     return true;

@@ -57,7 +57,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.94, 6.02],
  *     yC in [0.08, 10.21], zC in [-0.01, 0.01], xD in [-5.06, 6.04], yD in [0.08, 10.20], zD = 0.00,
  *     xS in [-4.91, 5.42], yS in [-0.78, 9.32], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t32: proved free of zeros, |t32| >= 1.1e-08 (rounding error <= 4.4e+03)
+ *   poles: t32: proved free of zeros, |t32| >= 1.7e-08 (rounding error <= 4.4e+03)
  *   rounding error of xi: no bound found, 3.9e-11 worst of 10000 points
  *   rounding error of eta: no bound found, 3.8e-12 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding

@@ -142,7 +142,7 @@
  *   poles: 0.5 * (t13 * t13 - t11 * t14): proved free of zeros, |...| >= 0.0016 (rounding error <= 4.7e-12)
  *   poles: t86 * t88 - t85 * t85: proved free of zeros, |...| >= 0.0003 (rounding error <= 3.3e+80)
  *   poles: t134 * t137 + t136 * t136: proved free of zeros, |...| >= 0.00024
- *   poles: t184 * t187 + 0.5 * t186 * t186: undecided
+ *   poles: t184 * t187 + 0.5 * t186 * t186: proved free of zeros, |...| >= 7.7e-05
  *   rounding error of xi: no bound found, 2.3e-08 worst of 6884 points
  *   rounding error of eta: no bound found, 4.9e-08 worst of 6884 points
  *   found_xi: seed 1 generations 0 islands 2
