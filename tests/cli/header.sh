@@ -4,7 +4,7 @@
 CC=${CC:-gcc} CXX=${CXX:-g++}
 strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -O2'
 
-# nodes KIND: numbers of the nodes below, S last
+# nodes KIND: numbers of the nodes and normals below, S last
 nodes() {
     case $1 in
     quad4) echo 0 1 2 3 9 ;;
@@ -12,6 +12,7 @@ nodes() {
     tri6) echo 0 1 3 4 10 7 9 ;;
     quad8) echo 0 1 2 3 4 5 6 7 9 ;;
     quad9) echo 0 1 2 3 4 5 6 7 8 9 ;;
+    gregory) echo 0 1 2 3 11 11 11 11 9 ;;
     esac
 }
 for header in generated/*.h; do
@@ -27,8 +28,8 @@ for header in generated/*.h; do
         echo "#include \"$name\""
         echo 'int main(void)'
         echo '{'
-        echo '    const double n[11][3] = {{0, 0, 0}, {1, 0, 0}, {1.1, 1, 0}, {0, 0.9, 0.05}, {0.5, 0, 0}, {1.05, 0.5, 0}, {0.55, 0.95, 0.025},'
-        echo '                             {0, 0.45, 0.025}, {0.525, 0.475, 0.0125}, {0.2, 0.25, 0.01}, {0.5, 0.45, 0.025}};'
+        echo '    const double n[12][3] = {{0, 0, 0}, {1, 0, 0}, {1.1, 1, 0}, {0, 0.9, 0.05}, {0.5, 0, 0}, {1.05, 0.5, 0}, {0.55, 0.95, 0.025},'
+        echo '                             {0, 0.45, 0.025}, {0.525, 0.475, 0.0125}, {0.2, 0.25, 0.01}, {0.5, 0.45, 0.025}, {0, 0, 1}};'
         echo '    double loc[2] = {7, 7}, gap = 7;'
         for f in $functions; do
             echo "    if ($f($arguments, loc, &gap) != FOOTPOINT_OK || !(loc[0] > $least && loc[0] < $most && loc[1] > $least && loc[1] < $most))"
