@@ -175,7 +175,7 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
             set_inside(f, loc[k], &c[k]);
         else
             nearest_of_edge(f, k - inside, &c[k]);
-        nearest = fmin(nearest, c[k].square);
+        nearest = c[k].square < nearest ? c[k].square : nearest;
     }
     for (int k = 0; k < all; k++) {
         if (sqrt(c[k].square) > sqrt(nearest) + CONTENDER * (f->m + f->s))
@@ -201,7 +201,8 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
         vector_sub(c[k].d, c[best].d, apart);
         if (c[k].least && bilinear_largest(apart) > SAME_POINT * f->m && sqrt(c[k].square) <= least + tie)
             return FOOTPOINT_NOT_UNIQUE;
-        c[best].certain |= c[k].certain && bilinear_largest(apart) <= SAME_POINT * f->m;
+        if (c[k].certain && bilinear_largest(apart) <= SAME_POINT * f->m)
+            c[best].certain = 1;
     }
     return !c[best].certain || !c[best].least ? FOOTPOINT_NOT_UNIQUE : c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
 }
