@@ -10,7 +10,7 @@ struct plan plan_default(void)
                          .migrants = 20,
                          .prices = {.add = 1, .div = 8},
                          .parsimony = 0.005,
-                         .front_limit = 1024,
+                         .front_limit = 512,
                          .front_parents = 0.3,
                          .crowd = 10,
                          .fit = 0.9,
