@@ -167,6 +167,7 @@ static void print_output(struct emitter *e, size_t o)
     char head[100];
     char *text = coef == ONE ? phrase_whole(&e->text[v->node], &level) : phrase_scaled(e, size, &e->text[v->node]);
     char *value = new_joined(negative ? "-" : "", text, "");
+    e->out->negations += negative;
     snprintf(head, sizeof head, "*%s%s = ", e->file->segment ? "" : "out_", e->s->dag->output_name[o]);
     write_statement(e, head, value);
     free(text);

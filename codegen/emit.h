@@ -16,6 +16,7 @@ struct operations {
 struct emission {
     char *text; /* owned: indented lines, the last ones set *out_... (segment: *xi, *eta) */
     struct operations ops;
+    long negations;    /* leading minus signs, which are no operations but take time */
     bool out_of_range; /* a constant factor is no normal double, or its quotient's parts are none */
 };
 

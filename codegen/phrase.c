@@ -172,8 +172,10 @@ void phrase_sum(struct emitter *e, int n, struct phrase *t)
         if (all.size > 0) {
             growing_add(&all, is_negative(term[i]) ? " - " : " + ");
             e->out->ops.add++;
-        } else if (is_negative(term[i]))
+        } else if (is_negative(term[i])) {
             growing_add(&all, "-");
+            e->out->negations++;
+        }
         growing_add(&all, group);
         free(group);
     }
@@ -242,6 +244,7 @@ static char *operand_name(struct emitter *e, int n, size_t i)
         return new_joined(t->num, "", "");
     char *product = phrase_scaled(e, rational_abs(coef), t);
     char *value = new_joined(rational_sign(coef) < 0 ? "-" : "", product, "");
+    e->out->negations += rational_sign(coef) < 0;
     emitter_name(e, 'u', ++e->helpers, value, name);
     free(product);
     free(value);

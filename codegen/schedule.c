@@ -1,7 +1,9 @@
-/* Order: depth first from the outputs, but everything that no choice (min, max, protected quotient) decides before the
- * first choice, then those choices, then everything that they alone decide, and so on.  So arithmetic stands in long
- * runs, and the two choices of a clamp beside each other: compilers make jumps of choices, and what stands between two
- * jumps is neither reordered nor, once they are masks of a loop, free of them.  The scales are chosen in scales.c. */
+/* Order: everything that no choice (min, max, protected quotient) decides before the first choice, then those choices,
+ * then everything that they alone decide, and so on.  So arithmetic stands in long runs, and the two choices of a clamp
+ * beside each other: compilers make jumps of choices, and what stands between two jumps is neither reordered nor, once
+ * they are masks of a loop, free of them.  Inside such a stage what the longest chain to an output waits for comes
+ * first: processors look only so far ahead, and compilers keep the order.  Like chains, as those of x, y and z, so run
+ * side by side.  The scales are chosen in scales.c. */
 #include "schedule.h"
 
 #include "scales.h"
@@ -77,6 +79,68 @@ static void order_stages(struct schedule *s)
     free(next);
     free(s->order);
     s->order = order;
+}
+
+/* Time from when operand i of node n is ready until the node is, as the text of c's operations chains them. */
+static double find_delay(const struct node *n, size_t i, const struct cost_model *c)
+{
+    const struct edge *e = &n->edge[i];
+    const size_t last = n->edges - (i > 1 ? i : 1);
+    switch (n->kind) {
+    case NODE_SUM:
+        return (double)last * c->add + (e->coef == ONE || e->coef == MINUS_ONE ? 0 : c->mul);
+    case NODE_PRODUCT:
+        return (double)(last + (size_t)(e->power > 1)) * c->mul;
+    case NODE_INVERSE:
+        return c->div;
+    case NODE_PDIV:
+        return c->compare + c->div;
+    case NODE_SQRT:
+        return c->sqrt;
+    default:
+        return c->compare;
+    }
+}
+
+struct place {
+    int node, stage;
+    double wait; /* longest chain from the node to an output */
+    size_t before;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct place *x = a, *y = b;
+    if (x->stage != y->stage)
+        return x->stage < y->stage ? -1 : 1;
+    if (x->wait != y->wait)
+        return x->wait > y->wait ? -1 : 1;
+    return (x->before > y->before) - (x->before < y->before);
+}
+
+/* Sorts each stage by the chains that wait; no node waits for longer than its operands, and as before if as long. */
+static void order_urgent(struct schedule *s)
+{
+    struct cost_model latency;
+    struct diag d;
+    struct place *place = new_array(s->n, sizeof *place);
+    double *wait = new_array(s->dag->nodes, sizeof *wait);
+    cost_model_find("latency", &latency, &d);
+    for (size_t k = s->n; k-- > 0;) {
+        const int n = s->order[k];
+        const struct node *node = &s->dag->node[n];
+        for (size_t i = 0; i < node->edges; i++) {
+            double *of = &wait[node->edge[i].node];
+            const double time = wait[n] + find_delay(node, i, &latency);
+            *of = time > *of ? time : *of;
+        }
+        place[k] = (struct place){n, s->stage[n], wait[n], k};
+    }
+    qsort(place, s->n, sizeof *place, compare_places);
+    for (size_t k = 0; k < s->n; k++)
+        s->order[k] = place[k].node;
+    free(place);
+    free(wait);
 }
 
 rational schedule_coefficient(const struct schedule *s, int n, size_t i)
@@ -167,6 +231,7 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     order_stages(s);
     if (search)
         s->work = scales_improve(s);
+    order_urgent(s);
     for (s->terms = 16; s->terms < 2 * edges; s->terms *= 2)
         ;
     s->term = new_array(s->terms, sizeof *s->term);

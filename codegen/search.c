@@ -220,7 +220,9 @@ static double emit(struct search *s, const struct dag *g, const struct candidate
     schedule_free(schedule);
     const double sum = operations_cost(&e.ops, &s->options->cost);
     const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
-    if (!s->best.text || cost < s->least - 1e-9 || (cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul)) {
+    const bool tie = s->best.text && cost < s->least + 1e-9 && e.ops.mul == s->best.ops.mul;
+    if (!s->best.text || cost < s->least - 1e-9 || (cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul) ||
+        (tie && e.negations < s->best.negations)) {
         free(s->best.text);
         s->best = e;
         s->least = cost;
