@@ -98,6 +98,8 @@ FC := gfortran
 endif
 MODULE := $(if $(findstring gfortran,$(FC)),$(if $(shell command -v $(FC)),$(BIN)/footpoint.mod))
 GENERATED := $(sort $(wildcard generated/*.h))
+# Those in double, which the bench and its tests call.
+DOUBLES := $(if $(GENERATED),$(shell grep -l '^ . precision: double' $(GENERATED)))
 
 all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
@@ -154,13 +156,13 @@ $(OBJ)/pic/%.o: %.c $(OBJ)/flags
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -fPIC -MMD -MP -c $< -o $@
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
-$(OBJ)/methods.h: $(GENERATED) Makefile
+$(OBJ)/methods.h: $(DOUBLES) Makefile
 	@mkdir -p $(@D)
-	$(Q)for h in $(GENERATED); do echo "#include \"$$PWD/$$h\""; done > $@
+	$(Q)for h in $(DOUBLES); do echo "#include \"$$PWD/$$h\""; done > $@
 
-$(OBJ)/methods.inc: $(GENERATED) tests/methods.awk Makefile
+$(OBJ)/methods.inc: $(DOUBLES) tests/methods.awk Makefile
 	@mkdir -p $(@D)
-	$(Q)awk -f tests/methods.awk $(GENERATED) > $@
+	$(Q)awk -f tests/methods.awk $(DOUBLES) > $@
 
 # The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.
 $(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
@@ -204,7 +206,13 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 	        $(if $(filter scratch,$(FROM)),--from-scratch) || exit $$?; \
 	    name=$$(basename $$scene .scene); \
 	    header=generated/footpoint_$$(echo $$name | tr - _).h; \
-	    $(BIN)/footpoint-codegen --allow-poles evolve/genomes/$$name.gen -o $$header || exit $$?; \
+	    genomes=evolve/genomes/$$name.gen samples=; \
+	    if grep -q '^note precision float' $$genomes; then \
+	        samples="--samples $(BIN)/$$name.samples"; \
+	        $(BIN)/footpoint-evolve --scene $$scene $$samples || exit $$?; \
+	    fi; \
+	    $(BIN)/footpoint-codegen --allow-poles $$samples $$genomes -o $$header || exit $$?; \
+	    rm -f $(BIN)/$$name.samples; \
 	    echo "$$header"; \
 	done
 

@@ -23,6 +23,20 @@ static void print_note(const char *indent, const char *key, const char *text, FI
     }
 }
 
+/* In the words of evolution's notes, which are about the genome in double. */
+static void print_measured(const struct measured *m, FILE *out)
+{
+    static const char *const output[] = {"xi", "eta"};
+    fprintf(out, " *   in float:\n");
+    for (int part = 0; part < MEASURE_PARTS; part++)
+        for (int k = 0; k < 2; k++) {
+            const struct measure_error *e = &m->error[part][k];
+            if (e->n > 0)
+                fprintf(out, " *   %s_%s: n %zu mean %.3e p99 %.3e max %.3e\n", measure_part[part], output[k], e->n,
+                        e->mean, e->p99, e->max);
+        }
+}
+
 static void print_function(const struct unit *u, const struct function *f, FILE *out)
 {
     const struct genome *g = f->genome;
@@ -40,11 +54,14 @@ static void print_function(const struct unit *u, const struct function *f, FILE 
     char proof[120];
     proof_print(&f->proof, proof);
     fprintf(out, " *   %s\n", proof);
+    if (f->measured)
+        print_measured(f->measured, out);
     if (u->options.precision == PRECISION_FLOAT)
         fprintf(out, " *   the same code in double:\n");
     evidence_print(f->evidence, u->file, g, f->program, out);
     for (size_t k = 0; k < g->notes; k++)
-        print_note("  ", g->note[k].key, g->note[k].text, out);
+        if (!f->measured || strncmp(g->note[k].key, "heldout", strlen("heldout")) != 0)
+            print_note("  ", g->note[k].key, g->note[k].text, out);
 }
 
 static void print_cost(const struct compile_options *o, FILE *out)
@@ -68,7 +85,8 @@ void banner_print(const struct unit *u, FILE *out)
     print_cost(&u->options.compile, out);
     fprintf(out, " * precision: %s\n", u->options.precision == PRECISION_FLOAT ? "float" : "double");
     for (size_t i = 0; i < f->notes; i++)
-        print_note("", f->note[i].key, f->note[i].text, out);
+        if (strcmp(f->note[i].key, "precision") != 0)
+            print_note("", f->note[i].key, f->note[i].text, out);
     if (f->segment)
         fprintf(out, " * corners: %s%s\n", corner_order_name(f->order),
                 f->order == CORNERS_ANY ? " (as the mesh has them)" : " (NAME_at assumes it; NAME arranges it)");

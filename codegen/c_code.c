@@ -66,8 +66,17 @@ static char *input_text(const struct genome_file *f, size_t k)
     return new_format("%s[%d]", vector, (int)(k % 3));
 }
 
+/* The same of coordinates that are relative to the segment: yA[2]; normals stay what they are. */
+static char *relative_text(const struct genome_file *f, size_t k)
+{
+    char *text = input_text(f, k);
+    if (f->segment && text[0] == 'x')
+        text[0] = 'y';
+    return text;
+}
+
 /* Both choices of a protected quotient are made before it divides: no branch is left. */
-#define DIALECT(suffix, constant_function)                                                                             \
+#define DIALECT(suffix, constant_function, input_function)                                                             \
     {                                                                                                                  \
         .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},                                                                       \
                [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},                                                                    \
@@ -81,11 +90,12 @@ static char *input_text(const struct genome_file *f, size_t k)
                [OP_PDIV] = {"(($b3 == 0.0" suffix " ? 1.0" suffix " : $a3) / ($b3 == 0.0" suffix " ? 1.0" suffix       \
                             " : $b3))",                                                                                \
                             LEVEL_NAME}},                                                                              \
-        .open = "(", .close = ")", .constant = constant_function, .input = input_text                                  \
+        .open = "(", .close = ")", .constant = constant_function, .input = input_function                              \
     }
 
-const struct dialect c_double = DIALECT("", double_constant);
-static const struct dialect c_float = DIALECT("f", float_constant);
+const struct dialect c_double = DIALECT("", double_constant, input_text);
+static const struct dialect c_float = DIALECT("f", float_constant, input_text),
+                            c_relative = DIALECT("f", float_constant, relative_text);
 
 struct target {
     const struct genome_file *file;
@@ -117,7 +127,10 @@ static struct printer *run_printer(const struct unit *u, const struct function *
 {
     const bool single = u->options.precision == PRECISION_FLOAT;
     struct target t = {u->file, out};
-    struct printer *r = printer_new(u->file, f->genome, f->program, single ? &c_float : &c_double);
+    struct printer *r = printer_new(u->file, f->genome, f->program,
+                                    !single     ? &c_double
+                                    : f->scaled ? &c_relative
+                                                : &c_float);
     printer_run(r, write, &t);
     return r;
 }

@@ -5,6 +5,7 @@
 #include "header.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static bool print_counts(const struct unit *u, struct diag *d)
 {
@@ -34,6 +35,21 @@ static bool write_code(const struct unit *u, const struct codegen_options *o, st
     return false;
 }
 
+/* What the genome file decides: the precision, unless it was given, and what samples look like. */
+static bool read_samples(const struct codegen_options *o, const struct genome_file *f, struct unit_options *unit,
+                         struct measure_samples *samples, struct diag *d)
+{
+    const char *precision = genome_find_note(f->note, f->notes, "precision");
+    if (!o->precision_given && precision && strcmp(precision, "float") == 0)
+        unit->precision = PRECISION_FLOAT;
+    if (!o->samples)
+        return true;
+    if (unit->precision != PRECISION_FLOAT || !f->segment || o->language != LANGUAGE_C)
+        return diag_at(d, f->path, 0, 0, "--samples are for C code of a segment in float");
+    unit->samples = samples;
+    return measure_read(o->samples, f, samples, d);
+}
+
 static bool run(const struct codegen_options *o, struct diag *d)
 {
     char sha256[65];
@@ -46,12 +62,16 @@ static bool run(const struct codegen_options *o, struct diag *d)
     free(text);
     if (!f)
         return false;
-    struct unit *u = unit_new(f, sha256, &o->unit, d);
-    bool good = u != NULL;
+    struct unit_options options = o->unit;
+    struct measure_samples samples = {0};
+    bool good = read_samples(o, f, &options, &samples, d);
+    struct unit *u = good ? unit_new(f, sha256, &options, d) : NULL;
+    good = u != NULL;
     if (u) {
         good = o->output ? write_code(u, o, d) : print_counts(u, d);
         unit_free(u);
     }
+    measure_samples_free(&samples);
     genome_file_free(f);
     return good;
 }

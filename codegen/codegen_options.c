@@ -13,7 +13,9 @@ static const char usage[] =
     "  -o, --output FILE     file to write; its name without .h (.f90) begins every function's name\n"
     "      --prefix NAME     begin the names with NAME instead\n"
     "      --language NAME   c (default); fortran: a module; infix, latex: a formula a line\n"
-    "      --precision NAME  double (default) or float\n"
+    "      --precision NAME  double or float (default: what the genomes' scene says, or double)\n"
+    "      --samples FILE    of footpoint-evolve --samples: float code of a segment is measured on them, takes\n"
+    "                        edges of any size, and gets NAME_sure, which checks answers for the worst error measured\n"
     "      --allow-poles     accept genomes that may divide by 0: functions of scalars then return a status\n"
     "      --count           operation counts to standard output\n"
     "\n"
@@ -62,7 +64,7 @@ static bool is_identifier(const char *name)
     return true;
 }
 
-enum { COUNT = 256, PREFIX, VERSION, LANGUAGE, PRECISION, POLES, COST, EFFORT, SEED, EXPLAIN };
+enum { COUNT = 256, PREFIX, VERSION, LANGUAGE, PRECISION, POLES, COST, EFFORT, SEED, EXPLAIN, SAMPLES };
 
 static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
                                              {"help", no_argument, NULL, 'h'},
@@ -71,6 +73,7 @@ static const struct option long_options[] = {{"output", required_argument, NULL,
                                              {"version", no_argument, NULL, VERSION},
                                              {"language", required_argument, NULL, LANGUAGE},
                                              {"precision", required_argument, NULL, PRECISION},
+                                             {"samples", required_argument, NULL, SAMPLES},
                                              {"allow-poles", no_argument, NULL, POLES},
                                              {"cost", required_argument, NULL, COST},
                                              {"effort", required_argument, NULL, EFFORT},
@@ -105,6 +108,10 @@ static bool read_option(int option, const char *argument, struct codegen_options
         if ((word = text_word(argument, precisions)) < 0)
             return refuse("unknown precision: ", argument, status);
         o->unit.precision = (enum precision)word;
+        o->precision_given = true;
+        return true;
+    case SAMPLES:
+        o->samples = argument;
         return true;
     case POLES:
         o->unit.allow_poles = true;

@@ -6,6 +6,7 @@
 #include "banner.h"
 #include "c_code.h"
 #include "header_search.h"
+#include "header_single.h"
 #include "text.h"
 
 #include <ctype.h>
@@ -133,10 +134,14 @@ void header_print(const struct unit *u, FILE *out)
             status || (u->file->segment ? search_hides_poles(&u->function[i]) : function_has_poles(&u->function[i]));
     print_banner(u, out);
     print_macros(u->options.prefix, out);
+    if (single_checks(u))
+        fputs("#ifndef FOOTPOINT_ERR_DOMAIN\n#define FOOTPOINT_ERR_DOMAIN 3\n#endif\n", out);
     if (status)
         print_flaw(precision, out);
     if (u->file->segment)
         search_print_helpers(u->file->segment, precision, out);
+    if (u->options.samples)
+        single_print_helpers(u->file->segment, single_checks(u), out);
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
         if (u->file->segment)

@@ -5,9 +5,11 @@
 #include "header_search.h"
 
 #include "c_code.h"
+#include "header_single.h"
 #include "text.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -124,7 +126,7 @@ static const char kind_gap[] =
 
 static const char *least_area(enum precision precision)
 {
-    return precision == PRECISION_FLOAT ? "1e-12f" : "1e-20";
+    return precision == PRECISION_FLOAT ? "1e-30f + 1e-9f" : "1e-20";
 }
 
 static void print_kind_helpers(const struct segment_kind *k, enum precision precision, FILE *out)
@@ -225,6 +227,13 @@ static void print_call(const struct unit *u, const char *before, const char *fun
     fprintf(out, ", %s);\n", last);
 }
 
+static void print_statements(const struct unit *u, const struct function *f, FILE *out)
+{
+    single_print_inputs(u, f, out);
+    c_print_statements(u, f, out);
+    c_print_unused(u, f, out);
+}
+
 /* NAME_at.  If it hides poles, its statements are in a function that returns a status, which NAME asks. */
 static void print_at(const struct unit *u, const struct function *f, bool hides, FILE *out)
 {
@@ -238,8 +247,7 @@ static void print_at(const struct unit *u, const struct function *f, bool hides,
         print_arguments(u->file->segment, head, "@R *xi, @R *eta", precision, out);
         free(head);
         fputs("{\n", out);
-        c_print_statements(u, f, out);
-        c_print_unused(u, f, out);
+        print_statements(u, f, out);
         c_print_status(u, f, out);
         fputs("}\n", out);
     }
@@ -251,10 +259,8 @@ static void print_at(const struct unit *u, const struct function *f, bool hides,
     fputs("{\n", out);
     if (hides)
         print_call(u, "(void)footpoint_detail_", f->name, "xi, eta", out);
-    else {
-        c_print_statements(u, f, out);
-        c_print_unused(u, f, out);
-    }
+    else
+        print_statements(u, f, out);
     fputs("}\n", out);
 }
 
@@ -334,6 +340,25 @@ static void print_checked(const struct unit *u, const struct function *f, bool h
     free(head);
 }
 
+/* NAME_sure: NAME, and whether its answer is as good as the banner says. */
+static void print_sure(const struct unit *u, const struct function *f, FILE *out)
+{
+    struct memory *m = memory_open();
+    print_vectors(u->file->segment, m->stream);
+    char *vectors = memory_close(m), *head = new_format("FOOTPOINT_FN int %s_sure", f->name);
+    char *worst = single_worst_name(f);
+    fprintf(out,
+            "\n/* Largest error of xi and eta on the samples held out. */\n#define %s %.3ef\n\n"
+            "/* As %s, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as\n"
+            " * that, and that no point of the segment is nearer to S. */\n",
+            worst, f->measured->worst, f->name);
+    print_arguments(u->file->segment, head, "@R loc[2], @R *gap", u->options.precision, out);
+    single_print_sure(f, vectors, out);
+    free(worst);
+    free(vectors);
+    free(head);
+}
+
 /* One vector of pair i from its columns, two declarations a line: "xA[3] = {x[0][i], x[1][i], x[2][i]}". */
 static void print_gathered(const struct unit *u, FILE *out)
 {
@@ -381,5 +406,7 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
     const bool hides = search_hides_poles(f);
     print_at(u, f, hides, out);
     print_checked(u, f, hides, out);
+    if (single_checks(u) && isfinite(f->measured->worst))
+        print_sure(u, f, out);
     print_loop(u, f, out);
 }

@@ -10,7 +10,7 @@ void search_print_helpers(const struct segment_kind *k, enum precision precision
 /** False if every zero of a denominator makes xi or eta infinite or NaN, which NAME notices by itself. */
 bool search_hides_poles(const struct function *f);
 
-/** NAME_at, NAME and NAME_n. */
+/** NAME_at, NAME and NAME_n; in float, where there were samples, NAME_sure. */
 void search_print(const struct unit *u, const struct function *f, FILE *out);
 
 #endif

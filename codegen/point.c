@@ -27,6 +27,16 @@ double double_nearest(const fmpq *q)
     return d;
 }
 
+float single_nearest(const fmpq *q)
+{
+    mpfr_t x;
+    mpfr_init2(x, 24);
+    fmpq_get_mpfr(x, q, MPFR_RNDN);
+    const float single = mpfr_get_flt(x, MPFR_RNDN);
+    mpfr_clear(x);
+    return single;
+}
+
 static double nearest_integer(const fmpz *z)
 {
     fmpq_t q;

@@ -30,6 +30,7 @@ bool point_exact(const struct program *p, const double *input, arb_ptr output);
 void point_rational(const struct program *p, size_t ops, const fmpq *input, fmpq *value, bool *defined);
 
 double double_nearest(const fmpq *q);
+float single_nearest(const fmpq *q);
 
 /** A double, exactly. */
 void double_rational(fmpq *q, double x);

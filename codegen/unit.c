@@ -1,6 +1,7 @@
 /* From genomes to proved functions; see unit.h. */
 #include "unit.h"
 
+#include "single.h"
 #include "text.h"
 
 #include <float.h>
@@ -41,12 +42,12 @@ bool *function_reads(const struct function *f)
     return reads;
 }
 
-/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at. */
+/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at and NAME_sure. */
 static bool check_names(const struct genome_file *f, struct diag *d)
 {
-    static const char *const suffix[] = {"_n", "_points", "_at"};
+    static const char *const suffix[] = {"_n", "_points", "_at", "_sure"};
     for (size_t k = 0; k < f->genomes; k++)
-        for (size_t s = 0; s < (f->segment ? 3 : 2); s++) {
+        for (size_t s = 0; s < (f->segment ? 4 : 2); s++) {
             const char *name = f->genome[k].name;
             const size_t n = strlen(name), tail = strlen(suffix[s]);
             for (size_t i = 0; n > tail && strcmp(name + n - tail, suffix[s]) == 0 && i < f->genomes; i++)
@@ -120,6 +121,11 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     if (function->evidence->empty)
         return diag_at(d, f->path, f->require[0].line, 1, "no inputs in the ranges have all requires > 0");
     hash_genome(f, k, function->sha256);
+    function->scaled = o->samples && single_is_relative(f->segment, function->program);
+    if (o->samples) {
+        function->measured = new_array(1, sizeof *function->measured);
+        *function->measured = measure_program(f, function->program, function->scaled, o->samples);
+    }
     return o->allow_poles || check_poles(f, function, d);
 }
 
@@ -145,6 +151,7 @@ void unit_free(struct unit *u)
         struct function *f = &u->function[k];
         free(f->name);
         free(f->code.emission.text);
+        free(f->measured);
         if (f->program)
             program_free(f->program);
         if (f->evidence)

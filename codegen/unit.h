@@ -4,6 +4,7 @@
 
 #include "compile.h"
 #include "evidence.h"
+#include "measure.h"
 #include "prove.h"
 
 enum precision { PRECISION_DOUBLE, PRECISION_FLOAT };
@@ -16,14 +17,18 @@ struct function {
     struct program *program;     /* owned: the text read back */
     struct proof proof;          /* that the program equals the genome */
     struct evidence *evidence;   /* owned; NULL: not asked for */
-    char sha256[65];             /* of the genome alone, as genome_print would print it */
+    bool scaled; /* computes with coordinates relative to the segment: there were samples, and neither place
+                  * nor size matters */
+    struct measured *measured; /* owned: errors of the float code; NULL: there were no samples */
+    char sha256[65];           /* of the genome alone, as genome_print would print it */
 };
 
 struct unit_options {
     const char *prefix; /* not owned: begins every name */
     enum precision precision;
-    bool allow_poles; /* functions may divide by 0, and have a status then */
-    bool evidence;    /* find poles and error bounds */
+    bool allow_poles;                      /* functions may divide by 0, and have a status then */
+    bool evidence;                         /* find poles and error bounds */
+    const struct measure_samples *samples; /* not owned: to measure float code on; NULL: there are none */
     struct compile_options compile;
 };
 

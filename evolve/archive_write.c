@@ -72,6 +72,8 @@ static void add_file_notes(struct genome_file *f, const struct scene *s)
     NOTE("footpoint", "%s", FOOTPOINT_VERSION);
     NOTE("scene", "%s", s->name);
     NOTE("scene_sha256", "%s", s->sha256);
+    if (strcmp(s->precision, "double") != 0)
+        NOTE("precision", "%s", s->precision);
     note_range(f, s);
     NOTE("frames", "%s", frames);
     NOTE("reference", "xi %s eta %s", reference[0], reference[1]);

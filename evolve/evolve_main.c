@@ -3,6 +3,7 @@
  * Each output of each tier has a ring of islands. */
 #include "evolve_benchmark.h"
 #include "evolve_run.h"
+#include "sample_write.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -38,7 +39,10 @@ int main(int argc, char **argv)
     stop_listen();
     struct team team = team_new(MPI_COMM_WORLD);
     if (evolve_options_read(argc, argv, &o, &d)) {
-        if (o.action == ACTION_EVOLVE)
+        if (o.action == ACTION_EVOLVE && o.samples) {
+            if (team.rank == 0)
+                samples_write(o.root, o.scene, o.samples, &d);
+        } else if (o.action == ACTION_EVOLVE)
             evolve(argc, argv, &o, &team, &status, &d);
         else if (team.rank == 0 && o.action == ACTION_BENCHMARK)
             evolve_benchmark(stdout);

@@ -48,6 +48,7 @@ static const struct entry {
              {"from-scratch", FLAG, PASSING, AT(from_scratch), 0, 0, NULL},
              {"output", TEXT, KEPT, AT(output), 0, 0, NULL},
              {"seeds", TEXT, PASSING, AT(seeds), 0, 0, NULL},
+             {"samples", TEXT, PASSING, AT(samples), 0, 0, NULL},
              {"front", TEXT, KEPT, AT(front), 0, 0, NULL},
              {"generations", WHOLE, KEPT, AT(generations), 0, 100000000, NULL},
              {"seed", SEED, FIXED, AT(seed), 0, 0, NULL},
@@ -226,7 +227,7 @@ static bool consistent(const struct evolve_options *o, const bool given[ENTRIES]
 {
     if (!o->scene)
         return usage(d, "--scene is missing%s%s", "", "; see --help");
-    if (!exclude(given, "start", "from-scratch", d) || !exclude(given, "resume", "start", d) ||
+    if (!exclude(given, "start", "from-scratch", d) || !exclude(given, "resume", "samples", d) || !exclude(given, "resume", "start", d) ||
         !exclude(given, "resume", "from-scratch", d) || !exclude(given, "resume", "seeds", d))
         return false;
     if (given[find_entry("checkpoint-every")] && !o->checkpoint)

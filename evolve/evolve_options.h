@@ -14,7 +14,7 @@ struct evolve_options {
     enum action action;
     const char *scene, *root, *start, *output; /* not owned, as are all texts; NULL: not given */
     const char *checkpoint, *resume, *log;
-    const char *seeds, *front;
+    const char *seeds, *front, *samples;
     bool from_scratch, quiet;
     uint64_t seed;
     size_t generations, islands, population, migrate_every, log_every;

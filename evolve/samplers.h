@@ -18,6 +18,10 @@ bool patches_samples(const struct scene *scene, enum sample_part part, struct sa
  *  point of the box is nearer. */
 bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct sample *s);
 
+/** Round the coordinates of samples `first` and on to float, and find their foot points anew.  Those leave that have
+ *  none in the scene's box any more, but for rounding. */
+void samples_round(const struct scene *scene, struct sample_set *set, size_t first);
+
 /** Renumber the corners as the order says, and the foot point with them: A becomes the corner nearest to the slave
  *  node (the first of equals), for CORNERS_NEAREST_SHORTER with |AD| <= |AB|, which may exchange xi and eta and so turn
  *  the normal. */

@@ -44,7 +44,7 @@ static bool read_scene(const struct scene_reader *r, config_setting_t *root, str
                                            "seed",    "training", "heldout", NULL};
     static const char *const optional[] = {"reference", "frame", "tiers", "lattice", "shapes", "mesh", NULL};
     static const char *const order[] = {"any", "nearest", "nearest-shorter"};
-    static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double"};
+    static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
     long long training, heldout, seed;
     int which;
     if (!keys_check(r, root, "scene", required, optional) ||
@@ -59,8 +59,11 @@ static bool read_scene(const struct scene_reader *r, config_setting_t *root, str
         !key_word(r, config_setting_get_member(root, "norm"), "norm", norm, 3, &which))
         return false;
     scene->norm = (enum scene_norm)which;
-    if (!key_word(r, config_setting_get_member(root, "precision"), "precision", precision, 1, &which))
+    if (!key_word(r, config_setting_get_member(root, "precision"), "precision", precision, 2, &which))
         return false;
+    if (which == 1 && *scene->segment->normals)
+        return key_fail(r, config_setting_get_member(root, "precision"),
+                        "'precision' must be \"double\" for segment '%s'", scene->segment->name);
     scene->precision = new_text(precision[which], strlen(precision[which]));
     if (!key_count(r, config_setting_get_member(root, "seed"), "seed", 0, LLONG_MAX, &seed) ||
         !key_count(r, config_setting_get_member(root, "training"), "training", 1, 100000000, &training) ||
@@ -186,7 +189,7 @@ void scene_box(const struct scene *s, double lo[2], double hi[2])
     hi[1] = lattice ? s->lattice.eta[1] : reach;
 }
 
-bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
+static bool draw_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     if (*s->segment->normals)
         return patches_samples(s, part, set, d);
@@ -199,4 +202,14 @@ bool scene_samples(const struct scene *s, enum sample_part part, struct sample_s
         break;
     }
     return mesh_samples(s, part, set, d);
+}
+
+bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    const size_t before = set->n;
+    if (!draw_samples(s, part, set, d))
+        return false;
+    if (strcmp(s->precision, "float") == 0)
+        samples_round(s, set, before);
+    return set->n > before || diag_at(d, s->path, 0, 0, "no sample is left once coordinates are rounded to float");
 }

@@ -78,7 +78,7 @@ struct scene {
     double reference[2]; /* NAN: left to the segments */
     enum corner_order order;
     enum scene_norm norm;
-    char *precision; /* owned: "double" */
+    char *precision; /* owned: of the generated code, "double" or "float" */
     size_t training, heldout;
     uint64_t seed; /* of the samples, not of the evolution */
     enum scene_source source;
@@ -108,7 +108,8 @@ enum sample_part {
     PART_HELDOUT_RANDOM /* off the grid: drawn at random from the same ranges */
 };
 
-/** Append the part's samples to *set.  Deterministic in the scene alone. False with *d filled when none is left. */
+/** Append the part's samples to *set; their coordinates are numbers of the scene's precision.  Deterministic in the
+ *  scene alone.  False with *d filled when none is left. */
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
 
 #endif

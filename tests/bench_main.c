@@ -133,6 +133,16 @@ static bool bench_scene(const struct bench_options *o, const struct bench_table 
     return done;
 }
 
+/* Scenes in float: all methods here are in double. */
+static bool is_float(const char *path)
+{
+    struct diag d;
+    struct scene *scene = scene_read(root_default(), path, &d);
+    const bool single = scene && strcmp(scene->precision, "float") == 0;
+    scene_free(scene);
+    return single;
+}
+
 static bool bench_all(const struct bench_options *o, const struct bench_table *table, struct diag *d)
 {
     char pattern[1024];
@@ -142,7 +152,7 @@ static bool bench_all(const struct bench_options *o, const struct bench_table *t
     if (glob(pattern, 0, NULL, &found) != 0)
         return diag_at(d, "evolve/scenes", 0, 0, "no scene here; run from the root of the source, or name one");
     for (size_t i = 0; done && i < found.gl_pathc; i++)
-        done = bench_scene(o, table, found.gl_pathv[i], d);
+        done = is_float(found.gl_pathv[i]) || bench_scene(o, table, found.gl_pathv[i], d);
     globfree(&found);
     return done;
 }

@@ -12,6 +12,7 @@ static void shipped_scenes_read(void **state)
         bool open; /* frame and tiers are left to the segments */
     } expected[] = {{"paper-quad4", "quad4", SOURCE_LATTICE, CORNERS_NEAREST_SHORTER, 28546, 200000, false},
                     {"quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
+                    {"quad4-float", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, false},
                     {"plane-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
                     {"parallelogram-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
                     {"rectangle-quad4", "quad4", SOURCE_RANDOM, CORNERS_ANY, 20000, 200000, true},
@@ -29,7 +30,7 @@ static void shipped_scenes_read(void **state)
         struct scene *s = shipped(expected[i].name);
         assert_string_equal(s->name, expected[i].name);
         assert_string_equal(s->segment->name, expected[i].segment);
-        assert_string_equal(s->precision, "double");
+        assert_string_equal(s->precision, strstr(s->name, "-float") ? "float" : "double");
         assert_int_equal(s->source, expected[i].source);
         assert_int_equal(s->order, expected[i].order);
         assert_int_equal(s->training, expected[i].training);
@@ -148,7 +149,7 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"any\"", "\"some\"",
      "2: error: 'order' must be \"any\" or \"nearest\" or \"nearest-shorter\""},
     {HEAD SHAPES TAIL, "\"p99\"", "99", "4: error: 'norm' must be \"mean\" or \"p99\" or \"max\""},
-    {HEAD SHAPES TAIL, "\"double\"", "\"float\"", "5: error: 'precision' must be \"double\""},
+    {HEAD SHAPES TAIL, "\"double\"", "\"half\"", "5: error: 'precision' must be \"double\" or \"float\""},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0]", "3: error: 'reference' must be two numbers, [a, b]"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "0.0", "3: error: 'reference' must be two numbers, [a, b]"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0, -1.5]", "3: error: 'reference' must be in -1..1"},

@@ -28,7 +28,7 @@ misused 'the seed is a number from 0 to 18446744073709551615, not x' --seed x --
 misused 'the seed is a number from 0 to 18446744073709551615, not 18446744073709551616' --seed 18446744073709551616 --count
 expect 'an option without its value' 2 '' 'footpoint-codegen: unknown option or missing value: --cost (try --help)' \
     "$codegen" --count "$g" --cost
-for option in output prefix language precision allow-poles count cost effort seed explain help version; do
+for option in output prefix language precision samples allow-poles count cost effort seed explain help version; do
     "$codegen" --help | grep -q -e "--$option"; report $((! $?)) "help tells of --$option"
 done
 

@@ -1,4 +1,4 @@
-# The hard cases, some of each family: the search never errs without a status, footpoint_robust finds the closest point or
+# The hard cases, some of each family: the search never errs without a status, in double or in float, footpoint_robust finds the closest point or
 # says why not, and no certificate is wrong.  long/hard_cases.sh does so at length.
 . tests/cli/expect.inc
 . tests/hard/build.inc
@@ -9,6 +9,7 @@ hard_build "$work/hard" "${CC:-gcc}" -O2 -ffp-contract=off
 hard_check 'families' "$work/hard" 200
 hard_check 'certificates' "$work/hard" --certify 20000
 expect 'a table of all families' 0 21 '' sh -c "'$work/hard' 1 | grep -c ',robust,'"
+expect 'in float, too' 0 63 '' sh -c "'$work/hard' 1 | grep -c ',float'"
 hard_replay() {
     "${CC:-gcc}" -std=c11 -D_DEFAULT_SOURCE -O1 -DREPLAY -ffp-contract=off tests/fuzz/fuzz_closest.c runtime/*.c -lm -o "$work/replay" &&
         "$work/replay" tests/fuzz/closest/*

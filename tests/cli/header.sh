@@ -19,18 +19,21 @@ for header in generated/*.h; do
     name=$(basename "$header")
     mkdir -p "$work/alone"
     cp "$header" "$work/alone/"
-    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const double xA.*/\1/p' "$header" | grep -v '^footpoint_detail_')
-    kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH$/\1/p' "$header" | tr A-Z a-z)
+    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v '^footpoint_detail_')
+    kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH\(_F\)*$/\1/p' "$header" | tr A-Z a-z)
     arguments=$(nodes "$kind" | sed 's/[0-9]*/n[&]/g; s/ /, /g')
+    type=$(sed -n 's/^ \* precision: //p' "$header")
     case $kind in tri*) least=0 most=1 ;; *) least=-1 most=0 ;; esac
     {
         echo "#include \"$name\""
         echo "#include \"$name\""
         echo 'int main(void)'
         echo '{'
-        echo '    const double n[12][3] = {{0, 0, 0}, {1, 0, 0}, {1.1, 1, 0}, {0, 0.9, 0.05}, {0.5, 0, 0}, {1.05, 0.5, 0}, {0.55, 0.95, 0.025},'
-        echo '                             {0, 0.45, 0.025}, {0.525, 0.475, 0.0125}, {0.2, 0.25, 0.01}, {0.5, 0.45, 0.025}, {0, 0, 1}};'
-        echo '    double loc[2] = {7, 7}, gap = 7;'
+        echo "#define R(x) (($type)(x))"
+        echo "    const $type n[12][3] = {{0, 0, 0}, {1, 0, 0}, {R(1.1), 1, 0}, {0, R(0.9), R(0.05)}, {R(0.5), 0, 0}, {R(1.05), R(0.5), 0},"
+        echo '        {R(0.55), R(0.95), R(0.025)}, {0, R(0.45), R(0.025)}, {R(0.525), R(0.475), R(0.0125)}, {R(0.2), R(0.25), R(0.01)},'
+        echo '        {R(0.5), R(0.45), R(0.025)}, {0, 0, 1}};'
+        echo "    $type loc[2] = {7, 7}, gap = 7;"
         for f in $functions; do
             echo "    if ($f($arguments, loc, &gap) != FOOTPOINT_OK || !(loc[0] > $least && loc[0] < $most && loc[1] > $least && loc[1] < $most))"
             echo '        return 1;'
@@ -42,7 +45,7 @@ for header in generated/*.h; do
     for compiler in "$CC -std=c99" "clang++ -std=c++11" "$CC -std=c11" "clang -std=c99" "clang -std=c11" \
                     "$CXX -std=c++11" "$CXX -std=c++17" "clang++ -std=c++17"; do
         case $name$compiler in
-        footpoint_quad4.h* | *"$CC -std=c99" | *"clang++ -std=c++11") ;;
+        footpoint_quad4.h* | footpoint_quad4_float.h* | *"$CC -std=c99" | *"clang++ -std=c++11") ;;
         *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
         esac
         case $compiler in *++*) source=use.cpp ;; *) source=use.c ;; esac
@@ -51,6 +54,13 @@ for header in generated/*.h; do
         [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
         report $((!good)) "$name alone, $compiler"
     done
+    if [ "$type" = float ]; then
+        (cd "$work/alone" && $CC -std=c99 $strict -Wdouble-promotion -c use.c -o use.o && ! objdump -d use.o | grep -E '[a-z](ss2sd|ps2pd|sd2ss|pd2ps|(add|sub|mul|div|sqrt)[sp]d)') \
+            > "$work/log" 2>&1
+        good=$?
+        [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
+        report $((!good)) "$name computes nothing in double"
+    fi
     if command -v nvcc > /dev/null; then
         (cd "$work/alone" && cp use.c use.cu && nvcc -c use.cu -o use.o) > "$work/log" 2>&1
         good=$?
@@ -146,6 +156,7 @@ fused=
 mkdir "$work/fresh"
 for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     name=$(basename "$file" .gen)
+    case $name in *-float) continue ;; esac # quad4's
     case $name in paper-* | whole-* | punch-* | rectangle-* | tri6 | quad8 | quad9) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
     poles=--allow-poles
     [ "$name" != scalars ] || poles=

@@ -238,6 +238,28 @@ static void draw_offset(uint64_t *s, struct hard_case *h)
     move(s, h, power(s, -2, 2), choose(s, 2) ? 1e6 : power(s, 5, 9));
 }
 
+/* In float, an edge is not resolved from 1e7 edges away. */
+static void draw_offset_float(uint64_t *s, struct hard_case *h)
+{
+    draw_quad(s, flat(s, 1, 3), 0.15, 0.1, h);
+    place_inside(s, h, 0.3);
+    move(s, h, power(s, -2, 2), choose(s, 2) ? 1e6 : power(s, 1, 8));
+}
+
+static void draw_scale_float(uint64_t *s, struct hard_case *h)
+{
+    draw_quad(s, flat(s, 1, 3), 0.15, 0.1, h);
+    place_inside(s, h, 0.3);
+    move(s, h, power(s, -4, 4), 2);
+}
+
+static void draw_extreme_float(uint64_t *s, struct hard_case *h)
+{
+    draw_quad(s, flat(s, 1, 3), 0.15, 0.1, h);
+    place_inside(s, h, 0.3);
+    move(s, h, choose(s, 2) ? power(s, -46, -4) : power(s, 4, 39), 2);
+}
+
 static void draw_scale(uint64_t *s, struct hard_case *h)
 {
     draw_quad(s, flat(s, 1, 3), 0.15, 0.1, h);
@@ -353,35 +375,52 @@ static void draw_not_finite(uint64_t *s, struct hard_case *h)
 }
 
 const struct hard_family hard_families[] = {
-    {"ordinary", "what meshes hold, foot point inside", draw_ordinary, 1},
-    {"around", "the same, slave nodes all around", draw_around, 1},
-    {"warp", "warp and gap up to the edge", draw_warp, 1},
-    {"triangle", "C near D, to 1e-14 of the edge", draw_triangle, 1},
-    {"collapsed", "an edge of no length", draw_collapsed, 1},
-    {"repeated", "repeated nodes, corners in a line", draw_repeated, 1},
-    {"focal", "gap near 1/curvature", draw_focal, 1},
-    {"far", "5 to 50 edges away", draw_far, 1},
-    {"farther", "1e2 to 1e13 edges away", draw_farther, 1},
-    {"plane", "plane, with exterior roots", draw_plane, 1},
-    {"offset", "1e5 to 1e9 edges from the origin", draw_offset, 1},
-    {"scale", "edges of 1e-9 to 1e9", draw_scale, 1},
-    {"aspect", "aspect ratio 1e2 to 1e6", draw_aspect, 1},
-    {"edge", "over edges and corners", draw_edge, 1},
-    {"folded", "not convex, or crossing itself", draw_folded, 1},
-    {"beyond", "five points at random", draw_beyond, 1},
-    {"symmetric", "on the axis of a saddle", draw_symmetric, 1},
-    {"cusp", "where one closest point becomes two", draw_cusp, 1},
-    {"grid", "coordinates -1, 0, 1, 2", draw_grid, 1},
-    {"extreme", "denormal and huge coordinates", draw_extreme, 1},
-    {"not-finite", "NaN and infinities", draw_not_finite, 0},
+    {"ordinary", "what meshes hold, foot point inside", draw_ordinary, draw_ordinary, 1},
+    {"around", "the same, slave nodes all around", draw_around, draw_around, 1},
+    {"warp", "warp and gap up to the edge", draw_warp, draw_warp, 1},
+    {"triangle", "C near D, to 1e-14 of the edge", draw_triangle, draw_triangle, 1},
+    {"collapsed", "an edge of no length", draw_collapsed, draw_collapsed, 1},
+    {"repeated", "repeated nodes, corners in a line", draw_repeated, draw_repeated, 1},
+    {"focal", "gap near 1/curvature", draw_focal, draw_focal, 1},
+    {"far", "5 to 50 edges away", draw_far, draw_far, 1},
+    {"farther", "1e2 to 1e13 edges away", draw_farther, draw_farther, 1},
+    {"plane", "plane, with exterior roots", draw_plane, draw_plane, 1},
+    {"offset", "1e5 to 1e9 edges from the origin", draw_offset, draw_offset_float, 1},
+    {"scale", "edges of 1e-9 to 1e9", draw_scale, draw_scale_float, 1},
+    {"aspect", "aspect ratio 1e2 to 1e6", draw_aspect, draw_aspect, 1},
+    {"edge", "over edges and corners", draw_edge, draw_edge, 1},
+    {"folded", "not convex, or crossing itself", draw_folded, draw_folded, 1},
+    {"beyond", "five points at random", draw_beyond, draw_beyond, 1},
+    {"symmetric", "on the axis of a saddle", draw_symmetric, draw_symmetric, 1},
+    {"cusp", "where one closest point becomes two", draw_cusp, draw_cusp, 1},
+    {"grid", "coordinates -1, 0, 1, 2", draw_grid, draw_grid, 1},
+    {"extreme", "denormal and huge coordinates", draw_extreme, draw_extreme_float, 1},
+    {"not-finite", "NaN and infinities", draw_not_finite, draw_not_finite, 0},
 };
 
 const int hard_family_count = sizeof hard_families / sizeof *hard_families;
 
-void hard_draw(int family, uint64_t seed, uint64_t index, struct hard_case *h)
+static uint64_t stream_of(int family, uint64_t seed, uint64_t index)
 {
     uint64_t stream = seed * 0x100000001b3u + (uint64_t)family;
     stream = next(&stream) + index;
-    stream = next(&stream);
+    return next(&stream);
+}
+
+void hard_draw(int family, uint64_t seed, uint64_t index, struct hard_case *h)
+{
+    uint64_t stream = stream_of(family, seed, index);
     hard_families[family].draw(&stream, h);
+}
+
+/* volatile: gcc 12 -O3 vectorises the two conversions into none. */
+void hard_draw_float(int family, uint64_t seed, uint64_t index, struct hard_case *h)
+{
+    uint64_t stream = stream_of(family, seed, index);
+    hard_families[family].draw_float(&stream, h);
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 3; k++) {
+            const volatile float nearest = (float)h->x[i][k];
+            h->x[i][k] = (double)nearest;
+        }
 }

@@ -13,7 +13,8 @@ struct hard_family {
     const char *name;
     const char *what; /* a few words for the table */
     void (*draw)(uint64_t *stream, struct hard_case *h);
-    int finite; /* whether all coordinates are numbers */
+    void (*draw_float)(uint64_t *stream, struct hard_case *h); /* within the range of float */
+    int finite;                                                /* whether all coordinates are numbers */
 };
 
 extern const struct hard_family hard_families[];
@@ -21,5 +22,7 @@ extern const int hard_family_count;
 
 /** Case number `index` of a family: the same on every machine. */
 void hard_draw(int family, uint64_t seed, uint64_t index, struct hard_case *h);
+/** The same for code in float: coordinates are floats. */
+void hard_draw_float(int family, uint64_t seed, uint64_t index, struct hard_case *h);
 
 #endif

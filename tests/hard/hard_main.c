@@ -1,10 +1,12 @@
 /* The hard cases: hard_main [N [SEED [FAMILY]]] prints, as CSV, what each method makes of N cases of each family,
- * against truth.c; hard_main --certify N [SEED] puts N certificates to the test.  Exits 1 if the library was wrong. */
+ * against truth.c, methods in float (hard_float.c) of cases of their own; hard_main --certify N [SEED] puts N
+ * certificates to the test.  Exits 1 if the library was wrong, or a checked function in float. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"
 #include "../trust_region.h"
 #include "hard.h"
-#include "truth.h"
+#include "hard_float.h"
+#include "judge.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -68,51 +70,15 @@ struct tally {
     double worst;
 };
 
-static double gap_between(const struct truth_surface *f, const wide p[2], const wide q[2])
-{
-    wide d[3], e[3];
-    double most = 0;
-    truth_offset(f, p, d);
-    truth_offset(f, q, e);
-    for (int k = 0; k < 3; k++)
-        most = fmax(most, fabs((double)(d[k] - e[k])));
-    return most;
-}
-
-static double root(wide x)
-{
-    return sqrt((double)x);
-}
-
-/* Rounding errors of distances. */
-static double tie_of(const struct truth *t)
-{
-    return 1e-13 * (1 + t->surface.distance);
-}
-
-/* A foot point: near a stationary point, which is the closest one of the segment if any is inside. */
-static double free_error(const struct truth *t, const double loc[2])
-{
-    wide z[2];
-    if (!truth_stationary(&t->surface, loc, z))
-        return INFINITY;
-    const double error = fmax(fabs((double)(z[0] - loc[0])), fabs((double)(z[1] - loc[1])));
-    const int inside = z[0] * z[0] <= 1 && z[1] * z[1] <= 1;
-    if (inside && root(truth_square(&t->surface, z)) > root(t->point[0].square) + tie_of(t))
-        return INFINITY;
-    if (!inside && !t->point[0].on_edge && gap_between(&t->surface, z, t->point[0].z) > BANNER_WORST)
-        return INFINITY;
-    return error;
-}
-
 /* Distance in space from the closest point, of several the nearest. */
 static double closest_error(const struct truth *t, const double loc[2], double *higher)
 {
     const wide z[2] = {loc[0], loc[1]};
     double least = INFINITY;
-    *higher = root(truth_square(&t->surface, z)) - root(t->point[0].square);
-    for (int k = 0; k < t->count && root(t->point[k].square) <= root(t->point[0].square) + tie_of(t); k++)
-        least = fmin(least, gap_between(&t->surface, z, t->point[k].z));
+    *higher = judge_root(truth_square(&t->surface, z)) - judge_root(t->point[0].square);
+    for (int k = 0; k < t->count && judge_root(t->point[k].square) <= judge_root(t->point[0].square) + judge_tie(t);
+         k++)
+        least = fmin(least, judge_between(&t->surface, z, t->point[k].z));
     return least;
 }
 
@@ -120,8 +86,8 @@ static double closest_error(const struct truth *t, const double loc[2], double *
 static int is_ambiguous(const struct truth *t)
 {
     for (int k = 1; k < t->count; k++)
-        if (root(t->point[k].square) <= root(t->point[0].square) + 4 * tie_of(t) &&
-            (gap_between(&t->surface, t->point[0].z, t->point[k].z) > 1e-11 || t->count == TRUTH_MOST))
+        if (judge_root(t->point[k].square) <= judge_root(t->point[0].square) + 4 * judge_tie(t) &&
+            (judge_between(&t->surface, t->point[0].z, t->point[k].z) > 1e-11 || t->count == TRUTH_MOST))
             return 1;
     return t->point[0].least < 1e-5 * (1 + t->surface.distance);
 }
@@ -149,7 +115,7 @@ static void judge_closest(const struct method *m, const struct hard_case *h, con
                           const double loc[2], double dist, struct tally *tally)
 {
     double higher, error = closest_error(t, loc, &higher);
-    const double true_dist = root(t->point[0].square) * t->surface.scale;
+    const double true_dist = judge_root(t->point[0].square) * t->surface.scale;
     if (m->ours && !(fabs(fabs(dist) - true_dist) <= CLOSEST_ERROR * (t->surface.scale + true_dist)))
         tally->wrong++;
     if (status == FOOTPOINT_NOT_UNIQUE || status == FOOTPOINT_ERR_DEGENERATE) {
@@ -207,7 +173,7 @@ static void judge(const struct method *m, const struct hard_case *h, struct trut
     if (t->count == 0)
         return;
     if (m->free) {
-        const double error = free_error(t, loc);
+        const double error = judge_free(t, loc, BANNER_WORST);
         tally->worst = fmax(tally->worst, error);
         tally->wrong += !(error <= m->error);
         return;
@@ -390,6 +356,6 @@ int main(int argc, char **argv)
     printf("family,method,n,ok,outside,not_unique,refused,worst,wrong,wrong_status\n");
     for (int family = 0; family < hard_family_count; family++)
         if (argc <= 3 || strcmp(argv[3], hard_families[family].name) == 0)
-            good = run_family(family, n, seed, 1) && good;
+            good = run_family(family, n, seed, 1) & hard_float_family(family, n, seed) & good;
     return !good;
 }

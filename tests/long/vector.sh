@@ -22,7 +22,7 @@ operations() { codegen --count "$1" | awk -F, -v g="$2" '$1 == g { print $2 + $3
 
 for file in evolve/genomes/*.gen; do
     scene=$(basename "$file" .gen | tr - _)
-    codegen "$file" --allow-poles -o "$work/$scene.h"
+    codegen "$file" --allow-poles --precision double -o "$work/$scene.h"
     codegen "$file" --allow-poles --precision float --prefix "${scene}_f" -o "$work/${scene}_f.h"
     for genome in $(sed -n 's/^genome //p' "$file"); do
         least=$(operations "$file" "$genome")

@@ -1,0 +1,54 @@
+# From a scene in float to its header: `precision = "float"`, samples whose coordinates are floats, a banner that tells the
+# errors of the float code, and code that computes nothing in double.
+. tests/cli/expect.inc
+CC=${CC:-gcc}
+export OMPI_MCA_btl_base_warn_component_unused=0
+evolve=$BIN/footpoint-evolve codegen=$BIN/footpoint-codegen
+sed 's/^precision .*/precision = "float";/' tests/scenes/small.scene > "$work/f.scene"
+expect 'evolution for float' 0 '*' '' "$evolve" --scene "$work/f.scene" -o "$work/f.gen" --generations 2 --quiet
+expect 'the genomes say so' 0 'note precision float' '' grep '^note precision' "$work/f.gen"
+expect 'samples' 0 '' '' "$evolve" --scene "$work/f.scene" --samples "$work/f.samples"
+expect 'of both parts' 0 'heldout
+heldout_random' '' sh -c "sed 1d '$work/f.samples' | cut -d, -f1 | uniq"
+expect 'coordinates are floats' 0 0 '' sh -c \
+    "sed 1d '$work/f.samples' | cut -d, -f2-16 | tr , '\n' | grep -cvE '^-?0x[01](\.[0-9a-f]{1,6})?p[-+][0-9]+$'; :"
+expect 'header' 0 '' '' "$codegen" --effort 10 --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/f.h"
+expect 'in float' 0 ' * precision: float' '' grep '^ . precision' "$work/f.h"
+expect 'whose banner has errors of the float code alone' 0 '8 8' '' sh -c \
+    "echo \$(grep -c '^ .   heldout' '$work/f.h') \$(sed -n '/^ .   in float:/,/^ .   the same code in double/p' '$work/f.h' | grep -c heldout)"
+functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const float xA.*/\1/p' "$work/f.h" | grep -v _detail_)
+{
+    echo '#include "f.h"'
+    echo 'int use(const float *const x[5], float loc[2], float *gap);'
+    echo 'int use(const float *const x[5], float loc[2], float *gap)'
+    echo '{'
+    echo '    int sum = 0;'
+    for f in $functions; do echo "    sum += $f(x[0], x[1], x[2], x[3], x[4], loc, gap);"; done
+    echo '    return sum;'
+    echo '}'
+} > "$work/use.c"
+for compiler in "$CC -O2" "$CC -O0" 'clang -O2'; do
+    $compiler -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Werror -c "$work/use.c" -o "$work/use.o" \
+        > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log"
+    report $((!good)) "compiles, $compiler"
+    case $(uname -m) in x86_64) ;; *) continue ;; esac
+    ! objdump -d "$work/use.o" | grep -E '(cvtss2sd|cvtps2pd|cvtsd2ss|(add|sub|mul|div|sqrt)[sp]d) '
+    report $((! $?)) "computes nothing in double, $compiler"
+done
+
+# What is refused.
+expect 'samples of double code' 1 '' "$work/f.gen: error: --samples are for C code of a segment in float" \
+    "$codegen" --precision double --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/d.h"
+echo 'part,xA' > "$work/g.samples"
+expect 'samples of something else' 1 '' \
+    "$work/g.samples:1: error: no samples of the genomes' inputs, see footpoint-evolve --samples" \
+    "$codegen" --allow-poles --samples "$work/g.samples" "$work/f.gen" -o "$work/d.h"
+{ head -2 "$work/f.samples"; echo 'heldout,1,2'; } > "$work/g.samples"
+expect 'a short line' 1 '' "$work/g.samples:3: error: no sample" \
+    "$codegen" --allow-poles --samples "$work/g.samples" "$work/f.gen" -o "$work/d.h"
+sed 's/^precision .*/precision = "float";/' evolve/scenes/gregory.scene > "$work/n.scene"
+expect 'normals in float' 1 '' "$work/n.scene:13: error: 'precision' must be \"double\" for segment 'gregory'" \
+    "$evolve" --scene "$work/n.scene" --samples "$work/n.samples"
+[ ! -e "$work/n.samples" ] && [ ! -e "$work/d.h" ]; report $((! $?)) 'nothing is written'
