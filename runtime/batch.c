@@ -34,19 +34,21 @@ static void store_pair(const struct answers *to, const struct block *b, size_t f
         to->gapf[first + i] = (float)b->gap[i];
 }
 
-/* Answers of pairs first..first+BLOCK-1, all good. */
+/* Answers of pairs first..first+BLOCK-1, all good: a loop for each array. */
 static void store_block(const struct answers *to, const struct block *b, size_t first)
 {
-    if (to->loc && !to->gap) {
-        double *const loc = to->loc + 2 * first;
-        for (size_t i = 0; i < BLOCK; i++) {
-            loc[2 * i] = b->xi[i];
-            loc[2 * i + 1] = b->eta[i];
-        }
-    } else {
-        for (size_t i = 0; i < BLOCK; i++)
-            store_pair(to, b, first, i);
+    for (size_t i = 0; to->loc && i < BLOCK; i++) {
+        to->loc[2 * (first + i)] = b->xi[i];
+        to->loc[2 * (first + i) + 1] = b->eta[i];
     }
+    for (size_t i = 0; to->locf && i < BLOCK; i++) {
+        to->locf[2 * (first + i)] = (float)b->xi[i];
+        to->locf[2 * (first + i) + 1] = (float)b->eta[i];
+    }
+    for (size_t i = 0; to->gap && i < BLOCK; i++)
+        to->gap[first + i] = b->gap[i];
+    for (size_t i = 0; to->gapf && i < BLOCK; i++)
+        to->gapf[first + i] = (float)b->gap[i];
     for (size_t i = 0; to->status && i < BLOCK; i++)
         to->status[first + i] = FOOTPOINT_OK;
 }
@@ -131,23 +133,18 @@ static size_t locate_block(const struct batch *batch, size_t first)
     struct block b;
     const struct lanes *const lanes = batch->lanes;
     const struct footpoint_pairs *const p = batch->p;
-    const uint64_t greatest = lanes->greatest[batch->kind & KIND_WIDE](p, first);
-    if (greatest >= p->nodes)
+    if (lanes->any_outside[batch->kind & KIND_WIDE](p, first))
         return locate_checked(batch, first, BLOCK);
-    /* Behind the last node there is nothing to read. */
-    const int kind = greatest + 1 < p->nodes ? batch->kind : batch->kind & ~KIND_TRIPLES;
-    lanes->gather[kind](&b, p, first);
+    lanes->gather[batch->kind](&b, p, first);
     if (p->n - first >= AHEAD + BLOCK)
         fetch_places(&batch->to, first + AHEAD);
     lanes->search[batch->tier](&b, BLOCK);
-    if (p->sure || !lanes->all_good(&b, BLOCK)) {
+    if (p->sure || !lanes->all_good[batch->to.gap || batch->to.gapf](&b, BLOCK)) {
         lanes->judge(&b, BLOCK);
         if (p->sure)
             lanes->verify(&b, BLOCK);
         return store_judged(&batch->to, &b, first, BLOCK);
     }
-    if (batch->to.gap || batch->to.gapf)
-        lanes->gaps(&b, BLOCK);
     store_block(&batch->to, &b, first);
     return 0;
 }
@@ -177,9 +174,8 @@ static size_t locate(const struct footpoint_pairs *p, enum footpoint_tier tier, 
         refuse(to->status, p->n);
         return p->n;
     }
-    const int triples = p->x && p->stride == 3 && p->y == p->x + 1 && p->z == p->x + 2;
     const struct batch batch = {p, footpoint_batch_lanes(), *to, tier,
-                                (p->seg64 ? KIND_WIDE : 0) | (p->x ? 0 : KIND_FLOAT) | (triples ? KIND_TRIPLES : 0)};
+                                (p->seg64 ? KIND_WIDE : 0) | (p->x ? 0 : KIND_FLOAT)};
     const ptrdiff_t blocks = (ptrdiff_t)(p->n / BLOCK);
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) reduction(+ : failed)

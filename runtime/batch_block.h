@@ -15,21 +15,20 @@ struct block {
     int64_t status[BLOCK];
 };
 
-/* Kinds of arrays: indices of 64 bits, coordinates in float, nodes x 3 in double. */
-enum { KIND_WIDE = 1, KIND_FLOAT = 2, KIND_TRIPLES = 4, KINDS = 6 };
+/* Kinds of arrays: indices of 64 bits, coordinates in float. */
+enum { KIND_WIDE = 1, KIND_FLOAT = 2, KINDS = 4 };
 
 /* Counts are multiples of LANES. */
 struct lanes {
-    /* The greatest index, as an unsigned number, among the BLOCK pairs from number `first`. */
-    uint64_t (*greatest[2])(const struct footpoint_pairs *p, size_t first);
-    /* Columns x of these pairs, and a look ahead; KIND_TRIPLES reads one number behind each node. */
+    /* 0 only if all indices of the BLOCK pairs from number `first` are in range. */
+    int (*any_outside[2])(const struct footpoint_pairs *p, size_t first);
+    /* Columns x of these pairs, and a look ahead. */
     void (*gather[KINDS])(struct block *b, const struct footpoint_pairs *p, size_t first);
     /* xi and eta from x; `prepared`, here and below, takes the corners of the first pair for all. */
     void (*search[FOOTPOINT_TIERS])(struct block *b, size_t count);
     void (*prepared[FOOTPOINT_TIERS])(struct block *b, size_t count);
-    /* 1 only if the status of all pairs is FOOTPOINT_OK. */
-    int (*all_good)(const struct block *b, size_t count);
-    void (*gaps)(struct block *b, size_t count);
+    /* 1 only if the status of all pairs is FOOTPOINT_OK; the second one stores their gaps. */
+    int (*all_good[2])(struct block *b, size_t count);
     /* Gaps and statuses. */
     void (*judge)(struct block *b, size_t count);
     void (*judge_prepared)(struct block *b, size_t count);

@@ -15,32 +15,32 @@
 #if defined(__GNUC__) && defined(__x86_64__)
 #define HAVE_X86 1
 #endif
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_shufflevector)
-#define HAVE_SHUFFLE 1
-#endif
-#endif
 
 /* ---- from the mesh into columns ---- */
 
-FOOTPOINT_FN uint64_t greatest(const struct footpoint_pairs *p, size_t first, int kind)
+/* Among indices from 0 to `last`, all of these have their highest bits clear. */
+#define OUTSIDE(index, last) ((index) | ((last) - (index)))
+
+FOOTPOINT_FN int any_outside(const struct footpoint_pairs *p, size_t first, int kind)
 {
     if (kind & KIND_WIDE) {
         const int64_t *const seg = p->seg64 + 4 * first, *const slave = p->slave64 + first;
-        uint64_t most = 0;
+        const uint64_t last = (uint64_t)p->nodes - 1;
+        uint64_t out = 0;
         for (size_t i = 0; i < 4 * BLOCK; i++)
-            most = (uint64_t)seg[i] > most ? (uint64_t)seg[i] : most;
+            out |= OUTSIDE((uint64_t)seg[i], last);
         for (size_t i = 0; i < BLOCK; i++)
-            most = (uint64_t)slave[i] > most ? (uint64_t)slave[i] : most;
-        return most;
+            out |= OUTSIDE((uint64_t)slave[i], last);
+        return out >> 63 != 0;
     }
     const int32_t *const seg = p->seg + 4 * first, *const slave = p->slave + first;
-    uint32_t most = 0;
+    const uint32_t last = p->nodes > INT32_MAX ? INT32_MAX : (uint32_t)p->nodes - 1;
+    uint32_t out = 0;
     for (size_t i = 0; i < 4 * BLOCK; i++)
-        most = (uint32_t)seg[i] > most ? (uint32_t)seg[i] : most;
+        out |= OUTSIDE((uint32_t)seg[i], last);
     for (size_t i = 0; i < BLOCK; i++)
-        most = (uint32_t)slave[i] > most ? (uint32_t)slave[i] : most;
-    return most;
+        out |= OUTSIDE((uint32_t)slave[i], last);
+    return out >> 31 != 0;
 }
 
 /* Index of node k of pair i. */
@@ -51,73 +51,38 @@ FOOTPOINT_FN size_t index_of(const struct footpoint_pairs *p, size_t i, size_t k
     return (size_t)(k < 4 ? p->seg[4 * i + k] : p->slave[i]);
 }
 
-FOOTPOINT_FN void gather_strided(struct block *b, const struct footpoint_pairs *p, size_t first, int kind)
-{
-    for (size_t i = 0; i < BLOCK; i++)
-        for (size_t k = 0; k < 5; k++) {
-            const size_t at = p->stride * index_of(p, first + i, k, kind);
-            b->x[3 * k][i] = kind & KIND_FLOAT ? (double)p->xf[at] : p->x[at];
-            b->x[3 * k + 1][i] = kind & KIND_FLOAT ? (double)p->yf[at] : p->y[at];
-            b->x[3 * k + 2][i] = kind & KIND_FLOAT ? (double)p->zf[at] : p->z[at];
-        }
-}
-
-#ifdef HAVE_SHUFFLE
-typedef double quadruple __attribute__((vector_size(32), aligned(8), may_alias));
-
-/* Four nodes at a time, transposed in registers; what follows the third coordinate is dropped. */
-FOOTPOINT_FN void gather_triples(struct block *b, const struct footpoint_pairs *p, size_t first, int kind)
-{
-    const double *const xyz = p->x;
-    for (size_t i = 0; i < BLOCK; i += 4)
-        for (size_t k = 0; k < 5; k++) {
-            const quadruple s = *(const quadruple *)(xyz + 3 * index_of(p, first + i, k, kind));
-            const quadruple t = *(const quadruple *)(xyz + 3 * index_of(p, first + i + 1, k, kind));
-            const quadruple u = *(const quadruple *)(xyz + 3 * index_of(p, first + i + 2, k, kind));
-            const quadruple v = *(const quadruple *)(xyz + 3 * index_of(p, first + i + 3, k, kind));
-            const quadruple st_xz = __builtin_shufflevector(s, t, 0, 4, 2, 6);
-            const quadruple uv_xz = __builtin_shufflevector(u, v, 0, 4, 2, 6);
-            const quadruple st_y = __builtin_shufflevector(s, t, 1, 5, 3, 7);
-            const quadruple uv_y = __builtin_shufflevector(u, v, 1, 5, 3, 7);
-            *(quadruple *)&b->x[3 * k][i] = __builtin_shufflevector(st_xz, uv_xz, 0, 1, 4, 5);
-            *(quadruple *)&b->x[3 * k + 1][i] = __builtin_shufflevector(st_y, uv_y, 0, 1, 4, 5);
-            *(quadruple *)&b->x[3 * k + 2][i] = __builtin_shufflevector(st_xz, uv_xz, 2, 3, 6, 7);
-        }
-}
-#endif
-
 /* Has the nodes of later pairs brought into the cache: of every second pair the corners A and C and the slave node, as
  * neighbours share what is left.  Addresses are plain numbers: these indices have not been checked. */
 FOOTPOINT_FN void fetch_nodes(const struct footpoint_pairs *p, size_t first, int kind)
 {
 #ifdef __GNUC__
-    const uintptr_t x = (uintptr_t)(kind & KIND_FLOAT ? (const void *)p->xf : (const void *)p->x);
-    const uintptr_t y = (uintptr_t)(kind & KIND_FLOAT ? (const void *)p->yf : (const void *)p->y);
-    const uintptr_t z = (uintptr_t)(kind & KIND_FLOAT ? (const void *)p->zf : (const void *)p->z);
+    const uintptr_t x = kind & KIND_FLOAT ? (uintptr_t)p->xf : (uintptr_t)p->x;
+    const size_t size = p->stride * (kind & KIND_FLOAT ? sizeof *p->xf : sizeof *p->x);
     for (size_t i = first; i < first + BLOCK; i += 2)
-        for (size_t k = 0; k < 5; k += 2) {
-            const size_t at =
-                p->stride * index_of(p, i, k, kind) * (kind & KIND_FLOAT ? sizeof(float) : sizeof(double));
-            __builtin_prefetch((const void *)(x + at));
-            if (kind & KIND_TRIPLES)
-                continue;
-            __builtin_prefetch((const void *)(y + at));
-            __builtin_prefetch((const void *)(z + at));
-        }
+        for (size_t k = 0; k < 5; k += 2)
+            __builtin_prefetch((const void *)(x + size * index_of(p, i, k, kind)));
 #else
     (void)p, (void)first, (void)kind;
 #endif
 }
 
+/* Two pairs at a time: processors write two neighbours at once, and their own gather instructions may be slow.  Of
+ * columns, which share lines among more nodes, they look ahead by themselves. */
 FOOTPOINT_FN void gather(struct block *b, const struct footpoint_pairs *p, size_t first, int kind)
 {
-#ifdef HAVE_SHUFFLE
-    if (kind & KIND_TRIPLES)
-        gather_triples(b, p, first, kind);
-    else
-#endif
-        gather_strided(b, p, first, kind);
-    if (p->n - first >= AHEAD + BLOCK)
+    for (size_t i = 0; i < BLOCK; i += 2)
+        for (size_t k = 0; k < 5; k++) {
+            const size_t at = p->stride * index_of(p, first + i, k, kind);
+            const size_t next = p->stride * index_of(p, first + i + 1, k, kind);
+            double *const x = b->x[3 * k] + i, *const y = b->x[3 * k + 1] + i, *const z = b->x[3 * k + 2] + i;
+            x[0] = kind & KIND_FLOAT ? (double)p->xf[at] : p->x[at];
+            x[1] = kind & KIND_FLOAT ? (double)p->xf[next] : p->x[next];
+            y[0] = kind & KIND_FLOAT ? (double)p->yf[at] : p->y[at];
+            y[1] = kind & KIND_FLOAT ? (double)p->yf[next] : p->y[next];
+            z[0] = kind & KIND_FLOAT ? (double)p->zf[at] : p->z[at];
+            z[1] = kind & KIND_FLOAT ? (double)p->zf[next] : p->z[next];
+        }
+    if (p->n - first >= AHEAD + BLOCK && p->stride > 1)
         fetch_nodes(p, first + AHEAD, kind);
 }
 
@@ -141,8 +106,8 @@ FOOTPOINT_FN void first_corners(const struct block *b, double c[12])
     const double xC[3] = NODE(b, c, prepared, i, 6), xD[3] = NODE(b, c, prepared, i, 9);                               \
     const double xS[3] = {(b)->x[12][i], (b)->x[13][i], (b)->x[14][i]}
 
-/* The gap, and status FOOTPOINT_ERR_DEGENERATE where there is no normal. */
-FOOTPOINT_FN void gaps(struct block *b, size_t count, int prepared)
+/* The gap and the status, as the function for one pair has them. */
+FOOTPOINT_FN void judge(struct block *b, size_t count, int prepared)
 {
     double c[12];
     first_corners(b, c);
@@ -150,21 +115,10 @@ FOOTPOINT_FN void gaps(struct block *b, size_t count, int prepared)
         NODES_OF(b, c, prepared, i);
         double gap = 0.0;
         const int area = footpoint_detail_gap(xA, xB, xC, xD, xS, b->xi[i], b->eta[i], &gap);
-        b->gap[i] = gap;
-        b->status[i] = area ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
-    }
-}
-
-FOOTPOINT_FN void judge(struct block *b, size_t count, int prepared)
-{
-    double c[12];
-    first_corners(b, c);
-    gaps(b, count, prepared);
-    for (size_t i = 0; i < count; i++) {
-        NODES_OF(b, c, prepared, i);
-        const double sum = (b->xi[i] - b->xi[i]) + (b->eta[i] - b->eta[i]) + (b->gap[i] - b->gap[i]);
+        const double sum = (b->xi[i] - b->xi[i]) + (b->eta[i] - b->eta[i]) + (gap - gap);
         const int nodes = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-        const int64_t found = sum == 0.0 ? b->status[i] : FOOTPOINT_ERR_DEGENERATE;
+        const int found = (area & (sum == 0.0)) ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+        b->gap[i] = gap;
         b->status[i] = nodes != FOOTPOINT_OK ? nodes : found;
     }
 }
@@ -180,37 +134,41 @@ FOOTPOINT_FN void verify(struct block *b, size_t count)
     }
 }
 
-/* Sufficient for FOOTPOINT_OK, at half the price.  For |xi|, |eta| <= 9, |r_xi|^2 is at most 81 times the greater of
- * |AB|^2, |DC|^2, so that the product of footpoint_detail_gap's test is less than 82^2 times the one below; the other
- * limits keep everything it forms within the range of double. */
-FOOTPOINT_FN int all_good(const struct block *b, size_t count)
+/* The lesser of two numbers; one of a and b if either is not a number. */
+FOOTPOINT_FN double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+/* Sufficient for FOOTPOINT_OK, at half the price; with `gap` that of footpoint_detail_gap as well, out of what the two
+ * have in common, in its order of operations.  For |xi| + |eta| <= 9, |r_xi|^2 is at most 81 times the greater of
+ * |AB|^2, |DC|^2, so that the product of its test is less than 82^2 times the one below; the other limits keep
+ * everything it forms within the range of double.  Comparisons are few, as each waits for the one before. */
+FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap)
 {
     int64_t bad = 0;
     for (size_t i = 0; i < count; i++) {
         NODES_OF(b, b->xi, 0, i);
-        const double t = 0.5 * (1.0 + b->eta[i]), s = 0.5 * (1.0 + b->xi[i]);
-        double ab[3], ad[3], u[3], v[3], ab2 = 0.0, dc2 = 0.0, ad2 = 0.0, bc2 = 0.0, ac = 0.0, bd = 0.0, far = 0.0;
+        const double s = 0.5 * (1.0 + b->xi[i]), t = 0.5 * (1.0 + b->eta[i]);
+        double ab[3], dc[3], ad[3], bc[3], ac[3], bd[3], u[3], v[3], d[3], n[3];
         for (int k = 0; k < 3; k++) {
-            const double dc = xC[k] - xD[k], bc = xC[k] - xB[k];
-            ab[k] = xB[k] - xA[k];
-            ad[k] = xD[k] - xA[k];
-            const double twist = dc - ab[k];
-            u[k] = ab[k] + t * twist;
-            v[k] = ad[k] + s * twist;
-            ab2 += ab[k] * ab[k];
-            dc2 += dc * dc;
-            ad2 += ad[k] * ad[k];
-            bc2 += bc * bc;
-            ac += fabs(ab[k] + bc);
-            bd += fabs(bc - dc);
-            far += fabs(xA[k]) + fabs(xS[k]);
+            ab[k] = xB[k] - xA[k], dc[k] = xC[k] - xD[k], ad[k] = xD[k] - xA[k], bc[k] = xC[k] - xB[k];
+            ac[k] = xC[k] - xA[k], bd[k] = xD[k] - xB[k];
+            u[k] = ab[k] + t * (dc[k] - ab[k]);
+            v[k] = ad[k] + s * (bc[k] - ad[k]);
+            d[k] = (xS[k] - xA[k]) - s * ab[k] - t * v[k];
         }
-        const double nx = u[1] * v[2] - u[2] * v[1], ny = u[2] * v[0] - u[0] * v[2], nz = u[0] * v[1] - u[1] * v[0];
-        const double nn = nx * nx + ny * ny + nz * nz, xi2 = ab2 + dc2, eta2 = ad2 + bc2, size = xi2 * eta2;
-        const int good = (nn > 1e-15 * size) & (size > 1e-200) & (xi2 + eta2 < 1e150) & (far < 1e100) & (ab2 > 0.0) &
-                         (dc2 > 0.0) & (ad2 > 0.0) & (bc2 > 0.0) & (ac > 0.0) & (bd > 0.0) & (fabs(b->xi[i]) <= 9.0) &
-                         (fabs(b->eta[i]) <= 9.0);
+        vector_cross(u, v, n);
+        const double nn = vector_dot(n, n), far = vector_dot(xA, xA) + vector_dot(xS, xS);
+        const double ab2 = vector_dot(ab, ab), dc2 = vector_dot(dc, dc), xi2 = ab2 + dc2;
+        const double ad2 = vector_dot(ad, ad), bc2 = vector_dot(bc, bc), eta2 = ad2 + bc2;
+        const double diagonals = lesser(vector_dot(ac, ac), vector_dot(bd, bd));
+        const double least = lesser(lesser(lesser(ab2, dc2), lesser(ad2, bc2)), diagonals);
+        const int good = (nn > 1e-15 * (xi2 * eta2 + 1e-180)) & (xi2 + eta2 + far < 1e70) & (least > 0.0) &
+                         (fabs(b->xi[i]) + fabs(b->eta[i]) <= 9.0);
         bad |= good ? 0 : 1;
+        if (gap)
+            b->gap[i] = vector_dot(d, n) / sqrt(nn);
     }
     return !bad;
 }
@@ -267,23 +225,21 @@ FOOTPOINT_FN int all_good(const struct block *b, size_t count)
     GATHER(1, suffix, attributes)                                                                                      \
     GATHER(2, suffix, attributes)                                                                                      \
     GATHER(3, suffix, attributes)                                                                                      \
-    GATHER(4, suffix, attributes)                                                                                      \
-    GATHER(5, suffix, attributes)                                                                                      \
-    attributes static uint64_t greatest32_##suffix(const struct footpoint_pairs *p, size_t first)                      \
+    attributes static int any_outside32_##suffix(const struct footpoint_pairs *p, size_t first)                        \
     {                                                                                                                  \
-        return greatest(p, first, 0);                                                                                  \
+        return any_outside(p, first, 0);                                                                               \
     }                                                                                                                  \
-    attributes static uint64_t greatest64_##suffix(const struct footpoint_pairs *p, size_t first)                      \
+    attributes static int any_outside64_##suffix(const struct footpoint_pairs *p, size_t first)                        \
     {                                                                                                                  \
-        return greatest(p, first, KIND_WIDE);                                                                          \
+        return any_outside(p, first, KIND_WIDE);                                                                       \
     }                                                                                                                  \
-    attributes static int all_good_##suffix(const struct block *b, size_t count)                                       \
+    attributes static int all_good_##suffix(struct block *b, size_t count)                                             \
     {                                                                                                                  \
-        return all_good(b, count);                                                                                     \
+        return all_good(b, count, 0);                                                                                  \
     }                                                                                                                  \
-    attributes static void gaps_##suffix(struct block *b, size_t count)                                                \
+    attributes static int all_good_gaps_##suffix(struct block *b, size_t count)                                        \
     {                                                                                                                  \
-        gaps(b, count, 0);                                                                                             \
+        return all_good(b, count, 1);                                                                                  \
     }                                                                                                                  \
     attributes static void judge_##suffix(struct block *b, size_t count)                                               \
     {                                                                                                                  \
@@ -298,12 +254,11 @@ FOOTPOINT_FN int all_good(const struct block *b, size_t count)
         verify(b, count);                                                                                              \
     }                                                                                                                  \
     static const struct lanes lanes_##suffix = {                                                                       \
-        {greatest32_##suffix, greatest64_##suffix},                                                                    \
-        {gather0_##suffix, gather1_##suffix, gather2_##suffix, gather3_##suffix, gather4_##suffix, gather5_##suffix},  \
+        {any_outside32_##suffix, any_outside64_##suffix},                                                              \
+        {gather0_##suffix, gather1_##suffix, gather2_##suffix, gather3_##suffix},                                      \
         {TIERS(NAME_SEARCH, suffix, attributes)},                                                                      \
         {TIERS(NAME_PREPARED, suffix, attributes)},                                                                    \
-        all_good_##suffix,                                                                                             \
-        gaps_##suffix,                                                                                                 \
+        {all_good_##suffix, all_good_gaps_##suffix},                                                                   \
         judge_##suffix,                                                                                                \
         judge_prepared_##suffix,                                                                                       \
         verify_##suffix};
