@@ -13,6 +13,7 @@
 #include <getopt.h>
 #include <glob.h>
 #include <stdlib.h>
+#include <string.h>
 
 #ifdef __clang__
 #define COMPILER "clang " __clang_version__
