@@ -1,8 +1,8 @@
 /* A sum may be computed as any multiple of itself, since whoever uses it can take the multiple back; so may an inverse
- * that has a name, as c / d.  A local search
- * moves the scales of single sums, and of like sums together (the x, y and z of a vector), and lets everything
- * homogeneous in them follow, to leave the fewest coefficients other than 1 and -1.  Costs are kept by node, so that a
- * move touches only what depends on it. */
+ * that has a name, as c / d.  A local search moves the scales of single ones, of like sums together (the x, y and z of
+ * a vector), and of all that stand in a sum with the same coefficient, and lets everything homogeneous in them follow,
+ * to leave the fewest coefficients other than 1 and -1.  Costs are kept by node, so that a move touches only what
+ * depends on it. */
 #include "scales.h"
 
 #include <stdlib.h>
@@ -21,6 +21,7 @@ struct search {
     int *level;               /* owned: by node, longest way from an input */
     size_t *first_user;       /* owned: user[first_user[n]] to user[first_user[n + 1] - 1] are those of node n */
     int *user;                /* owned */
+    bool *moves;              /* owned: by node, the move begins with its scale; false between moves */
     bool *dirty;              /* owned: by node, an operand's scale has changed */
     int *changed, *affected;  /* owned: nodes whose scale the move changed, whose cost it changed */
     bool *listed;             /* owned: by node, is in `affected` */
@@ -177,24 +178,25 @@ static void add_affected(struct search *x, size_t *n, int node)
     x->listed[node] = true;
 }
 
-/* Multiplies the scale of a sum, or of all sums like it (same level, same coefficients), by `factor`; what uses them
+/* Multiplies the scales of the nodes that are to move, none of them before `position`, by `factor`; what uses them
  * follows.  The move stands if the total falls and no scale is wild. */
-static void try_factor(struct search *x, size_t position, rational factor, bool all)
+static void try_factor(struct search *x, size_t position, rational factor)
 {
     struct schedule *s = x->s;
-    const int n = s->order[position];
     size_t changed = 0, affected = 0;
     double difference = 0;
     bool wild = false;
     if (2 * x->used > x->terms)
         fill_terms(x);
-    for (size_t i = all ? 0 : position; i < s->n; i++) {
+    for (size_t i = position; i < s->n; i++) {
         const int m = s->order[i];
+        const bool moves = x->moves[m];
+        x->moves[m] = false;
         if (wild) {
             x->dirty[m] = false;
             continue;
         }
-        if (m == n || (all && alike(x, m, n)))
+        if (moves)
             s->scale[m] = rational_mul(s->scale[m], factor);
         else if (!x->dirty[m])
             continue;
@@ -285,9 +287,53 @@ static void improve_node(struct search *x, size_t position)
     for (size_t i = 0; !others && i < x->s->n; i++)
         others = i != position && alike(x, x->s->order[i], n);
     for (size_t i = 0; i < x->factors; i++) {
-        try_factor(x, position, x->factor[i], false);
+        x->moves[n] = true;
+        try_factor(x, position, x->factor[i]);
+        for (size_t k = 0; others && k < x->s->n; k++)
+            x->moves[x->s->order[k]] = x->s->order[k] == n || alike(x, x->s->order[k], n);
         if (others)
-            try_factor(x, position, x->factor[i], true);
+            try_factor(x, 0, x->factor[i]);
+    }
+}
+
+static bool is_movable(const struct search *x, int n)
+{
+    return x->s->dag->node[n].kind == NODE_SUM || schedule_has_numerator(x->s, n);
+}
+
+/* What gives operand n another scale: itself or a factor of it; -1 if nothing does. */
+static int mover_of(const struct search *x, int n)
+{
+    const struct node *node = &x->s->dag->node[n];
+    if (is_movable(x, n))
+        return n;
+    for (size_t k = 0; node->kind == NODE_PRODUCT && k < node->edges; k++)
+        if (node->edge[k].power == 1 && is_movable(x, node->edge[k].node))
+            return node->edge[k].node;
+    return -1;
+}
+
+/* Operands that share a coefficient of sum n take it over, all at once. */
+static void improve_group(struct search *x, int n)
+{
+    const struct node *node = &x->s->dag->node[n];
+    x->factors = 0;
+    for (size_t k = 0; k < node->edges && k < MOST_TERMS; k++)
+        if (node->edge[k].node != 0)
+            add_factor(x, rational_abs(coefficient(x->s->dag, x->best, n, k)));
+    for (size_t i = 0; i < x->factors; i++) {
+        size_t movers = 0;
+        for (size_t k = 0; k < node->edges; k++) {
+            const int mover = mover_of(x, node->edge[k].node);
+            if (mover < 0 || x->moves[mover] || rational_abs(coefficient(x->s->dag, x->best, n, k)) != x->factor[i])
+                continue;
+            x->moves[mover] = true;
+            movers++;
+        }
+        if (movers > 1)
+            try_factor(x, 0, x->factor[i]);
+        else
+            memset(x->moves, 0, x->s->dag->nodes * sizeof *x->moves);
     }
 }
 
@@ -323,7 +369,7 @@ static void find_levels(struct search *x)
     }
 }
 
-double scales_improve(struct schedule *s)
+double scales_improve(struct schedule *s, bool groups)
 {
     const size_t all = s->dag->nodes + s->dag->outputs;
     size_t edges = 0;
@@ -336,6 +382,7 @@ double scales_improve(struct schedule *s)
         ;
     x.best = new_array(s->dag->nodes, sizeof *x.best);
     x.level = new_array(s->dag->nodes, sizeof *x.level);
+    x.moves = new_array(all, sizeof *x.moves);
     x.dirty = new_array(all, sizeof *x.dirty);
     x.listed = new_array(all, sizeof *x.listed);
     x.changed = new_array(all, sizeof *x.changed);
@@ -349,13 +396,17 @@ double scales_improve(struct schedule *s)
     for (int sweep = 0; sweep < SWEEPS && x.improved; sweep++) {
         x.improved = false;
         for (size_t i = 0; i < s->n; i++)
-            if (s->dag->node[s->order[i]].kind == NODE_SUM || schedule_has_numerator(s, s->order[i]))
+            if (is_movable(&x, s->order[i]))
                 improve_node(&x, i);
+        for (size_t i = 0; groups && i < s->n; i++)
+            if (s->dag->node[s->order[i]].kind == NODE_SUM)
+                improve_group(&x, s->order[i]);
     }
     free(x.best);
     free(x.level);
     free(x.first_user);
     free(x.user);
+    free(x.moves);
     free(x.dirty);
     free(x.listed);
     free(x.changed);

@@ -5,7 +5,7 @@
 #include "schedule.h"
 
 /** Changes the scales, all ONE so far, so that few multiplications by constants are left; returns the work, in pairs of
- *  terms compared. */
-double scales_improve(struct schedule *s);
+ *  terms compared.  groups: operands that share a coefficient in a sum are changed together, too. */
+double scales_improve(struct schedule *s, bool groups);
 
 #endif

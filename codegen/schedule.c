@@ -212,7 +212,7 @@ int schedule_doublings(const struct schedule *s, rational c)
     return n * s->model->add < s->model->mul ? n : 0;
 }
 
-struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, bool search)
+struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, enum scale_search search)
 {
     struct schedule *s = new_array(1, sizeof *s);
     size_t edges = 0;
@@ -229,8 +229,8 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     }
     order_nodes(s);
     order_stages(s);
-    if (search)
-        s->work = scales_improve(s);
+    if (search != SCALES_KEPT)
+        s->work = scales_improve(s, search == SCALES_GROUPS);
     order_urgent(s);
     for (s->terms = 16; s->terms < 2 * edges; s->terms *= 2)
         ;

@@ -25,9 +25,12 @@ struct schedule {
     size_t terms;
 };
 
-/** A schedule of the outputs: with every value as the graph has it, or, after a search, in scales that cost fewer
- *  multiplications by constants. */
-struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, bool search);
+/** Which scales: every value as the graph has it, or in scales that cost fewer multiplications by constants; changed
+ *  one by one, or in groups, too, which takes longer. */
+enum scale_search { SCALES_KEPT, SCALES_SINGLE, SCALES_GROUPS };
+
+/** A schedule of the outputs. */
+struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, enum scale_search search);
 void schedule_free(struct schedule *s);
 
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */

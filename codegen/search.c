@@ -7,6 +7,7 @@
 #include "balance.h"
 #include "distribute.h"
 #include "horner.h"
+#include "multiples.h"
 #include "shape.h"
 #include "share.h"
 #include "walk.h"
@@ -18,6 +19,7 @@
 enum {
     BEAM = 4,
     FORMS = 24,
+    KEEPING = 6, /* the first of them, which leave quotients as they are */
     WRITTEN = 2, /* shapes that are the genome as written; others may be far from it */
     RANDOM_TRIES = 200,
     UNIT = 1500, /* nodes and edges handled in about a millisecond */
@@ -58,12 +60,14 @@ struct search {
     struct emission best;    /* owned text */
     struct candidate winner; /* that it came from */
     double least;
+    double guide;             /* least cost of the emissions that steer the search */
     size_t removing, removed; /* singularities: by the passes under way, by the winner's */
     uint64_t random;
     int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
     double chain;                          /* longest one of the graph at hand, where the cost model asks for it */
     struct cost_model latency;             /* when operands are ready */
     double work, limit;
+    bool starting;   /* the starting points are under way */
     bool explaining; /* the passes print what they made */
 };
 
@@ -76,6 +80,7 @@ struct search *search_new(const struct genome_file *f, const struct compile_opti
     s->random = o->seed;
     cost_model_find("latency", &s->latency, &d);
     s->limit = (double)o->effort * UNIT;
+    s->guide = HUGE_VAL;
     s->least_degree = f->segment ? 0 : FREE_DEGREE;
     return s;
 }
@@ -208,21 +213,22 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     return g;
 }
 
-/* Emits a graph, in its own scales or in those that a search finds; returns the cost. */
-static double emit(struct search *s, const struct dag *g, const struct candidate *from, bool scales)
+/* Emits a scheduled graph; the text is kept if it is the cheapest so far.  Returns the cost.  Emissions that do not
+ * steer the search leave no trace where they do not win. */
+static double emit_schedule(struct search *s, const struct schedule *schedule, const struct candidate *from,
+                            bool steers)
 {
-    struct schedule *schedule = schedule_new(g, &s->options->cost, scales);
     struct emission e;
     emit_statements(s->file, schedule, &e);
     e.out_of_range |= rational_take_overflow();
-    s->work += (scales ? SCALES : 2) * (double)schedule->n;
-    count_dear(s, schedule->work);
-    schedule_free(schedule);
     const double sum = operations_cost(&e.ops, &s->options->cost);
     const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
-    const bool tie = s->best.text && cost < s->least + 1e-9 && e.ops.mul == s->best.ops.mul;
-    if (!s->best.text || cost < s->least - 1e-9 || (cost < s->least + 1e-9 && e.ops.mul < s->best.ops.mul) ||
-        (tie && e.negations < s->best.negations)) {
+    const bool tie = s->best.text && cost < s->least + 1e-9,
+               neater =
+                   e.ops.mul < s->best.ops.mul || (e.ops.mul == s->best.ops.mul && e.negations < s->best.negations);
+    if (steers && cost < s->guide)
+        s->guide = cost;
+    if (!s->best.text || cost < s->least - 1e-9 || (steers && tie && neater)) {
         free(s->best.text);
         s->best = e;
         s->least = cost;
@@ -230,6 +236,35 @@ static double emit(struct search *s, const struct dag *g, const struct candidate
         copy_candidate(&s->winner, from);
     } else
         free(e.text);
+    return cost;
+}
+
+/* Once more with multiples of values shared, if that may be the cheapest. */
+static void emit_multiples(struct search *s, const struct schedule *schedule, const struct candidate *from, double cost)
+{
+    size_t saved;
+    struct dag *g = s->options->cost.chain ? NULL : multiples_taken(schedule, &saved);
+    if (g && cost - (double)saved * s->options->cost.mul < s->least - 1e-9) {
+        struct schedule *again = schedule_new(g, &s->options->cost, SCALES_SINGLE);
+        emit_schedule(s, again, from, false);
+        schedule_free(again);
+    }
+    dag_free(g);
+}
+
+/* Emits a graph, in its own scales or in those that a search finds; returns the cost. */
+static double emit(struct search *s, const struct dag *g, const struct candidate *from, enum scale_search scales)
+{
+    struct schedule *schedule = schedule_new(g, &s->options->cost, scales);
+    const bool steers = scales != SCALES_GROUPS;
+    const double cost = emit_schedule(s, schedule, from, steers);
+    if (steers) {
+        s->work += (scales ? SCALES : 2) * (double)schedule->n;
+        count_dear(s, schedule->work);
+    }
+    if (scales != SCALES_KEPT)
+        emit_multiples(s, schedule, from, cost);
+    schedule_free(schedule);
     return cost;
 }
 
@@ -248,12 +283,14 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
         if (multiples > 0)
             share_multiples(g);
         if (multiples == 0)
-            c->estimate = emit(s, g, c, false);
+            c->estimate = emit(s, g, c, SCALES_KEPT);
         if (c->estimate <= limit) {
-            const double cost = emit(s, g, c, true);
+            const double cost = emit(s, g, c, SCALES_SINGLE);
             c->cost = cost < c->cost ? cost : c->cost;
+            if (s->starting && c->cost <= s->least + SLACK * s->options->cost.mul)
+                emit(s, g, c, SCALES_GROUPS);
         }
-        if (c->estimate > limit || c->cost > s->least + SLACK * s->options->cost.mul)
+        if (c->estimate > limit || c->cost > s->guide + SLACK * s->options->cost.mul)
             break;
     }
     dag_free(g);
@@ -295,6 +332,7 @@ static void drop_shapes(struct search *s)
     }
     free(s->best.text);
     s->best = (struct emission){0};
+    s->guide = HUGE_VAL;
     s->shapes = kept;
     s->work = work;
 }
@@ -309,6 +347,15 @@ static void try_policy(struct search *s, size_t shape, const struct policy *p)
     enter_beam(s);
 }
 
+static struct policy starting_policy(int form)
+{
+    return (struct policy){.plain = form % 3 == 1,
+                           .early = form % 3 == 2,
+                           .dissolve = form / 3 & 1,
+                           .combine = form / 6 & 1,
+                           .join = form / 12 & 1};
+}
+
 /* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
  * or not, in all mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear.
  */
@@ -320,15 +367,13 @@ static void try_first(struct search *s)
         const bool quotients = divides(s->shape[i].dag);
         bool dear = false;
         for (int form = 0; form < FORMS; form++) {
-            const struct policy p = {.plain = form % 3 == 1,
-                                     .early = form % 3 == 2,
-                                     .dissolve = form / 3 & 1,
-                                     .combine = form / 6 & 1,
-                                     .join = form / 12 & 1};
+            const struct policy p = starting_policy(form);
             const double before = s->work;
-            if ((form >= 6 && !quotients) || (p.dissolve > 0 && dear) || (s->n > 0 && s->work > first))
+            if ((form >= KEEPING && !quotients) || (p.dissolve > 0 && dear) || (s->n > 0 && s->work > first))
                 continue;
+            s->starting = true;
             try_policy(s, i, &p);
+            s->starting = false;
             dear |= s->work - before > s->limit / 20;
             s->shape[i].open |= p.dissolve > 0 && !dear;
         }
@@ -404,6 +449,22 @@ static void try_absorbing(struct search *s)
     }
 }
 
+/* The first shape with quotients by single factors, from all starting points that keep quotients; last, too. */
+static void try_splitting(struct search *s)
+{
+    const double before = s->work;
+    struct dag *g = s->shapes > 0 && divides(s->shape[0].dag) ? shape_split(s->shape[0].dag) : NULL;
+    if (!g)
+        return;
+    search_add(s, g, 1, "quotients by single factors");
+    s->starting = true;
+    for (int form = 0; form < KEEPING && s->work - before < s->limit / 20; form++) {
+        struct candidate c = {.shape = s->shapes - 1, .policy = starting_policy(form)};
+        evaluate(s, &c, NULL, HUGE_VAL);
+    }
+    s->starting = false;
+}
+
 /* How the result came about: the winner's passes once more. */
 static void explain(struct search *s)
 {
@@ -432,6 +493,7 @@ size_t search_run(struct search *s, struct emission *e)
             best = i;
     if (s->n > 0 && s->work < s->limit)
         anneal(s, &s->beam[best], HOT, s->limit);
+    try_splitting(s);
     try_absorbing(s);
     if (s->options->explain && s->best.text)
         explain(s);

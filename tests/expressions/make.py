@@ -104,6 +104,7 @@ def expanded(folder):
     write(folder, 'expanded-parts', 'a b c d e f x y',
           [('r', (a + 2 * b - 3) * (a - b + 1) + (c + d) * (c - d + 2) + (e * f + 1) * (e - f) + (x + y) ** 3)],
           'products and a power without common variables')
+    write(folder, 'expanded-composed', 'x y', [('r', ((x * x + y) ** 2 - 3) ** 2 + y)], '((x^2 + y)^2 - 3)^2 + y')
     four = variables('a b c d')
     for n in 3, 4:
         v = four[:n]
@@ -184,6 +185,12 @@ def shared(folder):
           [('det', determinant(m))], 'adjugate and determinant of a 3x3 matrix')
     write(folder, 'inverse3', nine, [(f'i{j + 1}{i + 1}', cofactor(m, i, j) / determinant(m)) for i in range(3)
                                      for j in range(3)], 'inverse of a 3x3 matrix, each entry a quotient')
+    q = variables('a b c d')
+    a, b, c, d = (v * v for v in q)
+    write(folder, 'rotation', 'a b c d',
+          [('r11', a + b - c - d), ('r22', a - b + c - d), ('r33', a - b - c + d)] +
+          [(f'r{i}{j}', 2 * (q[i] * q[j] + q[0] * q[k] if (j - i) % 3 == 2 else q[i] * q[j] - q[0] * q[k]))
+           for i in (1, 2, 3) for j in (1, 2, 3) if i != j for k in (6 - i - j,)], 'the rotation matrix of a quaternion, expanded')
     four = [names(' '.join(f'm{i}{j}' for j in range(1, 5))) for i in range(1, 5)]
     write(folder, 'cofactors4', ' '.join(str(e) for row in four for e in row),
           [(f'c{i + 1}{j + 1}', cofactor(four, i, j)) for i in range(4) for j in range(4)], 'cofactors of a 4x4 matrix')
@@ -274,6 +281,11 @@ def rational(folder):
     poles = [k / (x - E(node)) for k, node in zip(('1', '-3', '3', '-1'), nodes)]
     write(folder, 'barycentric', 'x a b c d', [('r', total(p * v for p, v in zip(poles, weights)) / total(poles))],
           'barycentric Lagrange interpolation')
+    nodes = names('p q r')
+    write(folder, 'lagrange', 'x p q r f g h',
+          [('v', total(value * (x - s) * (x - t) / ((at - s) * (at - t)) for value, at, s, t in zip(
+              names('f g h'), nodes, nodes[1:] + nodes[:1], nodes[2:] + nodes[:2])))],
+          'the parabola through three points')
     u = E('u')
     b = [(1 - u) * (1 - u), 2 * u * (1 - u), u * u]
     den = total(h * E(f'w{i}') for i, h in enumerate(b))
