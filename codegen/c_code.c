@@ -143,6 +143,16 @@ void c_print_statements(const struct unit *u, const struct function *f, FILE *ou
         fputs(f->code.emission.text, out);
 }
 
+bool c_scales_status(const struct unit *u, const struct function *f)
+{
+    for (size_t i = 0; i < f->evidence->denominators; i++) {
+        const struct denominator *d = &f->evidence->denominator[i];
+        if (d->verdict != POLE_FREE && unit_threshold(u, d) > 0.0 && unit_degree(u, f, d) != 0)
+            return true;
+    }
+    return false;
+}
+
 void c_print_status(const struct unit *u, const struct function *f, FILE *out)
 {
     const enum precision precision = u->options.precision;
@@ -156,8 +166,12 @@ void c_print_status(const struct unit *u, const struct function *f, FILE *out)
         const double threshold = unit_threshold(u, d);
         c_print(joint, precision, "", out);
         print_broken(text, 32, WIDTH - 20, "\n            ", NULL, out);
-        fprintf(out, threshold > 0.0 ? ", %.4e" : ", %.1f", threshold);
-        c_print("@F)", precision, "", out);
+        const int degree = threshold > 0.0 ? unit_degree(u, f, d) : 0;
+        fputs(degree ? ",\n            " : ", ", out);
+        fprintf(out, threshold > 0.0 ? "%.4e" : "%.1f", threshold);
+        char *power = degree ? new_format("@F * @Dpower(xA, xB, %d))", degree) : new_text("@F)", 3);
+        c_print(power, precision, "", out);
+        free(power);
         joint = " +\n        @Dflaw(";
         free(text);
     }

@@ -15,6 +15,9 @@ void c_print(const char *text, enum precision precision, const char *name, FILE 
 /** The statements of a function, indented. */
 void c_print_statements(const struct unit *u, const struct function *f, FILE *out);
 
+/** Whether the status compares with limits that go with the size of the segment: the header then needs powers of |AB|. */
+bool c_scales_status(const struct unit *u, const struct function *f);
+
 /** `return` of the status: whether each denominator that may be 0 is far enough from it. */
 void c_print_status(const struct unit *u, const struct function *f, FILE *out);
 

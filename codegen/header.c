@@ -60,6 +60,22 @@ static void print_flaw(enum precision precision, FILE *out)
             precision, "", out);
 }
 
+static void print_power(enum precision precision, FILE *out)
+{
+    c_print("\n#ifndef FOOTPOINT_DETAIL_POWER@G\n#define FOOTPOINT_DETAIL_POWER@G\n"
+            "/* |AB| to the power n: what goes as that is compared with what it is for |AB| = 1. */\n"
+            "FOOTPOINT_FN @R @Dpower(const @R a[3], const @R b[3], int n)\n"
+            "{\n"
+            "    const @R x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2], square = x * x + y * y + z * z;\n"
+            "    @R power = n & 1 ? sqrt@F(square) : 1.0@F;\n"
+            "    int i;\n"
+            "    for (i = n < 0 ? -n : n; i > 1; i -= 2)\n"
+            "        power *= square;\n"
+            "    return n < 0 ? 1.0@F / power : power;\n"
+            "}\n#endif\n",
+            precision, "", out);
+}
+
 /* "double in_x, double in_y, double *out_r", a few a line; of an array function pointers. */
 static void print_parameters(const struct unit *u, const struct function *f, bool array, FILE *out)
 {
@@ -128,16 +144,20 @@ static void print_points(const struct unit *u, const struct function *f, FILE *o
 void header_print(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
-    bool status = false;
-    for (size_t i = 0; i < u->file->genomes; i++)
-        status =
-            status || (u->file->segment ? search_hides_poles(&u->function[i]) : function_has_poles(&u->function[i]));
+    bool status = false, scales = false;
+    for (size_t i = 0; i < u->file->genomes; i++) {
+        const struct function *f = &u->function[i];
+        status = status || (u->file->segment ? search_hides_poles(f) : function_has_poles(f));
+        scales = scales || (u->file->segment && search_hides_poles(f) && c_scales_status(u, f));
+    }
     print_banner(u, out);
     print_macros(u->options.prefix, out);
     if (single_checks(u))
         fputs("#ifndef FOOTPOINT_ERR_DOMAIN\n#define FOOTPOINT_ERR_DOMAIN 3\n#endif\n", out);
     if (status)
         print_flaw(precision, out);
+    if (scales)
+        print_power(precision, out);
     if (u->file->segment)
         search_print_helpers(u->file->segment, precision, out);
     if (u->options.samples)

@@ -1,6 +1,7 @@
 /* From genomes to proved functions; see unit.h. */
 #include "unit.h"
 
+#include "homogeneous.h"
 #include "single.h"
 #include "text.h"
 
@@ -24,6 +25,27 @@ double unit_threshold(const struct unit *u, const struct denominator *d)
     const bool single = u->options.precision == PRECISION_FLOAT;
     const double threshold = single ? d->threshold * FLOAT_TO_DOUBLE : d->threshold;
     return threshold >= (single ? (double)FLT_MIN : DBL_MIN) ? threshold : 0.0;
+}
+
+/* Do the ranges say that A = (0,0,0) and B = (1,0,0)? */
+static bool has_unit_edge(const struct genome_file *f)
+{
+    for (size_t i = 0; i < 6; i++) {
+        const double only = i == 3 ? 1.0 : 0.0;
+        const struct genome_range *r = &f->range[i];
+        if (!r->given || f->constant[r->lo].value != only || f->constant[r->hi].value != only)
+            return false;
+    }
+    return true;
+}
+
+int unit_degree(const struct unit *u, const struct function *f, const struct denominator *d)
+{
+    int degree = 0;
+    if (!u->file->segment || !has_unit_edge(u->file) ||
+        !homogeneous_degree(f->program, u->file->segment, d->op, &degree))
+        return 0;
+    return degree;
 }
 
 bool *function_reads(const struct function *f)

@@ -52,4 +52,8 @@ bool *function_reads(const struct function *f);
 /** |D| at or below which a denominator cannot be told from 0 in the unit's precision; 0 if unknown. */
 double unit_threshold(const struct unit *u, const struct denominator *d);
 
+/** The power of |AB| that goes with a segment's threshold: the ranges are those of segments with A = (0,0,0), B =
+ *  (1,0,0), callers have segments of any size.  0 if the ranges are others, or if the denominator has no power. */
+int unit_degree(const struct unit *u, const struct function *f, const struct denominator *d);
+
 #endif

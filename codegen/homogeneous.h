@@ -1,0 +1,12 @@
+/* How a program's values change with the size of a segment. */
+#ifndef FOOTPOINT_HOMOGENEOUS_H
+#define FOOTPOINT_HOMOGENEOUS_H
+
+#include "program.h"
+#include "segment.h"
+
+/** Degree of an operation in lengths: with all nodes moved away from the origin by a factor s, normals kept, its value
+ * is s^degree times as large.  False if it is no whole number, or if there is none because lengths meet numbers. */
+bool homogeneous_degree(const struct program *p, const struct segment_kind *k, int op, int *degree);
+
+#endif
