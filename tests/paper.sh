@@ -9,22 +9,26 @@ BIN=${BIN:-build} RANKS=${RANKS:-2} MPIRUN=${MPIRUN:-mpirun --oversubscribe -n $
 if [ "$FULL" = 1 ]; then
     folder=$folder/full
     seeds='1 2 3 4 5 6 7 8 9 10' pga_generations=3000 gp_generations=3000 group_generations=3000
-    timed_generations=500
+    timed_generations=500 sixteen_generations=3000 sixteen_training=83552
 else
     seeds=${SEEDS:-1 2 3 4} pga_generations=${PGA_GENERATIONS:-500} gp_generations=${GP_GENERATIONS:-120}
     group_generations=${GROUP_GENERATIONS:-40} timed_generations=${TIMED_GENERATIONS:-100}
+    sixteen_generations=${SIXTEEN_GENERATIONS:-120} sixteen_training=${SIXTEEN_TRAINING:-12000}
 fi
 runs=$folder/runs
 networks=${PERCEPTRONS:?the options of footpoint-perceptron; make paper gives them}
 sizes=10,20,40,60,80 lengths='50 100 150 200 250' groups='5 10 15 20' group_lengths='50 100 150'
 mkdir -p "$runs" || exit 3
 scene=${STUDY_SCENE:-tests/scenes/similarity.scene} timing=$runs/timing.scene
+# Sixteen inputs: section 7.2.
+sixteen_scene=${SIXTEEN_SCENE:-tests/scenes/gregory-inputs.scene} sixteen_length=${SIXTEEN_LENGTH:-250}
 
 say() { echo "$(date +%H:%M:%S) $*"; }
 now() { date +%s.%N; }
 
 # Runs that are there must be of the size that is wanted now; seeds may come on top.
-settings="p-GA $pga_generations, pd-LinearGP $gp_generations and $group_generations generations, perceptrons $networks"
+settings="p-GA $pga_generations, pd-LinearGP $gp_generations and $group_generations generations, \
+perceptrons $networks, sixteen inputs $sixteen_generations generations on $sixteen_training samples"
 if [ -e "$runs/settings" ] && [ "$settings" != "$(cat "$runs/settings")" ]; then
     echo "paper: $runs holds runs of another size ($(cat "$runs/settings")); take another folder, or remove it" >&2
     exit 1
@@ -39,8 +43,9 @@ make_once() {
     "$@" > "$file.part" && mv "$file.part" "$file" || { echo "paper: $file failed" >&2; exit 3; }
 }
 
-# scene_of FILE LENGTHS FUNCTIONS...: the paper's inputs, a tier for each function set and length: poly50, ...
+# scene_of FILE LENGTHS FUNCTIONS...: the base's inputs, a tier for each function set and length: poly50, ...
 scene_of() {
+    terminals=$(sed -n 's/.*\(terminals = \[[^]]*\];\).*/\1/p' "${base:-$scene}" | head -n 1)
     sed '/^tiers/,$d' "${base:-$scene}" > "$1.part"
     {
         echo 'tiers = ('
@@ -48,8 +53,7 @@ scene_of() {
         for functions in $3; do
             for length in $2; do
                 printf '%s  { name = "%.4s%s"; ' "$comma" "$functions" "$length"
-                printf 'terminals = ["xc", "yc", "zc", "xd", "yd", "xs", "ys", "zs"]; '
-                printf 'max_length = %s; functions = "%s"; }' "$length" "$functions"
+                printf '%s max_length = %s; functions = "%s"; }' "$terminals" "$length" "$functions"
                 comma=',
 '
             done
@@ -106,6 +110,27 @@ make_timing_scene() {
     base=
 }
 
+# The second study's scenes: of the lengths, of the front, of times, and of the methods that it is compared with.
+make_sixteen_scenes() {
+    sed "s/^training.*/training = $sixteen_training;/" $sixteen_scene > "$runs/sixteen.base"
+    base=$runs/sixteen.base scene_of "$runs/sixteen.scene" "$lengths" 'polynomial rational'
+    base=$runs/sixteen.base scene_of "$runs/sixteen-front.scene" "$sixteen_length" 'polynomial rational'
+    # For times: a coarse lattice, which is made fast.
+    sed 's/xy = .2.0, 0.2./xy = [2.0, 0.4]/; s/^training.*/training = 6000;/; s/^heldout.*/heldout = 100;/' \
+        "$runs/sixteen.base" > "$runs/sixteen-timed.base"
+    base=$runs/sixteen-timed.base scene_of "$runs/sixteen-timed.scene" 50 polynomial
+    base=
+    {
+        sed '/^tiers/,$d' "$runs/sixteen.base"
+        echo 'tiers = ('
+        echo '  { name = "area"; max_length = 1000; functions = "rational";'
+        echo '    terminals = ["xc", "yc", "zc", "xd", "yd", "xs", "ys", "zs"]; },'
+        echo '  { name = "facet"; frame = "gregory"; terminals = ["x_f", "y_f"]; max_length = 1;'
+        echo '    functions = "polynomial"; }'
+        echo ');'
+    } > "$runs/sixteen-known.scene"
+}
+
 # Seconds of a command, less those of the same with 1 generation: elapsed SCENE GENERATIONS RANKS OPTIONS...
 elapsed() {
     timed_scene=$1 timed=$2 ranks=$3
@@ -144,13 +169,13 @@ time_groups() {
     done
 }
 
-# pd-LinearGP: processor time of a generation of a group of 200 for xi and one for eta against the length.
+# pd-LinearGP: processor time of a generation of a group of 200 for xi and one for eta against the length, of a SCENE.
 time_lengths() {
     echo functions,length,seconds_per_generation
     for functions in polynomial rational; do
         for length in $lengths; do
             s=$(for generations in 1 "$timed_generations"; do
-                cpu_seconds "$BIN/footpoint-evolve" --preset paper --quiet --scene "$runs/timing50.scene" \
+                cpu_seconds "$BIN/footpoint-evolve" --preset paper --quiet --scene "$1" \
                     --from-scratch --generations "$generations" -o "$runs/timed.gen" --islands 1 \
                     --functions $functions --max-length "$length"
             done | awk '{ s = $1 - s } END { print s }')
@@ -162,17 +187,21 @@ time_lengths() {
 # What the runs will take, from the times of their parts: minutes.
 estimate() {
     awk -F, -v seeds="$(echo "$seeds" | wc -w)" -v p="$pga_generations" -v g="$gp_generations" \
-        -v q="$group_generations" -v ranks="$RANKS" '
+        -v q="$group_generations" -v n="$sixteen_generations" -v training="$sixteen_training" -v ranks="$RANKS" '
         FILENAME ~ /pga/ && $1 == ranks { pga = $2 }
         FILENAME ~ /lengths/ && FNR > 1 { all += $3; if ($1 == "polynomial" && $2 <= 150) short += $3 }
+        FILENAME ~ /sixteen/ { sixteen += $3 * training / 6000 }
         END { s = seeds * (3.5 * pga * p + 6.3 * all * g / ranks + 50 * short * q / ranks + 8 * 10 + 20) + 360
-              printf "%.0f", s / 60 }' "$runs/time-pga.csv" "$runs/time-lengths.csv"
+              s += seeds * (5 * sixteen * n / ranks + 12) + 30 + 200 / ranks
+              printf "%.0f", s / 60 }' "$runs/time-pga.csv" "$runs/time-lengths.csv" "$runs/time-sixteen.csv"
 }
 
 say "times"
 make_timing_scene
+make_sixteen_scenes
 make_once "$runs/time-pga.csv" time_pga
-make_once "$runs/time-lengths.csv" time_lengths
+make_once "$runs/time-lengths.csv" time_lengths "$runs/timing50.scene"
+make_once "$runs/time-sixteen.csv" time_lengths "$runs/sixteen-timed.scene"
 say "this will take about $(estimate) minutes on $RANKS ranks, less what is there; interrupt it whenever you like"
 
 # ---- the runs -------------------------------------------------------------------------------------------------------
@@ -200,5 +229,16 @@ for seed in $seeds; do
     evolve_once "front-$seed" --scene "$runs/front.scene" --cost paper --seed "$seed" --generations "$gp_generations" \
         --front "$runs/front-$seed.members"
 done
+
+# Sixteen inputs: what expressions are compared with, the lengths, and the front of either kind of expressions.
+make_once "$runs/sixteen-known.out" "$BIN/footpoint-evolve" --quiet --scene "$runs/sixteen-known.scene" \
+    --start tests/paper/sixteen.gen --growth no --generations 0 -o "$runs/sixteen-known.gen"
+for seed in $seeds; do
+    evolve_once "sixteen-$seed" --preset paper --scene "$runs/sixteen.scene" --seed "$seed" \
+        --generations "$sixteen_generations"
+done
+evolve_once sixteen-front --scene "$runs/sixteen-front.scene" --cost paper --seed "${seeds%% *}" \
+    --generations $((sixteen_generations / 4)) --front "$runs/sixteen-members.csv"
 export folder runs seeds groups BIN RANKS pga_generations gp_generations group_generations timed_generations
+export sixteen_generations sixteen_training sixteen_length
 sh tests/paper/page.sh && say "$folder/index.html"

@@ -3,13 +3,18 @@
 . tests/cli/expect.inc
 export OMPI_MCA_btl_base_warn_component_unused=0
 export SEEDS='1 2' PGA_GENERATIONS=10 GP_GENERATIONS=6 GROUP_GENERATIONS=3 TIMED_GENERATIONS=3 RANKS=2 BIN
+export SIXTEEN_GENERATIONS=8 SIXTEEN_TRAINING=500 SIXTEEN_LENGTH=30
 export PERCEPTRONS="--scene $work/coarse.scene --hidden 3 --hidden 2,2 --iterations 10"
-export STUDY_SCENE="$work/coarse.scene"
+export STUDY_SCENE="$work/coarse.scene" SIXTEEN_SCENE="$work/patches.scene"
 MPIRUN='mpirun -q --oversubscribe'
 [ "$(id -u)" != 0 ] || MPIRUN="$MPIRUN --allow-run-as-root"
 export MPIRUN="$MPIRUN -n 2"
-sed 's/\[2.0, 0.2\]/[2.0, 0.25]/; s/\[0.3, 0.1\]/[0.3, 0.15]/' tests/scenes/similarity.scene |
-    sed 's/^training.*/training = 3000;/; s/^heldout.*/heldout = 300;/' > "$work/coarse.scene"
+coarse() { # coarse SCENE
+    sed 's/\[2.0, 0.2\]/[2.0, 0.25]/; s/\[0.3, 0.1\]/[0.3, 0.15]/' "tests/scenes/$1.scene" |
+        sed 's/^training.*/training = 3000;/; s/^heldout.*/heldout = 300;/'
+}
+coarse similarity > "$work/coarse.scene"
+coarse gregory-inputs > "$work/patches.scene"
 
 # What is not of the study itself, or a time, is made once.
 mkdir -p "$work/a/runs" "$work/b/runs"
@@ -54,7 +59,7 @@ done
 [ -z "$empty" ] || echo "# empty:$empty"
 report $([ -z "$empty" ] && echo 1 || echo 0) 'no table and no picture is empty'
 for what in table1 table2 table3 counts compare contact perceptron front condition figure7 figure8 figure9 figure10 \
-    figure11 figure12 figure13 figure14; do
+    figure11 figure12 figure13 figure14 figure18 figure19 within figure20; do
     grep -q "href=\"$what.csv\"" "$work/a/index.html" || echo "$what"
 done > "$work/missing"
 sed 's/^/# missing: /' "$work/missing"

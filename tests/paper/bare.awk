@@ -1,6 +1,7 @@
 # Genomes in the eight inputs alone, without the preprocessing that computes them from the nodes; a network's values,
-# lets named hidden_..., stay.  -v only=xi: that output alone.
-/^footpoint-genome/ { print; print "input xc yc zc xd yd xs ys zs"; next }
+# lets named hidden_..., stay.  -v only=xi: that output alone.  -v inputs='x y': other inputs.
+BEGIN { if (inputs == "") inputs = "xc yc zc xd yd xs ys zs" }
+/^footpoint-genome/ { print; print "input " inputs; next }
 /^(note|input|segment|range|require|let) / { if (!inside) kept = /^let hidden_/ }
 /^genome / { inside = 1 }
 /^(xi|eta) = / { skip = only != "" && $1 != only }
