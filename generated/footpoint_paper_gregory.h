@@ -13,7 +13,7 @@
  * reference: xi -0.45 eta -0.45
  * corners: any (as the mesh has them)
  *
- * footpoint_paper_gregory_facet
+ * footpoint_new_paper_gregory_facet
  *   genome_sha256: fbca4099e17d0cfaa6daa131145686d0bc3cf87e5c5ee9eafdb2eb4d38eeda30
  *   operations: 49 mul, 1 div, 52 add, 0 sqrt, 13 compare; 56 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -23,7 +23,7 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 0.00041 (rounding error <= 8.9e-15)
+ *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.00041 (rounding error <= 8.9e-15)
  *   rounding error of xi: <= 0.67 proved (with or without FMA), 1.8e-13 worst of 10000 points
  *   rounding error of eta: <= 0.56 proved (with or without FMA), 5.2e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -35,7 +35,7 @@
  *   heldout_random_xi: n 28409 mean 2.268e-02 p99 1.881e-01 max 8.570e-01
  *   heldout_random_eta: n 28409 mean 3.014e-02 p99 2.822e-01 max 9.080e-01
  *
- * footpoint_paper_gregory_smooth
+ * footpoint_new_paper_gregory_smooth
  *   genome_sha256: 6eea43d5d270de11a4155f9c644bd5ac45e190829ed61c2df23fc278cefb890a
  *   operations: 202 mul, 2 div, 159 add, 0 sqrt, 13 compare; 136 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -45,8 +45,8 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t29 * t27 - t19 * t19: proved free of zeros, |...| >= 0.00041 (rounding error <= 9.8e-15)
- *   poles: t119 * t117 - t108 * t108: proved free of zeros, |...| >= 2.4e-06 (rounding error <= 2.8e+35)
+ *   poles: t24 * t23 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 9.8e-15)
+ *   poles: t114 * t113 - t112 * t112: proved free of zeros, |...| >= 2.4e-06 (rounding error <= 2.8e+35)
  *   rounding error of xi: no bound found, 1.4e-12 worst of 9009 points
  *   rounding error of eta: no bound found, 1.6e-13 worst of 9009 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -58,9 +58,9 @@
  *   heldout_random_xi: n 28409 mean 1.645e-02 p99 2.162e-01 max 9.243e-01
  *   heldout_random_eta: n 28409 mean 2.082e-02 p99 2.870e-01 max 9.061e-01
  *
- * footpoint_paper_gregory_weighted
+ * footpoint_new_paper_gregory_weighted
  *   genome_sha256: cbce21e37a75e5e72b29f9cb825e3914e34d99f9966108c720314e025f0a9a80
- *   operations: 406 mul, 3 div, 295 add, 0 sqrt, 18 compare; 237 temporaries
+ *   operations: 405 mul, 3 div, 295 add, 0 sqrt, 18 compare; 238 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.89], yD in [0.00, 1.00], zD = 0.00,
@@ -68,11 +68,11 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t41: proved free of zeros, |t41| >= 4.5e-06 (rounding error <= 2e-12)
+ *   poles: t35: proved free of zeros, |t35| >= 4.5e-06 (rounding error <= 2e-12)
  *   poles: t149: proved free of zeros, |t149| >= 2.4e-07 (rounding error <= 2.9e+07)
- *   poles: t214: undecided
- *   rounding error of xi: no bound found, 2.6e-14 worst of 4920 points
- *   rounding error of eta: no bound found, 2.5e-14 worst of 4920 points
+ *   poles: t215: undecided
+ *   rounding error of xi: no bound found, 2.6e-14 worst of 4932 points
+ *   rounding error of eta: no bound found, 2.5e-14 worst of 4932 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.476e-03
@@ -82,9 +82,9 @@
  *   heldout_random_xi: n 28409 mean 5.000e-03 p99 7.813e-02 max 9.419e-01
  *   heldout_random_eta: n 28409 mean 5.893e-03 p99 1.027e-01 max 9.080e-01
  *
- * footpoint_paper_gregory_precise
+ * footpoint_new_paper_gregory_precise
  *   genome_sha256: 8ab26c4ba96b06b33ec1909a3d5661fa9eca50ef5d2e33cf6933477ee5f880d9
- *   operations: 636 mul, 14 div, 459 add, 0 sqrt, 18 compare; 333 temporaries
+ *   operations: 631 mul, 14 div, 459 add, 0 sqrt, 18 compare; 337 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-146
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.89], yD in [0.00, 1.00], zD = 0.00,
@@ -92,21 +92,21 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t27 * t29 - t19 * t19: proved free of zeros, |...| >= 0.00041 (rounding error <= 1.7e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
- *   poles: t44 - t47 * t47: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
- *   poles: t74 - t71 * t71: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
- *   poles: t74 - t77 * t77: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
- *   poles: t93 - t72 * t72: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
- *   poles: t93 - t42 * t42: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
- *   poles: t106 - t48 * t48: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t106 - t78 * t78: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t187: proved free of zeros, |t187| >= 0.99 (rounding error <= 4.6e+02)
- *   poles: t188: proved free of zeros, |t188| >= 0.49 (rounding error <= 4.6e+02)
- *   poles: t189: proved free of zeros, |t189| >= 9.9e-07 (rounding error <= 4.6e+02)
+ *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 1.7e-14)
+ *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
+ *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
+ *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
+ *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
+ *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
+ *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
+ *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t191: proved free of zeros, |t191| >= 0.99 (rounding error <= 4.6e+02)
+ *   poles: t192: proved free of zeros, |t192| >= 0.49 (rounding error <= 4.6e+02)
+ *   poles: t193: proved free of zeros, |t193| >= 9.9e-07 (rounding error <= 4.6e+02)
  *   poles: of 2 more denominators, 2 are proved free of zeros
- *   rounding error of xi: no bound found, 6e-14 worst of 3223 points
- *   rounding error of eta: no bound found, 8.4e-14 worst of 3223 points
+ *   rounding error of xi: no bound found, 6e-14 worst of 3252 points
+ *   rounding error of eta: no bound found, 9.6e-14 worst of 3252 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.647e-03
@@ -116,9 +116,9 @@
  *   heldout_random_xi: n 28409 mean 3.583e-03 p99 7.213e-02 max 6.545e-01
  *   heldout_random_eta: n 28409 mean 4.659e-03 p99 9.355e-02 max 9.080e-01
  *
- * footpoint_paper_gregory_exact
+ * footpoint_new_paper_gregory_exact
  *   genome_sha256: 585ea9882fb87afa401c6827bf539ca1be5164038480f9be380cc4fb72b028df
- *   operations: 958 mul, 19 div, 635 add, 0 sqrt, 27 compare; 480 temporaries
+ *   operations: 915 mul, 19 div, 635 add, 0 sqrt, 27 compare; 500 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-132
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.89], yD in [0.00, 1.00], zD = 0.00,
@@ -126,21 +126,21 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t27 * t29 - t19 * t19: proved free of zeros, |...| >= 0.00041 (rounding error <= 1.8e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
- *   poles: t44 - t47 * t47: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
- *   poles: t74 - t71 * t71: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
- *   poles: t74 - t77 * t77: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
- *   poles: t93 - t72 * t72: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
- *   poles: t93 - t42 * t42: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
- *   poles: t106 - t48 * t48: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t106 - t78 * t78: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t199: proved free of zeros, |t199| >= 0.99 (rounding error <= 5.6e+02)
- *   poles: t200: proved free of zeros, |t200| >= 0.49 (rounding error <= 5.4e+02)
- *   poles: t201: proved free of zeros, |t201| >= 9.9e-07 (rounding error <= 5.6e+02)
+ *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 1.8e-14)
+ *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
+ *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
+ *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
+ *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
+ *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
+ *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
+ *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t215: proved free of zeros, |t215| >= 0.99 (rounding error <= 5.6e+02)
+ *   poles: t216: proved free of zeros, |t216| >= 0.49 (rounding error <= 5.4e+02)
+ *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 5.6e+02)
  *   poles: of 7 more denominators, 7 are proved free of zeros
- *   rounding error of xi: no bound found, 2.2e-14 worst of 2173 points
- *   rounding error of eta: no bound found, 3.3e-14 worst of 2173 points
+ *   rounding error of xi: no bound found, 1.4e-14 worst of 2280 points
+ *   rounding error of eta: no bound found, 3.8e-14 worst of 2280 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 4.722e-04
@@ -150,9 +150,9 @@
  *   heldout_random_xi: n 28409 mean 1.908e-03 p99 3.340e-02 max 7.335e-01
  *   heldout_random_eta: n 28409 mean 2.680e-03 p99 4.786e-02 max 9.202e-01
  *
- * footpoint_paper_gregory_full
+ * footpoint_new_paper_gregory_full
  *   genome_sha256: df6694cf98722c6f015ac3c94f3c6a62fc7c597e2f4e690aef6890cc8ad352cf
- *   operations: 1353 mul, 24 div, 879 add, 0 sqrt, 36 compare; 652 temporaries
+ *   operations: 1282 mul, 24 div, 879 add, 0 sqrt, 36 compare; 680 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-114
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.89], yD in [0.00, 1.00], zD = 0.00,
@@ -160,21 +160,21 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t27 * t29 - t19 * t19: proved free of zeros, |...| >= 0.00041 (rounding error <= 2.1e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 2.3e-14)
- *   poles: t44 - t47 * t47: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
- *   poles: t74 - t71 * t71: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
- *   poles: t74 - t77 * t77: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
- *   poles: t93 - t72 * t72: proved free of zeros, |...| >= 0.011 (rounding error <= 2.7e-14)
- *   poles: t93 - t42 * t42: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
- *   poles: t106 - t48 * t48: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t106 - t78 * t78: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t199: proved free of zeros, |t199| >= 0.99 (rounding error <= 1.1e+03)
- *   poles: t200: proved free of zeros, |t200| >= 0.49 (rounding error <= 1.1e+03)
- *   poles: t201: proved free of zeros, |t201| >= 9.9e-07 (rounding error <= 1.1e+03)
+ *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 2.1e-14)
+ *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.3e-14)
+ *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
+ *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
+ *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
+ *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.011 (rounding error <= 2.7e-14)
+ *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
+ *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t215: proved free of zeros, |t215| >= 0.99 (rounding error <= 1.1e+03)
+ *   poles: t216: proved free of zeros, |t216| >= 0.49 (rounding error <= 1.1e+03)
+ *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 1.1e+03)
  *   poles: of 12 more denominators, 12 are proved free of zeros
- *   rounding error of xi: no bound found, 3.2e-14 worst of 1561 points
- *   rounding error of eta: no bound found, 1.7e-14 worst of 1561 points
+ *   rounding error of xi: no bound found, 3e-14 worst of 1652 points
+ *   rounding error of eta: no bound found, 1.7e-14 worst of 1652 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 3.546e-04
@@ -184,8 +184,8 @@
  *   heldout_random_xi: n 28409 mean 8.173e-04 p99 7.454e-03 max 9.419e-01
  *   heldout_random_eta: n 28409 mean 1.106e-03 p99 8.673e-03 max 9.080e-01
  */
-#ifndef FOOTPOINT_PAPER_GREGORY_H
-#define FOOTPOINT_PAPER_GREGORY_H
+#ifndef FOOTPOINT_NEW_PAPER_GREGORY_H
+#define FOOTPOINT_NEW_PAPER_GREGORY_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -340,67 +340,67 @@ FOOTPOINT_FN int footpoint_detail_gregory_gap(const double *const x[9], double x
 #endif
 
 /* 49 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                   const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                       const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.275 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.275 * t10;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.275 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1;
+    const double u2 = 0.275 * t4;
+    const double t9 = xA[1] - xD[1] - u2;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
     const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t15 = (xA[1] - xS[1]) - 0.275 * (t5 + t7);
-    const double t16 = (xA[0] - xS[0]) - 0.275 * (t9 + t11);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
-    const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = (t24 * t18 - t23 * t13) * t21;
-    const double t26 = (t20 * t17 - t13 * t19) * t21;
-    const double t27 = (t23 * t20 - t24 * t13) * t21;
+    const double t12 = t5 - u3;
+    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
+    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
+    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
+    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
+    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t23 = t3 * t8 + t4 * t10 + t6 * t12;
+    const double t24 = (t14 * t20 - t13 * t19) * t21;
+    const double t25 = (t15 * t19 - t13 * t20) * t21;
+    const double t26 = (t22 * t15 - t23 * t13) * t21;
+    const double t27 = (t23 * t14 - t22 * t13) * t21;
     double u4 = 0.225;
-    const double t28 = (u4 < t26 ? u4 : t26);
+    const double t28 = (u4 < t24 ? u4 : t24);
+    const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t29 = (u5 > t28 ? u5 : t28);
-    const double t30 = (u4 < t22 ? u4 : t22);
-    const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = t27 * t31 + 1.0 + t25 * t29;
+    const double t30 = (u5 > t28 ? u5 : t28);
+    const double t31 = (u5 > t29 ? u5 : t29);
+    const double t32 = t26 * t30 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t33 = (u6 > t32 ? u6 : t32);
-    const double t34 = t29 * t31 * t33;
-    const double t35 = t22 + t25 * t34;
-    const double t36 = t26 + t27 * t34;
+    const double t34 = t31 * t30 * t33;
+    const double t35 = t24 + t27 * t34;
+    const double t36 = t25 + t26 * t34;
     const double t37 = (u4 < t35 ? u4 : t35);
-    const double t38 = (u5 > t37 ? u5 : t37);
-    const double t39 = (u4 < t36 ? u4 : t36);
-    const double t40 = (u5 > t39 ? u5 : t39);
-    const double t41 = t38 - 0.225;
+    const double t38 = (u4 < t36 ? u4 : t36);
+    const double t39 = (u5 > t37 ? u5 : t37);
+    const double t40 = (u5 > t38 ? u5 : t38);
+    const double t41 = t39 - 0.225;
     const double t42 = t40 - 0.225;
     const double u7 = 2.0 * t41;
     double u8 = 0.0;
     const double t43 = (u8 < u7 ? u8 : u7);
-    double u9 = -1.0;
-    const double t44 = (!(t43 <= u9) ? t43 : u9);
-    const double u10 = 2.0 * t42;
-    const double t45 = (u8 < u10 ? u8 : u10);
-    const double t46 = (!(t45 <= u9) ? t45 : u9);
-    *xi = t44;
+    const double u9 = 2.0 * t42;
+    const double t44 = (u8 < u9 ? u8 : u9);
+    double u10 = -1.0;
+    const double t45 = (!(t43 <= u10) ? t43 : u10);
+    const double t46 = (!(t44 <= u10) ? t44 : u10);
+    *xi = t45;
     *eta = t46;
     (void)nA;
     (void)nB;
@@ -410,14 +410,14 @@ FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const dou
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                               const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                   const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_new_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -429,10 +429,10 @@ FOOTPOINT_FN int footpoint_paper_gregory_facet(const double xA[3], const double 
     return status;
 }
 
-/* footpoint_paper_gregory_facet_at for n pairs.
+/* footpoint_new_paper_gregory_facet_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_new_paper_gregory_facet_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -442,181 +442,181 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *cons
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_facet_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.4916860292907736, 0, 7.8507253987026195e-16, 2.2204460492506938e-17},
+static const double footpoint_new_paper_gregory_facet_points[][31] = {
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.4916860292907736, 0, 7.8507253987026205e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, 0, 2.7755575615631226e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.066823031042004266, 0, 2.0508569934188539e-15, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 2.7755575615631226e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 2.7755575615631226e-16, 2.2204460492506938e-17},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.27611203624223096, 2.2204460492506938e-17, 1.1226602224239559e-15},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.27611203624223096, 2.2204460492506938e-17, 1.1226602224239561e-15},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 2.2204460492506938e-17, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.24664328506328759, 2.2204460492506938e-17, 1.1821223896829989e-15},
 };
 #endif
 
 /* 202 mul, 2 div, 159 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xD[2] - xC[2];
-    const double t3 = t1 - t2;
-    const double u1 = 0.275 * t3;
-    const double t4 = t1 - u1;
-    const double t5 = xA[2] - xD[2];
-    const double t6 = t5 - u1;
-    const double t7 = xA[1] - xB[1];
-    const double t8 = xD[1] - xC[1];
-    const double t9 = t7 - t8;
-    const double u2 = 0.275 * t9;
-    const double t10 = t7 - u2;
-    const double t11 = xA[1] - xD[1];
-    const double t12 = t11 - u2;
-    const double t13 = xA[0] - xB[0];
-    const double t14 = xD[0] - xC[0];
-    const double t15 = t13 - t14;
-    const double u3 = 0.275 * t15;
-    const double t16 = t13 - u3;
-    const double t17 = xA[0] - xD[0];
-    const double t18 = t17 - u3;
-    const double t19 = t4 * t6 + t10 * t12 + t16 * t18;
-    const double t20 = xA[2] - xS[2];
-    const double t21 = t20 - 0.275 * (t1 + t6);
-    const double t22 = xA[1] - xS[1];
-    const double t23 = t22 - 0.275 * (t7 + t12);
-    const double t24 = xA[0] - xS[0];
-    const double t25 = t24 - 0.275 * (t13 + t18);
-    const double t26 = t6 * t21 + t12 * t23 + t18 * t25;
-    const double t27 = t6 * t6 + t12 * t12 + t18 * t18;
-    const double t28 = t4 * t21 + t10 * t23 + t16 * t25;
-    const double t29 = t4 * t4 + t10 * t10 + t16 * t16;
-    const double t30 = 1.0 / (t29 * t27 - t19 * t19);
-    const double t31 = (t27 * t28 - t19 * t26) * t30;
-    const double t32 = t3 * t6 + t9 * t12 + t15 * t18;
-    const double t33 = t3 * t4 + t9 * t10 + t15 * t16;
-    const double t34 = (t33 * t27 - t32 * t19) * t30;
-    const double t35 = (t29 * t26 - t19 * t28) * t30;
-    const double t36 = (t32 * t29 - t33 * t19) * t30;
+    const double t3 = xA[1] - xB[1];
+    const double t4 = xD[1] - xC[1];
+    const double t5 = t1 - t2;
+    const double t6 = t3 - t4;
+    const double t7 = xA[0] - xB[0];
+    const double t8 = xD[0] - xC[0];
+    const double t9 = xA[2] - xD[2];
+    const double t10 = xA[1] - xD[1];
+    const double t11 = t7 - t8;
+    const double u1 = 0.275 * t5;
+    const double t12 = t1 - u1;
+    const double t13 = t9 - u1;
+    const double u2 = 0.275 * t6;
+    const double t14 = t3 - u2;
+    const double t15 = t10 - u2;
+    const double t16 = xA[0] - xD[0];
+    const double t17 = xA[2] - xS[2];
+    const double t18 = xA[1] - xS[1];
+    const double u3 = 0.275 * t11;
+    const double t19 = t7 - u3;
+    const double t20 = t16 - u3;
+    const double t21 = xA[0] - xS[0];
+    const double t22 = t12 * t13 + t14 * t15 + t19 * t20;
+    const double t23 = t13 * t13 + t15 * t15 + t20 * t20;
+    const double t24 = t12 * t12 + t14 * t14 + t19 * t19;
+    const double t25 = t17 - 0.275 * (t1 + t13);
+    const double t26 = t18 - 0.275 * (t3 + t15);
+    const double t27 = t21 - 0.275 * (t7 + t20);
+    const double t28 = t13 * t25 + t15 * t26 + t20 * t27;
+    const double t29 = t12 * t25 + t14 * t26 + t19 * t27;
+    const double t30 = 1.0 / (t24 * t23 - t22 * t22);
+    const double t31 = t5 * t13 + t6 * t15 + t11 * t20;
+    const double t32 = t5 * t12 + t6 * t14 + t11 * t19;
+    const double t33 = (t23 * t29 - t22 * t28) * t30;
+    const double t34 = (t24 * t28 - t22 * t29) * t30;
+    const double t35 = (t31 * t24 - t32 * t22) * t30;
+    const double t36 = (t32 * t23 - t31 * t22) * t30;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
-    const double t41 = nC[2] * t2 + nC[1] * t8 + nC[0] * t14;
-    const double t42 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
-    const double t43 = nB[2] * t1 + nB[1] * t7 + nB[0] * t13;
-    const double t44 = nD[2] * t5 + nD[1] * t11 + nD[0] * t17;
-    const double t45 = nD[2] * t2 + nD[1] * t8 + nD[0] * t14;
-    const double t46 = nA[2] * t5 + nA[1] * t11 + nA[0] * t17;
-    const double t47 = nA[2] * t1 + nA[1] * t7 + nA[0] * t13;
+    const double t41 = nD[2] * t2 + nD[1] * t4 + nD[0] * t8;
+    const double t42 = nC[2] * t2 + nC[1] * t4 + nC[0] * t8;
+    const double t43 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t44 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t45 = nB[2] * t1 + nB[1] * t3 + nB[0] * t7;
+    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t47 = nA[2] * t1 + nA[1] * t3 + nA[0] * t7;
     double u4 = 0.225;
-    const double t48 = (u4 < t35 ? u4 : t35);
+    const double t48 = (u4 < t33 ? u4 : t33);
+    const double t49 = (u4 < t34 ? u4 : t34);
     double u5 = -0.275;
-    const double t49 = (u5 > t48 ? u5 : t48);
-    const double t50 = (u4 < t31 ? u4 : t31);
-    const double t51 = (u5 > t50 ? u5 : t50);
-    const double t52 = t36 * t51 + 1.0 + t34 * t49;
+    const double t50 = (u5 > t48 ? u5 : t48);
+    const double t51 = (u5 > t49 ? u5 : t49);
+    const double t52 = t35 * t50 + 1.0 + t36 * t51;
     double u6 = 0.5;
     const double t53 = (u6 > t52 ? u6 : t52);
-    const double t54 = t49 * t51 * t53;
-    const double t55 = t31 + t34 * t54;
-    const double t56 = t35 + t36 * t54;
+    const double t54 = t51 * t50 * t53;
+    const double t55 = t33 + t36 * t54;
+    const double t56 = t34 + t35 * t54;
     const double t57 = (u4 < t55 ? u4 : t55);
-    const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = (u4 < t56 ? u4 : t56);
-    const double t60 = (u5 > t59 ? u5 : t59);
-    const double t61 = t58 + 0.275;
-    const double t62 = t5 - t3 * t61;
-    const double t63 = t60 + 0.275;
-    const double t64 = t63 * (t63 - (2.0 / 3.0));
-    const double t65 = t61 * t61 * (t61 - 1.5);
-    const double t66 = t40 * t65;
-    const double t67 = t63 - 1.0;
-    const double t68 = t63 * t67;
-    const double t69 = t61 - 1.0;
-    const double t70 = t61 * t69;
-    const double t71 = t61 * t70;
-    const double t72 = t68 * t71;
-    const double t73 = t64 * t66 + t41 * t72;
-    const double t74 = (t63 - (1.0 / 3.0)) * t67;
-    const double t75 = t42 * t65;
-    const double t76 = t43 * t72 - t74 * t75;
-    const double t77 = t65 + 0.5;
-    const double t78 = t44 * t77;
-    const double t79 = t70 - t71;
-    const double t80 = t68 * t79;
-    const double t81 = t64 * t78 + t45 * t80;
-    const double t82 = t46 * t77;
-    const double t83 = t47 * t80 - t74 * t82;
-    const double t84 = t62 + 6.0 * (nC[2] * t73 - nB[2] * t76 - nD[2] * t81 + nA[2] * t83);
-    const double t85 = (t61 - (1.0 / 3.0)) * t69;
-    const double t86 = t63 * t63 * (t63 - 1.5);
-    const double t87 = t45 * t86;
-    const double t88 = t63 * t68;
-    const double t89 = t70 * t88;
-    const double t90 = t44 * t89 - t85 * t87;
-    const double t91 = t61 * (t61 - (2.0 / 3.0));
-    const double t92 = t41 * t86;
-    const double t93 = t91 * t92 + t40 * t89;
-    const double t94 = t67 * t68;
-    const double t95 = t70 * t94;
-    const double t96 = t86 + 0.5;
-    const double t97 = t43 * t96;
-    const double t98 = t91 * t97 - t42 * t95;
-    const double t99 = t47 * t96;
-    const double t100 = t85 * t99 + t46 * t95;
-    const double t101 = t1 - t3 * t63 - 6.0 * (nD[2] * t90 - nC[2] * t93 + nB[2] * t98 + nA[2] * t100);
-    const double t102 = t11 - t9 * t61;
-    const double t103 = t102 + 6.0 * (nC[1] * t73 - nB[1] * t76 - nD[1] * t81 + nA[1] * t83);
-    const double t104 = t7 - t9 * t63 - 6.0 * (nD[1] * t90 - nC[1] * t93 + nB[1] * t98 + nA[1] * t100);
-    const double t105 = t17 - t15 * t61;
-    const double t106 = t105 + 6.0 * (nC[0] * t73 - nB[0] * t76 - nD[0] * t81 + nA[0] * t83);
-    const double t107 = t13 - t15 * t63 - 6.0 * (nD[0] * t90 - nC[0] * t93 + nB[0] * t98 + nA[0] * t100);
-    const double t108 = t84 * t101 + t103 * t104 + t106 * t107;
-    const double t109 = t66 * t88 + t92 * t71;
-    const double t110 = t88 * t78 + t87 * t79;
-    const double t111 = t71 * t97 - t75 * t94;
-    const double t112 = t99 * t79 - t94 * t82;
-    const double t113 = t20 - t1 * t61 - t63 * t62 - 2.0 * (nC[2] * t109 - nD[2] * t110 - nB[2] * t111 + nA[2] *
-        t112);
-    const double t114 = t22 - t7 * t61 - t63 * t102 - 2.0 * (nC[1] * t109 - nD[1] * t110 - nB[1] * t111 + nA[1] *
-        t112);
-    const double t115 = t24 - t13 * t61 - t63 * t105 - 2.0 * (nC[0] * t109 - nD[0] * t110 - nB[0] * t111 + nA[0] *
-        t112);
-    const double t116 = t113 * t84 + t114 * t103 + t115 * t106;
-    const double t117 = t84 * t84 + t103 * t103 + t106 * t106;
-    const double t118 = t113 * t101 + t114 * t104 + t115 * t107;
-    const double t119 = t101 * t101 + t104 * t104 + t107 * t107;
-    const double t120 = 1.0 / (t119 * t117 - t108 * t108);
-    const double t121 = t58 - 0.225 + (t117 * t118 - t108 * t116) * t120;
-    const double t122 = t60 - 0.225 + (t119 * t116 - t108 * t118) * t120;
+    const double t58 = (u4 < t56 ? u4 : t56);
+    const double t59 = (u5 > t57 ? u5 : t57);
+    const double t60 = (u5 > t58 ? u5 : t58);
+    const double t61 = t59 + 0.275;
+    const double t62 = t60 + 0.275;
+    const double t63 = t62 - 1.0;
+    const double t64 = t61 - 1.0;
+    const double t65 = t62 * t63;
+    const double t66 = t61 * t64;
+    const double t67 = t61 * t61 * (t61 - 1.5);
+    const double t68 = t61 * t66;
+    const double t69 = t62 * t62 * (t62 - 1.5);
+    const double t70 = t62 * t65;
+    const double t71 = t62 * (t62 - (2.0 / 3.0));
+    const double t72 = t40 * t67;
+    const double t73 = t65 * t68;
+    const double t74 = (t61 - (1.0 / 3.0)) * t64;
+    const double t75 = t41 * t69;
+    const double t76 = t66 * t70;
+    const double t77 = (t62 - (1.0 / 3.0)) * t63;
+    const double t78 = t43 * t67;
+    const double t79 = t67 + 0.5;
+    const double t80 = t66 - t68;
+    const double t81 = t61 * (t61 - (2.0 / 3.0));
+    const double t82 = t42 * t69;
+    const double t83 = t63 * t65;
+    const double t84 = t69 + 0.5;
+    const double t85 = t71 * t72 + t42 * t73;
+    const double t86 = t44 * t79;
+    const double t87 = t65 * t80;
+    const double t88 = t44 * t76 - t74 * t75;
+    const double t89 = t66 * t83;
+    const double t90 = t45 * t84;
+    const double t91 = t45 * t73 - t77 * t78;
+    const double t92 = t46 * t79;
+    const double t93 = t81 * t82 + t40 * t76;
+    const double t94 = t47 * t84;
+    const double t95 = t9 - t5 * t61;
+    const double t96 = t71 * t86 + t41 * t87;
+    const double t97 = t81 * t90 - t43 * t89;
+    const double t98 = t10 - t6 * t61;
+    const double t99 = t47 * t87 - t77 * t92;
+    const double t100 = t74 * t94 + t46 * t89;
+    const double t101 = t16 - t11 * t61;
+    const double t102 = t72 * t70 + t82 * t68;
+    const double t103 = t70 * t86 + t75 * t80;
+    const double t104 = t68 * t90 - t78 * t83;
+    const double t105 = t95 + 6.0 * (nC[2] * t85 - nB[2] * t91 - nD[2] * t96 + nA[2] * t99);
+    const double t106 = t1 - t5 * t62 - 6.0 * (nD[2] * t88 - nC[2] * t93 + nB[2] * t97 + nA[2] * t100);
+    const double t107 = t98 + 6.0 * (nC[1] * t85 - nB[1] * t91 - nD[1] * t96 + nA[1] * t99);
+    const double t108 = t3 - t6 * t62 - 6.0 * (nD[1] * t88 - nC[1] * t93 + nB[1] * t97 + nA[1] * t100);
+    const double t109 = t94 * t80 - t83 * t92;
+    const double t110 = t101 + 6.0 * (nC[0] * t85 - nB[0] * t91 - nD[0] * t96 + nA[0] * t99);
+    const double t111 = t7 - t11 * t62 - 6.0 * (nD[0] * t88 - nC[0] * t93 + nB[0] * t97 + nA[0] * t100);
+    const double t112 = t105 * t106 + t107 * t108 + t110 * t111;
+    const double t113 = t105 * t105 + t107 * t107 + t110 * t110;
+    const double t114 = t106 * t106 + t108 * t108 + t111 * t111;
+    const double t115 = t17 - t1 * t61 - t62 * t95 - 2.0 * (nC[2] * t102 - nD[2] * t103 - nB[2] * t104 + nA[2] *
+        t109);
+    const double t116 = t18 - t3 * t61 - t62 * t98 - 2.0 * (nC[1] * t102 - nD[1] * t103 - nB[1] * t104 + nA[1] *
+        t109);
+    const double t117 = t21 - t7 * t61 - t62 * t101 - 2.0 * (nC[0] * t102 - nD[0] * t103 - nB[0] * t104 + nA[0] *
+        t109);
+    const double t118 = t115 * t105 + t116 * t107 + t117 * t110;
+    const double t119 = t115 * t106 + t116 * t108 + t117 * t111;
+    const double t120 = 1.0 / (t114 * t113 - t112 * t112);
+    const double t121 = t59 - 0.225 + (t113 * t119 - t112 * t118) * t120;
+    const double t122 = t60 - 0.225 + (t114 * t118 - t112 * t119) * t120;
     const double u7 = 2.0 * t121;
     double u8 = 0.0;
     const double t123 = (u8 < u7 ? u8 : u7);
-    double u9 = -1.0;
-    const double t124 = (!(t123 <= u9) ? t123 : u9);
-    const double u10 = 2.0 * t122;
-    const double t125 = (u8 < u10 ? u8 : u10);
-    const double t126 = (!(t125 <= u9) ? t125 : u9);
-    *xi = t124;
+    const double u9 = 2.0 * t122;
+    const double t124 = (u8 < u9 ? u8 : u9);
+    double u10 = -1.0;
+    const double t125 = (!(t123 <= u10) ? t123 : u10);
+    const double t126 = (!(t124 <= u10) ? t124 : u10);
+    *xi = t125;
     *eta = t126;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                    const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_new_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -628,10 +628,10 @@ FOOTPOINT_FN int footpoint_paper_gregory_smooth(const double xA[3], const double
     return status;
 }
 
-/* footpoint_paper_gregory_smooth_at for n pairs.
+/* footpoint_new_paper_gregory_smooth_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_new_paper_gregory_smooth_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -641,298 +641,299 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *con
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_smooth_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.53019974971100492, 0, 8.5455627690693369e-16, 9.8813129168249309e-324},
+static const double footpoint_new_paper_gregory_smooth_points[][31] = {
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.53019974971100492, 0, 8.5455627690693418e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.46828030485248345, 0, 2.6904614972310001e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -0.57766944604529424, -1, 2.4806842951888304e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -0.46530956724494954, -0.91885086926193127, 5.7042785169504585e-15, 5.0464045611607837e-15},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.53541301374096761, 9.8813129168249309e-324, 4.1112201427656183e-15},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.46828030485248345, 0, 2.6904614972309997e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -0.57766944604529424, -1, 2.4806842951888315e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -0.46530956724494954, -0.91885086926193127, 5.7042785169504593e-15, 5.0464045611607829e-15},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.53541301374096761, 9.8813129168249309e-324, 4.1112201427656222e-15},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.26245283186970125, 9.8813129168249309e-324, 1.3006330685499569e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.26245283186970125, 9.8813129168249309e-324, 1.3006330685499577e-15},
 };
 #endif
 
-/* xi and eta of footpoint_paper_gregory_weighted_at, and whether its denominators are far enough from 0. */
-FOOTPOINT_FN int footpoint_detail_footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                                   const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_new_paper_gregory_weighted_at, and whether its denominators are far enough from 0. */
+FOOTPOINT_FN int footpoint_detail_footpoint_new_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                                       const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xD[2];
-    const double t2 = xC[2] - xD[2];
-    const double t3 = xA[2] - xB[2];
-    const double t4 = t2 + t3;
-    const double u1 = 0.275 * t4;
-    const double t5 = t1 - u1;
-    const double t6 = t3 - u1;
-    const double t7 = xA[1] - xD[1];
-    const double t8 = xC[1] - xD[1];
-    const double t9 = xA[1] - xB[1];
-    const double t10 = t8 + t9;
-    const double u2 = 0.275 * t10;
-    const double t11 = t7 - u2;
-    const double t12 = t9 - u2;
-    const double t13 = xA[0] - xD[0];
-    const double t14 = xC[0] - xD[0];
-    const double t15 = xA[0] - xB[0];
-    const double t16 = t14 + t15;
-    const double u3 = 0.275 * t16;
-    const double t17 = t13 - u3;
-    const double t18 = t15 - u3;
-    const double t19 = t5 * t6 + t11 * t12 + t17 * t18;
-    const double t20 = xA[2] - xS[2];
-    const double t21 = t20 - 0.275 * (t3 + t5);
-    const double t22 = xA[1] - xS[1];
-    const double t23 = t22 - 0.275 * (t9 + t11);
-    const double t24 = xA[0] - xS[0];
-    const double t25 = t24 - 0.275 * (t15 + t17);
-    const double t26 = t5 * t21 + t11 * t23 + t17 * t25;
-    const double t27 = t5 * t5 + t11 * t11 + t17 * t17;
-    const double t28 = t6 * t21 + t12 * t23 + t18 * t25;
-    const double t29 = t1 * t1 + t7 * t7 + t13 * t13;
-    const double t30 = t2 * t2 + t8 * t8 + t14 * t14;
-    const double t31 = t29 * t30;
-    const double t32 = xB[2] - xC[2];
-    const double t33 = xB[1] - xC[1];
-    const double t34 = xB[0] - xC[0];
-    const double t35 = t32 * t32 + t33 * t33 + t34 * t34;
-    const double t36 = t3 * t3 + t9 * t9 + t15 * t15;
-    const double t37 = t6 * t6 + t12 * t12 + t18 * t18;
-    const double t38 = t27 * t37 - t19 * t19;
-    const double t39 = t31 * t38;
-    const double t40 = t35 * t39;
-    const double t41 = t36 * t40;
-    const double t42 = 1.0 / t41;
-    const double t43 = t36 * t42;
-    const double t44 = t35 * t43;
-    const double t45 = t31 * t44;
-    const double t46 = (t27 * t28 - t19 * t26) * t45;
-    const double t47 = t4 * t5 + t10 * t11 + t16 * t17;
-    const double t48 = t4 * t6 + t10 * t12 + t16 * t18;
-    const double t49 = (t48 * t27 - t47 * t19) * t45;
-    const double t50 = (t37 * t26 - t19 * t28) * t45;
-    const double t51 = (t47 * t37 - t48 * t19) * t45;
-    const double t52 = nA[2] * t1 + nA[1] * t7 + nA[0] * t13;
-    const double t53 = nA[2] * t3 + nA[1] * t9 + nA[0] * t15;
-    const double t54 = nD[2] * t3 - nA[2] * t2 - nA[1] * t8 - nA[0] * t14 + nD[1] * t9 + nD[0] * t15;
-    const double t55 = t1 * t3 + t7 * t9 + t13 * t15;
-    const double t56 = nD[2] * t1 + nD[1] * t7 + nD[0] * t13;
-    const double t57 = t30 * (t56 + t52);
-    const double t58 = 1.5 * t38 * t44;
-    const double u4 = 0.5 * t54;
-    const double t59 = t53 - u4 + t55 * t57 * t58;
-    const double t60 = nA[2] * t32 + nA[1] * t33 + nA[0] * t34 + nB[2] * t1 + nB[1] * t7 + nB[0] * t13;
-    const double t61 = nB[2] * t3 + nB[1] * t9 + nB[0] * t15;
-    const double t62 = 1.5 * t40 * (t61 + t53) * t42;
-    const double u5 = 0.5 * t60;
-    const double t63 = t52 - u5 + t55 * t62 - t59;
-    const double t64 = nD[2] * t2 + nD[1] * t8 + nD[0] * t14;
-    const double t65 = (t2 * t1 + t8 * t7 + t14 * t13) * t58;
-    const double t66 = t64 + u4 + t57 * t65;
-    const double t67 = nC[2] * t1 + nC[1] * t7 + nC[0] * t13 + nD[2] * t32 + nD[1] * t33 + nD[0] * t34;
-    const double t68 = nC[2] * t2 + nC[1] * t8 + nC[0] * t14;
-    const double t69 = t29 * (t64 + t68);
-    const double u6 = 0.5 * t67;
-    const double t70 = t56 - u6 + t69 * t65 - t66;
-    const double t71 = nC[2] * t32 + nC[1] * t33 + nC[0] * t34;
-    const double t72 = nC[2] * t3 - nB[2] * t2 - nB[1] * t8 - nB[0] * t14 + nC[1] * t9 + nC[0] * t15;
-    const double t73 = t2 * t32 + t8 * t33 + t14 * t34;
-    const double t74 = nB[2] * t32 + nB[1] * t33 + nB[0] * t34;
-    const double t75 = 1.5 * t39 * (t71 + t74) * t43;
-    const double u7 = 0.5 * t72;
-    const double t76 = t68 + u7 + t73 * t75;
-    const double t77 = t71 - u6 + t73 * t69 * t58 + t76;
-    const double t78 = t32 * t3 + t33 * t9 + t34 * t15;
-    const double t79 = t61 - u7 + t78 * t75;
-    const double t80 = u5 - t74 - t78 * t62 - t79;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = xC[1] - xD[1];
+    const double t4 = xA[1] - xB[1];
+    const double t5 = t1 + t2;
+    const double t6 = t3 + t4;
+    const double t7 = xC[0] - xD[0];
+    const double t8 = xA[0] - xB[0];
+    const double t9 = xA[2] - xD[2];
+    const double t10 = xA[1] - xD[1];
+    const double t11 = t7 + t8;
+    const double u1 = 0.275 * t5;
+    const double t12 = t9 - u1;
+    const double t13 = t2 - u1;
+    const double u2 = 0.275 * t6;
+    const double t14 = t10 - u2;
+    const double t15 = t4 - u2;
+    const double t16 = xA[0] - xD[0];
+    const double u3 = 0.275 * t11;
+    const double t17 = t16 - u3;
+    const double t18 = t8 - u3;
+    const double t19 = t12 * t13 + t14 * t15 + t17 * t18;
+    const double t20 = t12 * t12 + t14 * t14 + t17 * t17;
+    const double t21 = xB[2] - xC[2];
+    const double t22 = xB[1] - xC[1];
+    const double t23 = t13 * t13 + t15 * t15 + t18 * t18;
+    const double t24 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t25 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t26 = xB[0] - xC[0];
+    const double t27 = t24 * t25;
+    const double t28 = t20 * t23 - t19 * t19;
+    const double t29 = t21 * t21 + t22 * t22 + t26 * t26;
+    const double t30 = t27 * t28;
+    const double t31 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t32 = t29 * t30;
+    const double t33 = xA[2] - xS[2];
+    const double t34 = xA[1] - xS[1];
+    const double t35 = t31 * t32;
+    const double t36 = xA[0] - xS[0];
+    const double t37 = t33 - 0.275 * (t2 + t12);
+    const double t38 = t34 - 0.275 * (t4 + t14);
+    const double t39 = t36 - 0.275 * (t8 + t17);
+    const double t40 = 1.0 / t35;
+    const double t41 = t12 * t37 + t14 * t38 + t17 * t39;
+    const double t42 = t13 * t37 + t15 * t38 + t18 * t39;
+    const double t43 = t31 * t40;
+    const double t44 = t29 * t43;
+    const double t45 = t27 * t44;
+    const double t46 = t5 * t12 + t6 * t14 + t11 * t17;
+    const double t47 = t5 * t13 + t6 * t15 + t11 * t18;
+    const double t48 = (t20 * t42 - t19 * t41) * t45;
+    const double t49 = (t23 * t41 - t19 * t42) * t45;
+    const double t50 = (t46 * t23 - t47 * t19) * t45;
+    const double t51 = (t47 * t20 - t46 * t19) * t45;
+    const double t52 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t54 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t55 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t56 = nC[2] * t21 + nC[1] * t22 + nC[0] * t26;
+    const double t57 = nB[2] * t21 + nB[1] * t22 + nB[0] * t26;
+    const double t58 = nD[2] * t2 - nA[2] * t1 - nA[1] * t3 - nA[0] * t7 + nD[1] * t4 + nD[0] * t8;
+    const double t59 = t9 * t2 + t10 * t4 + t16 * t8;
+    const double t60 = t25 * (t55 + t54);
+    const double t61 = nA[2] * t21 + nA[1] * t22 + nA[0] * t26 + nB[2] * t9 + nB[1] * t10 + nB[0] * t16;
+    const double t62 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t63 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t64 = 1.5 * t28 * t44;
+    const double t65 = 1.5 * t32 * (t53 + t52) * t40;
+    const double t66 = nC[2] * t9 + nC[1] * t10 + nC[0] * t16 + nD[2] * t21 + nD[1] * t22 + nD[0] * t26;
+    const double t67 = (t1 * t9 + t3 * t10 + t7 * t16) * t64;
+    const double t68 = t24 * (t62 + t63);
+    const double t69 = nC[2] * t2 - nB[2] * t1 - nB[1] * t3 - nB[0] * t7 + nC[1] * t4 + nC[0] * t8;
+    const double t70 = t1 * t21 + t3 * t22 + t7 * t26;
+    const double u4 = 0.5 * t58;
+    const double t71 = t52 - u4 + t59 * t60 * t64;
+    const double t72 = 1.5 * t30 * (t56 + t57) * t43;
+    const double u5 = 0.5 * t61;
+    const double t73 = t54 - u5 + t59 * t65 - t71;
+    const double t74 = t62 + u4 + t60 * t67;
+    const double t75 = t21 * t2 + t22 * t4 + t26 * t8;
+    const double u6 = 0.5 * t66;
+    const double t76 = t55 - u6 + t68 * t67 - t74;
+    const double u7 = 0.5 * t69;
+    const double t77 = t63 + u7 + t70 * t72;
+    const double t78 = t56 - u6 + t70 * t68 * t64 + t77;
+    const double t79 = t53 - u7 + t75 * t72;
+    const double t80 = u5 - t57 - t75 * t65 - t79;
     double u8 = 0.225;
-    const double t81 = (u8 < t50 ? u8 : t50);
+    const double t81 = (u8 < t48 ? u8 : t48);
+    const double t82 = (u8 < t49 ? u8 : t49);
     double u9 = -0.275;
-    const double t82 = (u9 > t81 ? u9 : t81);
-    const double t83 = (u8 < t46 ? u8 : t46);
-    const double t84 = (u9 > t83 ? u9 : t83);
-    const double t85 = t51 * t84 + 1.0 + t49 * t82;
+    const double t83 = (u9 > t81 ? u9 : t81);
+    const double t84 = (u9 > t82 ? u9 : t82);
+    const double t85 = t50 * t83 + 1.0 + t51 * t84;
     double u10 = 0.5;
     const double t86 = (u10 > t85 ? u10 : t85);
-    const double t87 = t82 * t84 * t86;
-    const double t88 = t46 + t49 * t87;
-    const double t89 = t50 + t51 * t87;
+    const double t87 = t84 * t83 * t86;
+    const double t88 = t48 + t51 * t87;
+    const double t89 = t49 + t50 * t87;
     const double t90 = (u8 < t88 ? u8 : t88);
-    const double t91 = (u9 > t90 ? u9 : t90);
-    const double t92 = (u8 < t89 ? u8 : t89);
-    const double t93 = (u9 > t92 ? u9 : t92);
-    const double t94 = t91 + 0.275;
+    const double t91 = (u8 < t89 ? u8 : t89);
+    const double t92 = (u9 > t90 ? u9 : t90);
+    const double t93 = (u9 > t91 ? u9 : t91);
+    const double t94 = t92 + 0.275;
     const double t95 = t93 + 0.275;
-    const double t96 = t1 - t4 * t94;
-    const double t97 = 1.0 - t95;
-    const double t98 = t95 * t97;
-    const double t99 = t97 * t98;
-    const double t100 = t94 * t94 * (t94 - 1.5);
-    const double t101 = t100 + 0.5;
-    const double t102 = t52 * t101;
-    const double t103 = 1.0 - t94;
-    const double t104 = t94 * t103;
-    const double t105 = t103 * t104;
-    const double t106 = t95 * t95 * (t95 - 1.5);
-    const double t107 = t106 + 0.5;
-    const double t108 = t53 * t107;
-    const double t109 = t94 + t97;
-    const double t110 = t97 + t103;
-    const double t111 = t95 + t103;
-    const double t112 = t95 + t94;
-    const double t113 = t95 * t98;
-    const double t114 = t56 * t101;
-    const double t115 = t64 * t106;
-    const double t116 = t71 * t100;
-    const double t117 = t94 * t104;
-    const double t118 = t68 * t106;
-    const double t119 = t74 * t100;
-    const double t120 = t61 * t107;
-    const double t121 = t94 - (1.0 / 3.0);
-    const double t122 = t121 * t103;
-    const double t123 = t52 * t104;
-    const double t124 = t56 * t104;
-    const double t125 = t94 - (2.0 / 3.0);
-    const double t126 = t94 * t125;
-    const double t127 = t71 * t104;
-    const double t128 = t74 * t104;
-    const double t129 = t7 - t10 * t94;
-    const double t130 = t13 - t16 * t94;
-    const double t131 = t95 - (1.0 / 3.0);
-    const double t132 = t131 * t97;
-    const double t133 = t53 * t98;
-    const double t134 = t95 - (2.0 / 3.0);
-    const double t135 = t95 * t134;
-    const double t136 = t64 * t98;
-    const double t137 = t68 * t98;
-    const double t138 = t61 * t98;
+    const double t96 = 1.0 - t95;
+    const double t97 = 1.0 - t94;
+    const double t98 = t96 + t97;
+    const double t99 = t95 + t97;
+    const double t100 = t94 + t96;
+    const double t101 = t95 + t94;
+    const double t102 = t95 * t96;
+    const double t103 = t94 * t97;
+    const double t104 = t95 * t95 * (t95 - 1.5);
+    const double t105 = t96 * t102;
+    const double t106 = t94 * t94 * (t94 - 1.5);
+    const double t107 = t97 * t103;
+    const double t108 = t104 + 0.5;
+    const double t109 = t94 - (1.0 / 3.0);
+    const double t110 = t95 - (1.0 / 3.0);
+    const double t111 = t106 + 0.5;
+    const double t112 = t52 * t108;
+    const double t113 = t95 * t102;
+    const double t114 = t109 * t97;
+    const double t115 = t110 * t96;
+    const double t116 = t95 - (2.0 / 3.0);
+    const double t117 = t54 * t111;
+    const double t118 = t62 * t104;
+    const double t119 = t94 * t103;
+    const double t120 = t94 - (2.0 / 3.0);
+    const double t121 = t95 * t116;
+    const double t122 = t55 * t111;
+    const double t123 = t63 * t104;
+    const double t124 = t54 * t103;
+    const double t125 = t94 * t120;
+    const double t126 = t52 * t102;
+    const double t127 = t9 - t5 * t94;
+    const double t128 = t56 * t106;
+    const double t129 = t53 * t108;
+    const double t130 = t55 * t103;
+    const double t131 = t10 - t6 * t94;
+    const double t132 = t62 * t102;
+    const double t133 = t57 * t106;
+    const double t134 = t56 * t103;
+    const double t135 = t16 - t11 * t94;
+    const double t136 = t63 * t102;
+    const double t137 = t57 * t103;
+    const double t138 = t53 * t102;
     const double t139 = t95 - 0.5;
     const double t140 = t94 - 0.5;
     const double t141 = t140 * t113;
-    const double t142 = t140 * t99;
+    const double t142 = t140 * t105;
     double u11 = 0.000001;
-    const double t143 = (u11 > t109 ? u11 : t109);
-    const double t144 = (u11 > t110 ? u11 : t110);
-    const double t145 = (u11 > t111 ? u11 : t111);
-    const double t146 = (u11 > t112 ? u11 : t112);
-    const double t147 = t144 * t145;
-    const double t148 = t143 * t147;
+    const double t143 = (u11 > t98 ? u11 : t98);
+    const double t144 = (u11 > t99 ? u11 : t99);
+    const double t145 = (u11 > t100 ? u11 : t100);
+    const double t146 = (u11 > t101 ? u11 : t101);
+    const double t147 = t143 * t144;
+    const double t148 = t145 * t147;
     const double t149 = t146 * t148;
     const double t150 = 1.0 / t149;
     const double t151 = t148 * t150;
-    const double t152 = t94 * t151;
-    const double t153 = t59 + t63 * t152;
-    const double t154 = t108 - t99 * t153;
-    const double t155 = t99 * t102 + t105 * t154;
-    const double t156 = t146 * t150;
-    const double t157 = t147 * t156;
-    const double t158 = t94 * t157;
-    const double t159 = t66 + t70 * t158;
-    const double t160 = t115 + t113 * t159;
-    const double t161 = t105 * t160 - t113 * t114;
-    const double t162 = t143 * t156;
-    const double t163 = t103 * t162;
-    const double t164 = t145 * t163;
-    const double t165 = t76 - t77 * t164;
-    const double t166 = t118 + t113 * t165;
-    const double t167 = t117 * t166 - t116 * t113;
-    const double t168 = t144 * t163;
-    const double t169 = t79 + t80 * t168;
-    const double t170 = t120 - t99 * t169;
-    const double t171 = t119 * t99 + t117 * t170;
-    const double t172 = t20 - t3 * t94 - t95 * t96 + 2.0 * (nA[2] * t155 + nD[2] * t161 - nC[2] * t167 - nB[2] *
-        t171);
-    const double t173 = (1.0 / 3.0) * t63 * t151;
-    const double t174 = t99 * (t123 - (t105 * t173 * (t152 - 1.0) + t122 * t153));
-    const double t175 = t122 * t108 + t174;
-    const double t176 = (1.0 / 3.0) * t70 * t157;
-    const double t177 = t113 * (t124 - (t105 * t176 * (t158 - 1.0) + t122 * t159));
-    const double t178 = t177 - t122 * t115;
-    const double t179 = (1.0 / 3.0) * t77 * t145 * t162;
-    const double t180 = t113 * ((t126 * t165 - t117 * t179 * (1.0 - t164)) - t127);
-    const double t181 = t126 * t118 + t180;
-    const double t182 = (1.0 / 3.0) * t80 * t144 * t162;
-    const double t183 = t99 * ((t117 * t182 * (1.0 - t168) + t126 * t169) - t128);
-    const double t184 = t126 * t120 - t183;
-    const double t185 = t3 - t4 * t95 + 6.0 * (nA[2] * t175 - nD[2] * t178 - nC[2] * t181 - nB[2] * t184);
-    const double t186 = t22 - t9 * t94 - t95 * t129 + 2.0 * (nA[1] * t155 + nD[1] * t161 - nC[1] * t167 - nB[1] *
-        t171);
-    const double t187 = t9 - t10 * t95 + 6.0 * (nA[1] * t175 - nD[1] * t178 - nC[1] * t181 - nB[1] * t184);
-    const double t188 = t24 - t15 * t94 - t95 * t130 + 2.0 * (nA[0] * t155 + nD[0] * t161 - nC[0] * t167 - nB[0] *
-        t171);
-    const double t189 = t15 - t16 * t95 + 6.0 * (nA[0] * t175 - nD[0] * t178 - nC[0] * t181 - nB[0] * t184);
-    const double t190 = t172 * t185 + t186 * t187 + t188 * t189;
-    const double t191 = t132 * t153;
-    const double t192 = t132 * t102 + t105 * (t133 - (t99 * t173 * t152 + t191));
-    const double t193 = t135 * t159;
-    const double t194 = t135 * t114 - t105 * (t136 + (t193 - t113 * t176 * t158));
-    const double t195 = t135 * t165;
-    const double t196 = t135 * t116 - t117 * (t137 + (t113 * t179 * t164 + t195));
-    const double t197 = t132 * t169;
-    const double t198 = t132 * t119 + t117 * (t138 - (t99 * t182 * t168 + t197));
-    const double t199 = t96 + 6.0 * (nA[2] * t192 - nD[2] * t194 + nC[2] * t196 - nB[2] * t198);
-    const double t200 = t129 + 6.0 * (nA[1] * t192 - nD[1] * t194 + nC[1] * t196 - nB[1] * t198);
-    const double t201 = t130 + 6.0 * (nA[0] * t192 - nD[0] * t194 + nC[0] * t196 - nB[0] * t198);
-    const double t202 = nD[2] * t172 + nD[1] * t186 + nD[0] * t188;
-    const double t203 = nC[2] * t172 + nC[1] * t186 + nC[0] * t188;
-    const double t204 = nB[2] * t172 + nB[1] * t186 + nB[0] * t188;
-    const double t205 = nA[2] * t172 + nA[1] * t186 + nA[0] * t188;
-    const double t206 = t199 * t199 + t200 * t200 + t201 * t201 + 12.0 * ((t131 * t114 + t105 * (t64 * t139 - t131 *
-        t159)) * t202 - (t131 * t116 + t117 * (t68 * t139 - t131 * t165)) * t203 - (t134 * t119 + t117 * (t61 * t139
-        - t134 * t169)) * t204 + (t134 * t102 + t105 * (t53 * t139 - t134 * t153)) * t205);
-    const double t207 = t172 * t199 + t186 * t200 + t188 * t201;
-    const double t208 = t4 * t172 + t10 * t186 + t16 * t188 + t199 * t185 + t200 * t187 + t201 * t189 + 18.0 *
-        ((t122 * (t136 + t193) - t135 * t124) * t202 - (t126 * (t137 + t195) - t135 * t127) * t203 - (t132 * t128 +
-        t126 * (t138 - t197)) * t204 + (t132 * t123 + t122 * (t133 - t191)) * t205);
-    const double t209 = t190 * t206 - t207 * t208;
-    const double t210 = t185 * t185 + t187 * t187 + t189 * t189 + 12.0 * ((t125 * t160 - t56 * t141) * t202 + (t71 *
-        t141 + t121 * t166) * t203 - (t74 * t142 - t121 * t170) * t204 + (t52 * t142 + t125 * t154) * t205);
-    const double t211 = t206 * t210;
-    const double t212 = t211 - t208 * t208;
-    const double t213 = t207 * t210 - t190 * t208;
-    const double u12 = 0.02 * t211;
-    const double t214 = (t212 > u12 ? t212 : u12);
-    const double t215 = 1.0 / t214;
-    const double t216 = t91 - 0.225 + t209 * t215;
-    const double t217 = t93 - 0.225 + t213 * t215;
-    const double u13 = 2.0 * t216;
+    const double t152 = t146 * t150;
+    const double t153 = t94 * t151;
+    const double t154 = t147 * t152;
+    const double t155 = t145 * t152;
+    const double t156 = t94 * t154;
+    const double t157 = t97 * t155;
+    const double t158 = t71 + t73 * t153;
+    const double t159 = t144 * t157;
+    const double t160 = (1.0 / 3.0) * t73 * t151;
+    const double t161 = t74 + t76 * t156;
+    const double t162 = t143 * t157;
+    const double t163 = (1.0 / 3.0) * t76 * t154;
+    const double t164 = (1.0 / 3.0) * t155;
+    const double t165 = t112 - t105 * t158;
+    const double t166 = t77 - t78 * t159;
+    const double t167 = t78 * t144 * t164;
+    const double t168 = t115 * t158;
+    const double t169 = t118 + t113 * t161;
+    const double t170 = t79 + t80 * t162;
+    const double t171 = t80 * t143 * t164;
+    const double t172 = t121 * t161;
+    const double t173 = t105 * t117 + t107 * t165;
+    const double t174 = t123 + t113 * t166;
+    const double t175 = t121 * t166;
+    const double t176 = t107 * t169 - t113 * t122;
+    const double t177 = t129 - t105 * t170;
+    const double t178 = t105 * (t124 - (t107 * t160 * (t153 - 1.0) + t114 * t158));
+    const double t179 = t115 * t170;
+    const double t180 = t119 * t174 - t128 * t113;
+    const double t181 = t114 * t112 + t178;
+    const double t182 = t113 * (t130 - (t107 * t163 * (t156 - 1.0) + t114 * t161));
+    const double t183 = t115 * t117 + t107 * (t126 - (t105 * t160 * t153 + t168));
+    const double t184 = t133 * t105 + t119 * t177;
+    const double t185 = t182 - t114 * t118;
+    const double t186 = t113 * ((t125 * t166 - t119 * t167 * (1.0 - t159)) - t134);
+    const double t187 = t121 * t122 - t107 * (t132 + (t172 - t113 * t163 * t156));
+    const double t188 = t125 * t123 + t186;
+    const double t189 = t105 * ((t119 * t171 * (1.0 - t162) + t125 * t170) - t137);
+    const double t190 = t121 * t128 - t119 * (t136 + (t113 * t167 * t159 + t175));
+    const double t191 = t125 * t129 - t189;
+    const double t192 = t115 * t133 + t119 * (t138 - (t105 * t171 * t162 + t179));
+    const double t193 = t33 - t2 * t94 - t95 * t127 + 2.0 * (nA[2] * t173 + nD[2] * t176 - nC[2] * t180 - nB[2] *
+        t184);
+    const double t194 = t34 - t4 * t94 - t95 * t131 + 2.0 * (nA[1] * t173 + nD[1] * t176 - nC[1] * t180 - nB[1] *
+        t184);
+    const double t195 = t36 - t8 * t94 - t95 * t135 + 2.0 * (nA[0] * t173 + nD[0] * t176 - nC[0] * t180 - nB[0] *
+        t184);
+    const double t196 = t2 - t5 * t95 + 6.0 * (nA[2] * t181 - nD[2] * t185 - nC[2] * t188 - nB[2] * t191);
+    const double t197 = t127 + 6.0 * (nA[2] * t183 - nD[2] * t187 + nC[2] * t190 - nB[2] * t192);
+    const double t198 = t4 - t6 * t95 + 6.0 * (nA[1] * t181 - nD[1] * t185 - nC[1] * t188 - nB[1] * t191);
+    const double t199 = t131 + 6.0 * (nA[1] * t183 - nD[1] * t187 + nC[1] * t190 - nB[1] * t192);
+    const double t200 = t8 - t11 * t95 + 6.0 * (nA[0] * t181 - nD[0] * t185 - nC[0] * t188 - nB[0] * t191);
+    const double t201 = t135 + 6.0 * (nA[0] * t183 - nD[0] * t187 + nC[0] * t190 - nB[0] * t192);
+    const double t202 = nD[2] * t193 + nD[1] * t194 + nD[0] * t195;
+    const double t203 = nC[2] * t193 + nC[1] * t194 + nC[0] * t195;
+    const double t204 = nB[2] * t193 + nB[1] * t194 + nB[0] * t195;
+    const double t205 = nA[2] * t193 + nA[1] * t194 + nA[0] * t195;
+    const double t206 = t197 * t197 + t199 * t199 + t201 * t201 + 12.0 * ((t110 * t122 + t107 * (t62 * t139 - t110 *
+        t161)) * t202 - (t110 * t128 + t119 * (t63 * t139 - t110 * t166)) * t203 - (t116 * t133 + t119 * (t53 * t139
+        - t116 * t170)) * t204 + (t116 * t117 + t107 * (t52 * t139 - t116 * t158)) * t205);
+    const double t207 = t5 * t193 + t6 * t194 + t11 * t195 + t197 * t196 + t199 * t198 + t201 * t200 + 18.0 * ((t114
+        * (t132 + t172) - t121 * t130) * t202 - (t125 * (t136 + t175) - t121 * t134) * t203 - (t115 * t137 + t125 *
+        (t138 - t179)) * t204 + (t115 * t124 + t114 * (t126 - t168)) * t205);
+    const double t208 = t196 * t196 + t198 * t198 + t200 * t200 + 12.0 * ((t120 * t169 - t55 * t141) * t202 + (t56 *
+        t141 + t109 * t174) * t203 - (t57 * t142 - t109 * t177) * t204 + (t54 * t142 + t120 * t165) * t205);
+    const double t209 = t206 * t208;
+    const double t210 = t209 - t207 * t207;
+    const double t211 = t193 * t196 + t194 * t198 + t195 * t200;
+    const double t212 = t193 * t197 + t194 * t199 + t195 * t201;
+    const double t213 = t211 * t206 - t212 * t207;
+    const double t214 = t212 * t208 - t211 * t207;
+    const double u12 = 0.02 * t209;
+    const double t215 = (t210 > u12 ? t210 : u12);
+    const double t216 = 1.0 / t215;
+    const double t217 = t92 - 0.225 + t213 * t216;
+    const double t218 = t93 - 0.225 + t214 * t216;
+    const double u13 = 2.0 * t217;
     double u14 = 0.0;
-    const double t218 = (u14 < u13 ? u14 : u13);
-    double u15 = -1.0;
-    const double t219 = (!(t218 <= u15) ? t218 : u15);
-    const double u16 = 2.0 * t217;
-    const double t220 = (u14 < u16 ? u14 : u16);
-    const double t221 = (!(t220 <= u15) ? t220 : u15);
-    *xi = t219;
-    *eta = t221;
-    const double flaw = footpoint_detail_flaw(t214, 0.0);
+    const double t219 = (u14 < u13 ? u14 : u13);
+    const double u15 = 2.0 * t218;
+    const double t220 = (u14 < u15 ? u14 : u15);
+    double u16 = -1.0;
+    const double t221 = (!(t219 <= u16) ? t219 : u16);
+    const double t222 = (!(t220 <= u16) ? t220 : u16);
+    *xi = t221;
+    *eta = t222;
+    const double flaw = footpoint_detail_flaw(t215, 0.0);
     return (int)(flaw <= 0.0 ? flaw : (double)FOOTPOINT_ERR_DEGENERATE);
 }
 
-/* 406 mul, 3 div, 295 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_gregory_weighted_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                      const double xS[3], double *xi, double *eta)
+/* 405 mul, 3 div, 295 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_new_paper_gregory_weighted_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                          const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
+    (void)footpoint_detail_footpoint_new_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                      const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
     int flaw;
-    flaw = footpoint_detail_footpoint_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    flaw = footpoint_detail_footpoint_new_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && flaw == FOOTPOINT_OK && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -944,10 +945,10 @@ FOOTPOINT_FN int footpoint_paper_gregory_weighted(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_paper_gregory_weighted_at for n pairs.
+/* footpoint_new_paper_gregory_weighted_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_new_paper_gregory_weighted_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -957,388 +958,392 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *c
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_paper_gregory_weighted_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_gregory_weighted_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_weighted_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.49227572468180081, 0, 1.2332742544617462e-15, 9.8813129168249309e-324},
+static const double footpoint_new_paper_gregory_weighted_points[][31] = {
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.49227572468180081, 0, 1.2332742544617537e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28104577666521452, 0, 4.5168292459694665e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28104577666521452, 0, 4.5167704003455228e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.57933770983767174, 9.8813129168249309e-324, 1.0822361678640792e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.57933770983767174, 9.8813129168249309e-324, 1.0822272277470593e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31173958658690737, 9.8813129168249309e-324, 2.3300135211699217e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31173958658690737, 9.8813129168249309e-324, 2.3299825957318901e-15},
 };
 #endif
 
-/* 636 mul, 14 div, 459 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                     const double xS[3], double *xi, double *eta)
+/* 631 mul, 14 div, 459 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_new_paper_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                         const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xD[2];
-    const double t2 = xC[2] - xD[2];
-    const double t3 = xA[2] - xB[2];
-    const double t4 = t2 + t3;
-    const double u1 = 0.275 * t4;
-    const double t5 = t1 - u1;
-    const double t6 = t3 - u1;
-    const double t7 = xA[1] - xD[1];
-    const double t8 = xC[1] - xD[1];
-    const double t9 = xA[1] - xB[1];
-    const double t10 = t8 + t9;
-    const double u2 = 0.275 * t10;
-    const double t11 = t7 - u2;
-    const double t12 = t9 - u2;
-    const double t13 = xA[0] - xD[0];
-    const double t14 = xC[0] - xD[0];
-    const double t15 = xA[0] - xB[0];
-    const double t16 = t14 + t15;
-    const double u3 = 0.275 * t16;
-    const double t17 = t13 - u3;
-    const double t18 = t15 - u3;
-    const double t19 = t5 * t6 + t11 * t12 + t17 * t18;
-    const double t20 = xA[2] - xS[2];
-    const double t21 = t20 - 0.275 * (t3 + t5);
-    const double t22 = xA[1] - xS[1];
-    const double t23 = t22 - 0.275 * (t9 + t11);
-    const double t24 = xA[0] - xS[0];
-    const double t25 = t24 - 0.275 * (t15 + t17);
-    const double t26 = t5 * t21 + t11 * t23 + t17 * t25;
-    const double t27 = t5 * t5 + t11 * t11 + t17 * t17;
-    const double t28 = t6 * t21 + t12 * t23 + t18 * t25;
-    const double t29 = t6 * t6 + t12 * t12 + t18 * t18;
-    const double t30 = 1.0 / (t27 * t29 - t19 * t19);
-    const double t31 = (t27 * t28 - t19 * t26) * t30;
-    const double t32 = t4 * t5 + t10 * t11 + t16 * t17;
-    const double t33 = t4 * t6 + t10 * t12 + t16 * t18;
-    const double t34 = (t33 * t27 - t32 * t19) * t30;
-    const double t35 = (t29 * t26 - t19 * t28) * t30;
-    const double t36 = (t32 * t29 - t33 * t19) * t30;
-    const double t37 = t3 - t2;
-    const double t38 = xB[2] - xC[2];
-    const double t39 = xB[1] - xC[1];
-    const double t40 = xB[0] - xC[0];
-    const double t41 = nC[2] * t38 + nC[1] * t39 + nC[0] * t40;
-    const double t42 = nC[2] * t2 + nC[1] * t8 + nC[0] * t14;
-    const double t43 = t2 * t38 + t8 * t39 + t14 * t40 - t41 * t42;
-    const double t44 = t38 * t38 + t39 * t39 + t40 * t40;
-    const double t45 = 1.0 / (t44 - t41 * t41);
-    const double t46 = t43 * t45;
-    const double t47 = nB[2] * t38 + nB[1] * t39 + nB[0] * t40;
-    const double t48 = nB[2] * t3 + nB[1] * t9 + nB[0] * t15;
-    const double t49 = t38 * t3 + t39 * t9 + t40 * t15 - t47 * t48;
-    const double t50 = 1.0 / (t44 - t47 * t47);
-    const double t51 = t49 * t50;
-    const double t52 = t51 - t46;
-    const double t53 = t7 * t16 - t13 * t10;
-    const double t54 = t7 * t15 - t13 * t9;
-    const double t55 = t54 - (t15 * t10 - t9 * t16);
-    const double t56 = t13 * t4 - t1 * t16;
-    const double t57 = t13 * t3 - t1 * t15;
-    const double t58 = t57 - (t3 * t16 - t15 * t4);
-    const double t59 = t1 * t10 - t7 * t4;
-    const double t60 = t1 * t9 - t7 * t3;
-    const double t61 = t60 - (t9 * t4 - t3 * t10);
-    const double t62 = nC[2] * (t55 - t53) + nC[1] * (t58 - t56) + nC[0] * (t61 - t59);
-    const double t63 = t62 * t45;
-    const double t64 = nB[2] * t55 + nB[1] * t58 + nB[0] * t61;
-    const double t65 = t64 * t50;
-    const double t66 = nB[1] * t63 + nC[1] * t65;
-    const double t67 = nB[0] * t63 + nC[0] * t65;
-    const double t68 = t41 * t51;
-    const double t69 = t47 * t46;
-    const double t70 = t37 - t38 * t52 - t40 * t66 + t39 * t67 - 2.0 * (nC[2] * t68 - nB[2] * t69);
-    const double t71 = nD[2] * t1 + nD[1] * t7 + nD[0] * t13;
-    const double t72 = nD[2] * t2 + nD[1] * t8 + nD[0] * t14;
-    const double t73 = t2 * t1 + t8 * t7 + t14 * t13 - t71 * t72;
-    const double t74 = t1 * t1 + t7 * t7 + t13 * t13;
-    const double t75 = 1.0 / (t74 - t71 * t71);
-    const double t76 = t73 * t75;
-    const double t77 = nA[2] * t1 + nA[1] * t7 + nA[0] * t13;
-    const double t78 = nA[2] * t3 + nA[1] * t9 + nA[0] * t15;
-    const double t79 = t1 * t3 + t7 * t9 + t13 * t15 - t77 * t78;
-    const double t80 = 1.0 / (t74 - t77 * t77);
-    const double t81 = t79 * t80;
-    const double t82 = t81 - t76;
-    const double t83 = nD[2] * (t54 - t53) + nD[1] * (t57 - t56) + nD[0] * (t60 - t59);
-    const double t84 = t83 * t75;
-    const double t85 = nA[2] * t54 + nA[1] * t57 + nA[0] * t60;
-    const double t86 = t85 * t80;
-    const double t87 = nA[0] * t84 + nD[0] * t86;
-    const double t88 = nA[1] * t84 + nD[1] * t86;
-    const double t89 = t71 * t81;
-    const double t90 = t77 * t76;
-    const double t91 = t37 - t1 * t82 + t7 * t87 - t13 * t88 - 2.0 * (nD[2] * t89 - nA[2] * t90);
-    const double t92 = t38 + t1;
-    const double t93 = t2 * t2 + t8 * t8 + t14 * t14;
-    const double t94 = 1.0 / (t93 - t72 * t72);
-    const double t95 = t73 * t94;
-    const double t96 = 1.0 / (t93 - t42 * t42);
-    const double t97 = t43 * t96;
-    const double t98 = t95 + t97;
-    const double t99 = t62 * t96;
-    const double t100 = t83 * t94;
-    const double t101 = nD[0] * t99 + nC[0] * t100;
-    const double t102 = nD[1] * t99 + nC[1] * t100;
-    const double t103 = t42 * t95;
-    const double t104 = t72 * t97;
-    const double t105 = t92 - t2 * t98 + t8 * t101 - t14 * t102 - 2.0 * (nC[2] * t103 + nD[2] * t104);
-    const double t106 = t3 * t3 + t9 * t9 + t15 * t15;
-    const double t107 = 1.0 / (t106 - t48 * t48);
-    const double t108 = t49 * t107;
-    const double t109 = 1.0 / (t106 - t78 * t78);
-    const double t110 = t79 * t109;
-    const double t111 = t108 + t110;
-    const double t112 = t64 * t107;
-    const double t113 = t85 * t109;
-    const double t114 = nA[1] * t112 + nB[1] * t113;
-    const double t115 = nA[0] * t112 + nB[0] * t113;
-    const double t116 = t48 * t110;
-    const double t117 = t78 * t108;
-    const double t118 = t92 - t3 * t111 + t15 * t114 - t9 * t115 - 2.0 * (nB[2] * t116 + nA[2] * t117);
-    const double t119 = t76 - (2.0 / 3.0) + t81;
-    const double t120 = 3.0 * t77 * t119;
-    const double t121 = 3.0 * (t110 - t108) - 2.0;
-    const double t122 = t78 * t121;
-    const double t123 = -3.0 * t71 * t119;
-    const double t124 = 3.0 * (t97 - t95) + 2.0;
-    const double t125 = t72 * t124;
-    const double t126 = 3.0 * (t46 + t51) + 2.0;
-    const double t127 = t41 * t126;
-    const double t128 = t42 * t124;
-    const double t129 = t47 * t126;
-    const double t130 = t48 * t121;
-    const double t131 = t9 - t8;
-    const double t132 = nB[2] * t63 + nC[2] * t65;
-    const double t133 = t131 - t39 * t52 - t38 * t67 + t40 * t132 - 2.0 * (nC[1] * t68 - nB[1] * t69);
-    const double t134 = nA[2] * t84 + nD[2] * t86;
-    const double t135 = t131 - t7 * t82 + t13 * t134 - t1 * t87 - 2.0 * (nD[1] * t89 - nA[1] * t90);
-    const double t136 = t39 + t7;
-    const double t137 = nD[2] * t99 + nC[2] * t100;
-    const double t138 = t136 - t8 * t98 + t14 * t137 - t2 * t101 - 2.0 * (nC[1] * t103 + nD[1] * t104);
-    const double t139 = nA[2] * t112 + nB[2] * t113;
-    const double t140 = t136 - t9 * t111 + t3 * t115 - t15 * t139 - 2.0 * (nB[1] * t116 + nA[1] * t117);
-    const double t141 = t15 - t14;
-    const double t142 = t141 - t40 * t52 - t39 * t132 + t38 * t66 - 2.0 * (nC[0] * t68 - nB[0] * t69);
-    const double t143 = t141 - t13 * t82 + t1 * t88 - t7 * t134 - 2.0 * (nD[0] * t89 - nA[0] * t90);
-    const double t144 = t40 + t13;
-    const double t145 = t144 - t14 * t98 + t2 * t102 - t8 * t137 - 2.0 * (nC[0] * t103 + nD[0] * t104);
-    const double t146 = t144 - t15 * t111 + t9 * t139 - t3 * t114 - 2.0 * (nB[0] * t116 + nA[0] * t117);
+    const double t1 = xD[2] - xC[2];
+    const double t2 = xB[2] - xA[2];
+    const double t3 = xD[1] - xC[1];
+    const double t4 = xB[1] - xA[1];
+    const double t5 = t1 + t2;
+    const double t6 = t3 + t4;
+    const double t7 = xD[0] - xC[0];
+    const double t8 = xB[0] - xA[0];
+    const double t9 = xD[2] - xA[2];
+    const double t10 = xD[1] - xA[1];
+    const double t11 = t7 + t8;
+    const double u1 = 0.275 * t5;
+    const double t12 = u1 - t9;
+    const double t13 = u1 - t2;
+    const double u2 = 0.275 * t6;
+    const double t14 = u2 - t10;
+    const double t15 = u2 - t4;
+    const double t16 = xD[0] - xA[0];
+    const double u3 = 0.275 * t11;
+    const double t17 = u3 - t16;
+    const double t18 = u3 - t8;
+    const double t19 = xS[2] - xA[2];
+    const double t20 = xS[1] - xA[1];
+    const double t21 = xS[0] - xA[0];
+    const double t22 = t12 * t13 + t14 * t15 + t17 * t18;
+    const double t23 = t12 * t12 + t14 * t14 + t17 * t17;
+    const double t24 = t13 * t13 + t15 * t15 + t18 * t18;
+    const double t25 = 0.275 * (t2 - t12) - t19;
+    const double t26 = 0.275 * (t4 - t14) - t20;
+    const double t27 = 0.275 * (t8 - t17) - t21;
+    const double t28 = t12 * t25 + t14 * t26 + t17 * t27;
+    const double t29 = t13 * t25 + t15 * t26 + t18 * t27;
+    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t31 = t5 * t12 + t6 * t14 + t11 * t17;
+    const double t32 = t5 * t13 + t6 * t15 + t11 * t18;
+    const double t33 = (t23 * t29 - t22 * t28) * t30;
+    const double t34 = (t24 * t28 - t22 * t29) * t30;
+    const double t35 = (t32 * t22 - t31 * t24) * t30;
+    const double t36 = (t31 * t22 - t32 * t23) * t30;
+    const double t37 = xC[2] - xB[2];
+    const double t38 = xC[1] - xB[1];
+    const double t39 = xC[0] - xB[0];
+    const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
+    const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t42 = t10 * t8 - t16 * t4;
+    const double t43 = t16 * t2 - t9 * t8;
+    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t47 = t10 * t11 - t16 * t6;
+    const double t48 = t42 - (t8 * t6 - t4 * t11);
+    const double t49 = t16 * t5 - t9 * t11;
+    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t51 = t9 * t4 - t10 * t2;
+    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t56 = t9 * t6 - t10 * t5;
+    const double t57 = t51 - (t4 * t5 - t2 * t6);
+    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
+    const double t62 = 1.0 / (t44 - t40 * t40);
+    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
+    const double t64 = 1.0 / (t44 - t41 * t41);
+    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
+    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
+    const double t67 = t61 * t62;
+    const double t68 = t63 * t64;
+    const double t69 = t65 * t62;
+    const double t70 = t66 * t64;
+    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
+    const double t72 = 1.0 / (t55 - t45 * t45);
+    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
+    const double t74 = 1.0 / (t55 - t46 * t46);
+    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
+    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
+    const double t77 = t68 - t67;
+    const double t78 = t71 * t72;
+    const double t79 = t73 * t74;
+    const double t80 = t75 * t72;
+    const double t81 = t76 * t74;
+    const double t82 = 1.0 / (t59 - t54 * t54);
+    const double t83 = 1.0 / (t59 - t52 * t52);
+    const double t84 = 1.0 / (t60 - t53 * t53);
+    const double t85 = t1 - t2;
+    const double t86 = nB[1] * t69 + nC[1] * t70;
+    const double t87 = nB[0] * t69 + nC[0] * t70;
+    const double t88 = t79 - t78;
+    const double t89 = t71 * t82;
+    const double t90 = t61 * t83;
+    const double t91 = t65 * t83;
+    const double t92 = t75 * t82;
+    const double t93 = t63 * t84;
+    const double t94 = 1.0 / (t60 - t58 * t58);
+    const double t95 = t3 - t4;
+    const double t96 = t40 * t68;
+    const double t97 = nA[0] * t80 + nD[0] * t81;
+    const double t98 = t89 + t90;
+    const double t99 = t73 * t94;
+    const double t100 = t66 * t84;
+    const double t101 = t76 * t94;
+    const double t102 = nB[2] * t69 + nC[2] * t70;
+    const double t103 = nA[2] * t80 + nD[2] * t81;
+    const double t104 = t7 - t8;
+    const double t105 = t41 * t67;
+    const double t106 = nA[1] * t80 + nD[1] * t81;
+    const double t107 = t45 * t79;
+    const double t108 = t37 + t9;
+    const double t109 = nD[0] * t91 + nC[0] * t92;
+    const double t110 = t93 + t99;
+    const double t111 = t38 + t10;
+    const double t112 = nD[2] * t91 + nC[2] * t92;
+    const double t113 = t46 * t78;
+    const double t114 = nD[1] * t91 + nC[1] * t92;
+    const double t115 = t52 * t89;
+    const double t116 = nA[1] * t100 + nB[1] * t101;
+    const double t117 = nA[0] * t100 + nB[0] * t101;
+    const double t118 = 3.0 * (t78 - (2.0 / 3.0) + t79);
+    const double t119 = 3.0 * (t99 - t93) - 2.0;
+    const double t120 = t39 + t16;
+    const double t121 = t54 * t90;
+    const double t122 = t53 * t99;
+    const double t123 = t46 * t118;
+    const double t124 = t58 * t119;
+    const double t125 = 3.0 * (t90 - t89) + 2.0;
+    const double t126 = nA[2] * t100 + nB[2] * t101;
+    const double t127 = t85 + t37 * t77 + t39 * t86 - t38 * t87 + 2.0 * (nC[2] * t96 - nB[2] * t105);
+    const double t128 = t58 * t93;
+    const double t129 = t45 * t118;
+    const double t130 = t54 * t125;
+    const double t131 = 3.0 * (t67 + t68) + 2.0;
+    const double t132 = t95 + t38 * t77 + t37 * t87 - t39 * t102 + 2.0 * (nC[1] * t96 - nB[1] * t105);
+    const double t133 = t85 + t9 * t88 - t10 * t97 + t16 * t106 + 2.0 * (nD[2] * t107 - nA[2] * t113);
+    const double t134 = t40 * t131;
+    const double t135 = t52 * t125;
+    const double t136 = t95 + t10 * t88 - t16 * t103 + t9 * t97 + 2.0 * (nD[1] * t107 - nA[1] * t113);
+    const double t137 = t104 + t39 * t77 + t38 * t102 - t37 * t86 + 2.0 * (nC[0] * t96 - nB[0] * t105);
+    const double t138 = t1 * t98 - t108 - t3 * t109 + t7 * t114 + 2.0 * (nC[2] * t115 + nD[2] * t121);
+    const double t139 = t41 * t131;
+    const double t140 = t53 * t119;
+    const double t141 = t3 * t98 - t111 - t7 * t112 + t1 * t109 + 2.0 * (nC[1] * t115 + nD[1] * t121);
+    const double t142 = t104 + t16 * t88 - t9 * t106 + t10 * t103 + 2.0 * (nD[0] * t107 - nA[0] * t113);
+    const double t143 = t2 * t110 - t108 - t8 * t116 + t4 * t117 + 2.0 * (nB[2] * t122 + nA[2] * t128);
+    const double t144 = t4 * t110 - t111 - t2 * t117 + t8 * t126 + 2.0 * (nB[1] * t122 + nA[1] * t128);
+    const double t145 = t7 * t98 - t120 - t1 * t114 + t3 * t112 + 2.0 * (nC[0] * t115 + nD[0] * t121);
+    const double t146 = t8 * t110 - t120 - t4 * t126 + t2 * t116 + 2.0 * (nB[0] * t122 + nA[0] * t128);
     double u4 = 0.225;
-    const double t147 = (u4 < t35 ? u4 : t35);
+    const double t147 = (u4 < t33 ? u4 : t33);
+    const double t148 = (u4 < t34 ? u4 : t34);
     double u5 = -0.275;
-    const double t148 = (u5 > t147 ? u5 : t147);
-    const double t149 = (u4 < t31 ? u4 : t31);
-    const double t150 = (u5 > t149 ? u5 : t149);
-    const double t151 = t36 * t150 + 1.0 + t34 * t148;
+    const double t149 = (u5 > t147 ? u5 : t147);
+    const double t150 = (u5 > t148 ? u5 : t148);
+    const double t151 = t35 * t149 + 1.0 + t36 * t150;
     double u6 = 0.5;
     const double t152 = (u6 > t151 ? u6 : t151);
-    const double t153 = t148 * t150 * t152;
-    const double t154 = t31 + t34 * t153;
-    const double t155 = t35 + t36 * t153;
+    const double t153 = t150 * t149 * t152;
+    const double t154 = t33 + t36 * t153;
+    const double t155 = t34 + t35 * t153;
     const double t156 = (u4 < t154 ? u4 : t154);
-    const double t157 = (u5 > t156 ? u5 : t156);
-    const double t158 = (u4 < t155 ? u4 : t155);
-    const double t159 = (u5 > t158 ? u5 : t158);
-    const double t160 = t157 + 0.275;
+    const double t157 = (u4 < t155 ? u4 : t155);
+    const double t158 = (u5 > t156 ? u5 : t156);
+    const double t159 = (u5 > t157 ? u5 : t157);
+    const double t160 = t158 + 0.275;
     const double t161 = t159 + 0.275;
-    const double t162 = t1 - t4 * t160;
-    const double t163 = t160 * t160;
-    const double t164 = 1.0 - t161;
-    const double t165 = t161 * t164;
-    const double t166 = 1.0 - t160;
-    const double t167 = t164 + t166;
-    const double t168 = t161 + t166;
-    const double t169 = t166 * t166;
-    const double t170 = t161 + t160;
-    const double t171 = t160 + t164;
-    const double t172 = t161 * t161;
-    const double t173 = t160 * t166;
-    const double t174 = t164 * t164;
-    const double t175 = t164 * t166;
-    const double t176 = t161 * t166;
-    const double t177 = t161 * t160;
-    const double t178 = t160 * t164;
-    const double t179 = t160 - t166;
-    const double t180 = t120 * t161 + t122 * t160;
-    const double t181 = t125 * t160 + t123 * t164;
-    const double t182 = t127 * t164 - t128 * t166;
-    const double t183 = t129 * t161 + t130 * t166;
-    const double t184 = t7 - t10 * t160;
-    const double t185 = t13 - t16 * t160;
-    const double t186 = t161 - t164;
+    const double t162 = 1.0 - t161;
+    const double t163 = 1.0 - t160;
+    const double t164 = t162 + t163;
+    const double t165 = t161 + t163;
+    const double t166 = t161 + t160;
+    const double t167 = t160 + t162;
+    const double t168 = t160 * t160;
+    const double t169 = t161 * t162;
+    const double t170 = t5 * t160 - t9;
+    const double t171 = t163 * t163;
+    const double t172 = t6 * t160 - t10;
+    const double t173 = t161 * t161;
+    const double t174 = t160 * t163;
+    const double t175 = t11 * t160 - t16;
+    const double t176 = t162 * t162;
+    const double t177 = t162 * t163;
+    const double t178 = t161 * t163;
+    const double t179 = t161 * t160;
+    const double t180 = t160 * t162;
+    const double t181 = t129 * t162 - t130 * t160;
+    const double t182 = t135 * t163 - t134 * t162;
+    const double t183 = t160 - t163;
+    const double t184 = t139 * t161 + t140 * t163;
+    const double t185 = t161 - t162;
+    const double t186 = t123 * t161 + t124 * t160;
+    const double t187 = 2.0 * t161;
+    const double t188 = 2.0 * t163;
+    const double t189 = 2.0 * t162;
+    const double t190 = 2.0 * t160;
     double u7 = 0.000001;
-    const double t187 = (u7 > t167 ? u7 : t167);
-    const double t188 = (u7 > t168 ? u7 : t168);
-    const double t189 = (u7 > t170 ? u7 : t170);
-    const double t190 = (u7 > t171 ? u7 : t171);
-    const double t191 = 1.0 / t187;
-    const double t192 = t166 * t191;
-    const double t193 = 1.0 - t192;
-    const double t194 = t166 * t193;
-    const double t195 = 1.0 / t188;
-    const double t196 = t166 * t195;
-    const double t197 = 1.0 - t196;
-    const double t198 = t166 * t197;
-    const double t199 = t161 * t194 + t164 * t198;
-    const double t200 = t163 * t165 * t199;
-    const double t201 = 1.0 / t189;
-    const double t202 = t160 * t201;
-    const double t203 = t202 - 1.0;
-    const double t204 = t160 * t203;
-    const double t205 = 1.0 / t190;
-    const double t206 = t160 * t205;
-    const double t207 = t206 - 1.0;
-    const double t208 = t160 * t207;
-    const double t209 = t164 * t204 + t161 * t208;
-    const double t210 = t169 * t165 * t209;
-    const double t211 = t160 * t194 - t166 * t208;
-    const double t212 = t172 * t173 * t211;
-    const double t213 = t160 * t198 - t166 * t204;
-    const double t214 = t174 * t173 * t213;
-    const double t215 = t77 + t120 * t204;
-    const double t216 = t78 + t122 * t204;
-    const double t217 = t161 * t215 + t160 * t216;
-    const double t218 = t175 * t175 * t217;
-    const double t219 = t71 - t123 * t208;
-    const double t220 = t72 - t125 * t208;
-    const double t221 = t164 * t219 + t160 * t220;
-    const double t222 = t176 * t176 * t221;
-    const double t223 = t41 + t127 * t194;
-    const double t224 = t42 + t128 * t194;
-    const double t225 = t164 * t223 - t166 * t224;
-    const double t226 = t177 * t177 * t225;
-    const double t227 = t47 + t129 * t198;
-    const double t228 = t48 - t130 * t198;
-    const double t229 = t166 * t228 - t161 * t227;
-    const double t230 = t178 * t178 * t229;
-    const double t231 = t20 - t3 * t160 - t161 * t162 - t70 * t200 - t91 * t210 - t105 * t212 + t118 * t214 + nA[2]
-        * t218 - nD[2] * t222 - nC[2] * t226 - nB[2] * t230;
-    const double t232 = t193 * t193;
-    const double t233 = t207 * t207;
-    const double t234 = t179 * t211 + t173 * (t160 * t232 - t208 - t194 - t166 * t233);
-    const double t235 = t172 * t234;
-    const double t236 = t203 * t203;
-    const double t237 = t197 * t197;
-    const double t238 = t179 * t213 - t173 * (t204 + t166 * t236 + t198 - t160 * t237);
-    const double t239 = t174 * t238;
-    const double t240 = t160 * t165 * (2.0 * t199 - t160 * (t161 * t232 + t164 * t237));
-    const double t241 = t166 * t165 * (2.0 * t209 + t166 * (t164 * t236 + t161 * t233));
-    const double u8 = 2.0 * t217;
-    const double t242 = t164 * t175 * (t166 * (t216 - t180 * t236) - u8);
-    const double u9 = 2.0 * t221;
-    const double t243 = t161 * t176 * (u9 - t166 * (t181 * t233 + t220));
-    const double u10 = 2.0 * t225;
-    const double t244 = t161 * t177 * (u10 - t160 * (t182 * t232 - t224));
-    const double u11 = 2.0 * t229;
-    const double t245 = t164 * t178 * (t160 * (t228 - t183 * t237) - u11);
-    const double t246 = t3 - t4 * t161 - t105 * t235 + t118 * t239 + t70 * t240 - t91 * t241 - nA[2] * t242 - nD[2]
-        * t243 + nC[2] * t244 - nB[2] * t245;
-    const double t247 = t22 - t9 * t160 - t161 * t184 - t133 * t200 - t135 * t210 - t138 * t212 + t140 * t214 +
-        nA[1] * t218 - nD[1] * t222 - nC[1] * t226 - nB[1] * t230;
-    const double t248 = t9 - t10 * t161 - t138 * t235 + t140 * t239 + t133 * t240 - t135 * t241 - nA[1] * t242 -
-        nD[1] * t243 + nC[1] * t244 - nB[1] * t245;
-    const double t249 = t24 - t15 * t160 - t161 * t185 - t142 * t200 - t143 * t210 - t145 * t212 + t146 * t214 +
-        nA[0] * t218 - nD[0] * t222 - nC[0] * t226 - nB[0] * t230;
-    const double t250 = t15 - t16 * t161 - t145 * t235 + t146 * t239 + t142 * t240 - t143 * t241 - nA[0] * t242 -
-        nD[0] * t243 + nC[0] * t244 - nB[0] * t245;
-    const double t251 = t231 * t246 + t247 * t248 + t249 * t250;
-    const double t252 = t202 * t202;
-    const double t253 = t206 * t206;
-    const double t254 = t186 * t209 + t165 * (t164 * t252 + t204 - t161 * t253 - t208);
-    const double t255 = t169 * t254;
-    const double t256 = t192 * t192;
-    const double t257 = t196 * t196;
-    const double t258 = t186 * t199 - t165 * (t164 * t257 - t161 * t256 + t194 - t198);
-    const double t259 = t163 * t258;
-    const double t260 = t161 * t173 * (2.0 * t211 - t161 * (t160 * t256 + t166 * t253));
-    const double t261 = t164 * t173 * (2.0 * t213 - t164 * (t166 * t252 + t160 * t257));
-    const double t262 = t166 * t175 * (t164 * (t215 - t180 * t252) - u8);
-    const double t263 = t166 * t176 * (u9 - t161 * (t181 * t253 + t219));
-    const double t264 = t160 * t177 * (u10 - t161 * (t182 * t256 + t223));
-    const double t265 = t160 * t178 * (u11 + t164 * (t183 * t257 + t227));
-    const double t266 = t162 - t91 * t255 - t70 * t259 + t105 * t260 + t118 * t261 - nA[2] * t262 + nD[2] * t263 +
-        nC[2] * t264 - nB[2] * t265;
-    const double t267 = t184 - t135 * t255 - t133 * t259 + t138 * t260 + t140 * t261 - nA[1] * t262 + nD[1] * t263 +
-        nC[1] * t264 - nB[1] * t265;
-    const double t268 = t185 - t143 * t255 - t142 * t259 + t145 * t260 + t146 * t261 - nA[0] * t262 + nD[0] * t263 +
-        nC[0] * t264 - nB[0] * t265;
-    const double t269 = nC[2] * t231 + nC[1] * t247 + nC[0] * t249;
-    const double t270 = t41 * t269;
-    const double t271 = t70 * t231 + t133 * t247 + t142 * t249;
-    const double t272 = t105 * t231 + t138 * t247 + t145 * t249;
-    const double t273 = t193 * t271 + t192 * t272 + t182 * t191 * t269;
-    const double t274 = t164 * t273 - t42 * t269;
-    const double t275 = t164 * t270 + t166 * t274;
-    const double t276 = t275 - 2.0 * t161 * (t270 + t166 * t273);
-    const double t277 = nB[2] * t231 + nB[1] * t247 + nB[0] * t249;
-    const double t278 = t47 * t277;
-    const double t279 = t118 * t231 + t140 * t247 + t146 * t249;
-    const double t280 = t197 * t271 - t196 * t279 - t183 * t195 * t277;
-    const double t281 = t48 * t277 + t161 * t280;
-    const double t282 = t166 * t281 - t161 * t278;
-    const double t283 = 2.0 * t164 * (t166 * t280 - t278) - t282;
-    const double t284 = nD[2] * t231 + nD[1] * t247 + nD[0] * t249;
-    const double t285 = t71 * t284;
-    const double t286 = t91 * t231 + t135 * t247 + t143 * t249;
-    const double t287 = t207 * t286 + t206 * t272 + t181 * t205 * t284;
-    const double t288 = t72 * t284 + t164 * t287;
-    const double t289 = t164 * t285 + t160 * t288;
-    const double t290 = t289 - 2.0 * t161 * (t285 + t160 * t287);
-    const double t291 = nA[2] * t231 + nA[1] * t247 + nA[0] * t249;
-    const double t292 = t77 * t291;
-    const double t293 = t202 * t279 - t203 * t286 - t180 * t201 * t291;
-    const double t294 = t78 * t291 + t161 * t293;
-    const double t295 = t161 * t292 + t160 * t294;
-    const double t296 = t295 - 2.0 * t164 * (t292 + t160 * t293);
-    const double t297 = t266 * t266 + t267 * t267 + t268 * t268 + 2.0 * (t163 * (t283 - t276) + t169 * (t296 -
+    const double t191 = (u7 > t164 ? u7 : t164);
+    const double t192 = (u7 > t165 ? u7 : t165);
+    const double t193 = (u7 > t166 ? u7 : t166);
+    const double t194 = (u7 > t167 ? u7 : t167);
+    const double t195 = 1.0 / t191;
+    const double t196 = 1.0 / t192;
+    const double t197 = t163 * t195;
+    const double t198 = t163 * t196;
+    const double t199 = 1.0 / t193;
+    const double t200 = 1.0 / t194;
+    const double t201 = 1.0 - t197;
+    const double t202 = 1.0 - t198;
+    const double t203 = t160 * t199;
+    const double t204 = t160 * t200;
+    const double t205 = t163 * t201;
+    const double t206 = t163 * t202;
+    const double t207 = t203 - 1.0;
+    const double t208 = t204 - 1.0;
+    const double t209 = t160 * t207;
+    const double t210 = t160 * t208;
+    const double t211 = t161 * t205 + t162 * t206;
+    const double t212 = t168 * t169 * t211;
+    const double t213 = t162 * t209 + t161 * t210;
+    const double t214 = t171 * t169 * t213;
+    const double t215 = t160 * t205 - t163 * t210;
+    const double t216 = t46 + t123 * t209;
+    const double t217 = t58 + t124 * t209;
+    const double t218 = t173 * t174 * t215;
+    const double t219 = t160 * t206 - t163 * t209;
+    const double t220 = t45 + t129 * t210;
+    const double t221 = t130 * t210 - t54;
+    const double t222 = t176 * t174 * t219;
+    const double t223 = t161 * t216 + t160 * t217;
+    const double t224 = t40 + t134 * t205;
+    const double t225 = t52 + t135 * t205;
+    const double t226 = t177 * t177 * t223;
+    const double t227 = t160 * t221 - t162 * t220;
+    const double t228 = t41 + t139 * t206;
+    const double t229 = t140 * t206 - t53;
+    const double t230 = t178 * t178 * t227;
+    const double t231 = t163 * t225 - t162 * t224;
+    const double t232 = t179 * t179 * t231;
+    const double t233 = t161 * t228 + t163 * t229;
+    const double t234 = t180 * t180 * t233;
+    const double t235 = t2 * t160 - t19 - t161 * t170 - t127 * t212 - t133 * t214 - t138 * t218 + t143 * t222 -
+        nA[2] * t226 - nD[2] * t230 - nC[2] * t232 - nB[2] * t234;
+    const double t236 = t4 * t160 - t20 - t161 * t172 - t132 * t212 - t136 * t214 - t141 * t218 + t144 * t222 -
+        nA[1] * t226 - nD[1] * t230 - nC[1] * t232 - nB[1] * t234;
+    const double t237 = t8 * t160 - t21 - t161 * t175 - t137 * t212 - t142 * t214 - t145 * t218 + t146 * t222 -
+        nA[0] * t226 - nD[0] * t230 - nC[0] * t232 - nB[0] * t234;
+    const double t238 = t203 * t203;
+    const double t239 = t201 * t201;
+    const double t240 = t207 * t207;
+    const double t241 = t204 * t204;
+    const double t242 = t197 * t197;
+    const double t243 = t198 * t198;
+    const double t244 = t208 * t208;
+    const double t245 = t138 * t235 + t141 * t236 + t145 * t237;
+    const double t246 = t133 * t235 + t136 * t236 + t142 * t237;
+    const double t247 = t202 * t202;
+    const double t248 = t127 * t235 + t132 * t236 + t137 * t237;
+    const double t249 = nD[2] * t235 + nD[1] * t236 + nD[0] * t237;
+    const double t250 = nC[2] * t235 + nC[1] * t236 + nC[0] * t237;
+    const double t251 = t143 * t235 + t144 * t236 + t146 * t237;
+    const double t252 = nB[2] * t235 + nB[1] * t236 + nB[0] * t237;
+    const double t253 = t208 * t246 + t204 * t245 + t181 * t200 * t249;
+    const double t254 = t183 * t215 + t174 * (t160 * t239 - t210 - t205 - t163 * t244);
+    const double t255 = t185 * t213 + t169 * (t162 * t238 + t209 - t161 * t241 - t210);
+    const double t256 = t201 * t248 + t197 * t245 + t182 * t195 * t250;
+    const double t257 = nA[2] * t235 + nA[1] * t236 + nA[0] * t237;
+    const double t258 = t173 * t254;
+    const double t259 = t183 * t219 - t174 * (t209 + t163 * t240 + t206 - t160 * t247);
+    const double t260 = t171 * t255;
+    const double t261 = t185 * t211 - t169 * (t162 * t243 - t161 * t242 + t205 - t206);
+    const double t262 = t202 * t248 - t198 * t251 + t184 * t196 * t252;
+    const double t263 = t45 * t249;
+    const double t264 = t162 * t253 - t54 * t249;
+    const double t265 = t176 * t259;
+    const double t266 = t168 * t261;
+    const double t267 = t40 * t250;
+    const double t268 = t52 * t250 + t162 * t256;
+    const double t269 = t203 * t251 - t207 * t246 + t186 * t199 * t257;
+    const double t270 = t160 * t169 * (2.0 * t211 - t160 * (t161 * t239 + t162 * t247));
+    const double t271 = t161 * t174 * (2.0 * t215 - t161 * (t160 * t242 + t163 * t241));
+    const double t272 = t41 * t252;
+    const double t273 = t161 * t262 - t53 * t252;
+    const double t274 = t160 * t264 - t162 * t263;
+    const double t275 = t163 * t169 * (2.0 * t213 + t163 * (t162 * t240 + t161 * t244));
+    const double u8 = 2.0 * t223;
+    const double t276 = t162 * t174 * (2.0 * t219 - t162 * (t163 * t238 + t160 * t243));
+    const double t277 = t163 * t268 - t162 * t267;
+    const double t278 = t274 - (t160 * t253 - t263) * t187;
+    const double t279 = t46 * t257;
+    const double t280 = t161 * t269 - t58 * t257;
+    const double t281 = t162 * t177 * (u8 + t163 * (t186 * t240 - t217));
+    const double u9 = 2.0 * t227;
+    const double t282 = t163 * t177 * (u8 + t162 * (t186 * t238 - t216));
+    const double t283 = t277 - (t163 * t256 - t267) * t187;
+    const double t284 = t161 * t272 + t163 * t273;
+    const double t285 = t274 - t264 * t188;
+    const double t286 = t161 * t178 * (u9 - t163 * (t181 * t244 + t221));
+    const double u10 = 2.0 * t231;
+    const double t287 = t163 * t178 * (u9 - t161 * (t181 * t241 - t220));
+    const double t288 = (t272 + t163 * t262) * t189 - t284;
+    const double t289 = t160 * t280 - t161 * t279;
+    const double t290 = t277 - t268 * t190;
+    const double t291 = t161 * t179 * (u10 - t160 * (t182 * t239 + t225));
+    const double u11 = 2.0 * t233;
+    const double t292 = t160 * t179 * (u10 - t161 * (t182 * t242 - t224));
+    const double t293 = t289 - (t160 * t269 - t279) * t189;
+    const double t294 = t273 * t190 - t284;
+    const double t295 = t162 * t180 * (t160 * (t184 * t247 + t229) - u11);
+    const double t296 = t160 * t180 * (u11 - t162 * (t184 * t243 + t228));
+    const double t297 = t289 - t280 * t188;
+    const double t298 = t5 * t161 - t2 - t138 * t258 + t143 * t265 + t127 * t270 - t133 * t275 - nA[2] * t281 -
+        nD[2] * t286 + nC[2] * t291 - nB[2] * t295;
+    const double t299 = t6 * t161 - t4 - t141 * t258 + t144 * t265 + t132 * t270 - t136 * t275 - nA[1] * t281 -
+        nD[1] * t286 + nC[1] * t291 - nB[1] * t295;
+    const double t300 = t170 - t133 * t260 - t127 * t266 + t138 * t271 + t143 * t276 - nA[2] * t282 + nD[2] * t287 +
+        nC[2] * t292 - nB[2] * t296;
+    const double t301 = t172 - t136 * t260 - t132 * t266 + t141 * t271 + t144 * t276 - nA[1] * t282 + nD[1] * t287 +
+        nC[1] * t292 - nB[1] * t296;
+    const double t302 = t11 * t161 - t8 - t145 * t258 + t146 * t265 + t137 * t270 - t142 * t275 - nA[0] * t281 -
+        nD[0] * t286 + nC[0] * t291 - nB[0] * t295;
+    const double t303 = t175 - t142 * t260 - t137 * t266 + t145 * t271 + t146 * t276 - nA[0] * t282 + nD[0] * t287 +
+        nC[0] * t292 - nB[0] * t296;
+    const double t304 = 2.0 * (t178 * (0.5 * (t178 * t253 + t278 + t285) + t274) - t179 * (0.5 * (t179 * t256 + t283
+        + t290) + t277) - t180 * (0.5 * (t288 - t180 * t262 + t294) - t284) + t177 * (0.5 * (t177 * t269 + t293 +
+        t297) + t289)) - t5 * t235 - t6 * t236 - t11 * t237;
+    const double t305 = t300 * t300 + t301 * t301 + t303 * t303 + 2.0 * (t168 * (t288 - t283) + t171 * (t293 -
+        t278));
+    const double t306 = t300 * t298 + t301 * t299 + t303 * t302 + t304;
+    const double t307 = t298 * t298 + t299 * t299 + t302 * t302 + 2.0 * (t176 * (t294 + t297) - t173 * (t285 +
         t290));
-    const double t298 = t231 * t266 + t247 * t267 + t249 * t268;
-    const double t299 = t289 - 2.0 * t166 * t288;
-    const double t300 = t275 - 2.0 * t160 * t274;
-    const double t301 = 2.0 * t160 * t281 - t282;
-    const double t302 = t295 - 2.0 * t166 * t294;
-    const double t303 = t4 * t231 + t10 * t247 + t16 * t249 + 2.0 * (t176 * (0.5 * (t176 * t287 + t290 + t299) +
-        t289) - t177 * (0.5 * (t177 * t273 + t276 + t300) + t275) - t178 * (0.5 * (t283 - t178 * t280 + t301) -
-        t282) + t175 * (0.5 * (t175 * t293 + t296 + t302) + t295));
-    const double t304 = t266 * t246 + t267 * t248 + t268 * t250 + t303;
-    const double t305 = t251 * t297 - t298 * t304;
-    const double t306 = t246 * t246 + t248 * t248 + t250 * t250 + 2.0 * (t174 * (t301 + t302) - t172 * (t299 +
-        t300));
-    const double t307 = t297 * t306;
-    const double t308 = t307 - t304 * t304;
-    const double t309 = t298 * t306 - t251 * t304;
-    const double u12 = 0.1 * t307;
-    const double t310 = (t308 > u12 ? t308 : u12);
-    const double t311 = 1.0 / t310;
-    const double t312 = t157 - 0.225 + t305 * t311;
-    const double t313 = t159 - 0.225 + t309 * t311;
-    const double u13 = 2.0 * t312;
+    const double t308 = t305 * t307;
+    const double t309 = t308 - t306 * t306;
+    const double t310 = t235 * t298 + t236 * t299 + t237 * t302;
+    const double t311 = t235 * t300 + t236 * t301 + t237 * t303;
+    const double t312 = t310 * t305 - t311 * t306;
+    const double t313 = t311 * t307 - t310 * t306;
+    const double u12 = 0.1 * t308;
+    const double t314 = (t309 > u12 ? t309 : u12);
+    const double t315 = 1.0 / t314;
+    const double t316 = t158 - 0.225 + t312 * t315;
+    const double t317 = t159 - 0.225 + t313 * t315;
+    const double u13 = 2.0 * t316;
     double u14 = 0.0;
-    const double t314 = (u14 < u13 ? u14 : u13);
-    double u15 = -1.0;
-    const double t315 = (!(t314 <= u15) ? t314 : u15);
-    const double u16 = 2.0 * t313;
-    const double t316 = (u14 < u16 ? u14 : u16);
-    const double t317 = (!(t316 <= u15) ? t316 : u15);
-    *xi = t315;
-    *eta = t317;
+    const double t318 = (u14 < u13 ? u14 : u13);
+    const double u15 = 2.0 * t317;
+    const double t319 = (u14 < u15 ? u14 : u15);
+    double u16 = -1.0;
+    const double t320 = (!(t318 <= u16) ? t318 : u16);
+    const double t321 = (!(t319 <= u16) ? t319 : u16);
+    *xi = t320;
+    *eta = t321;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                     const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_new_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1350,10 +1355,10 @@ FOOTPOINT_FN int footpoint_paper_gregory_precise(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_paper_gregory_precise_at for n pairs.
+/* footpoint_new_paper_gregory_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_new_paper_gregory_precise_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1363,542 +1368,562 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *co
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54824424794263771, 0, 1.8273933966583368e-15, 9.8813129168249309e-324},
+static const double footpoint_new_paper_gregory_precise_points[][31] = {
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54824424794263771, 0, 1.8289132859432751e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28001844213714977, 0, 7.2270587716888382e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28001844213714977, 0, 7.2261652274818618e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.49830628048623121, 9.8813129168249309e-324, 1.0977644145068557e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.49830628048623121, 9.8813129168249309e-324, 1.0977365866280815e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31901295068527763, 9.8813129168249309e-324, 3.3387713792035666e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31901295068527763, 9.8813129168249309e-324, 3.3382057777039851e-15},
 };
 #endif
 
-/* 958 mul, 19 div, 635 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                   const double xS[3], double *xi, double *eta)
+/* 915 mul, 19 div, 635 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_new_paper_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                       const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xD[2];
-    const double t2 = xC[2] - xD[2];
-    const double t3 = xA[2] - xB[2];
-    const double t4 = t2 + t3;
-    const double u1 = 0.275 * t4;
-    const double t5 = t1 - u1;
-    const double t6 = t3 - u1;
-    const double t7 = xA[1] - xD[1];
-    const double t8 = xC[1] - xD[1];
-    const double t9 = xA[1] - xB[1];
-    const double t10 = t8 + t9;
-    const double u2 = 0.275 * t10;
-    const double t11 = t7 - u2;
-    const double t12 = t9 - u2;
-    const double t13 = xA[0] - xD[0];
-    const double t14 = xC[0] - xD[0];
-    const double t15 = xA[0] - xB[0];
-    const double t16 = t14 + t15;
-    const double u3 = 0.275 * t16;
-    const double t17 = t13 - u3;
-    const double t18 = t15 - u3;
-    const double t19 = t5 * t6 + t11 * t12 + t17 * t18;
-    const double t20 = xA[2] - xS[2];
-    const double t21 = t3 - (40.0 / 11.0) * t20 + t5;
-    const double t22 = xA[1] - xS[1];
-    const double t23 = t9 - (40.0 / 11.0) * t22 + t11;
-    const double t24 = xA[0] - xS[0];
-    const double t25 = t15 - (40.0 / 11.0) * t24 + t17;
-    const double t26 = t5 * t21 + t11 * t23 + t17 * t25;
-    const double t27 = t5 * t5 + t11 * t11 + t17 * t17;
-    const double t28 = t6 * t21 + t12 * t23 + t18 * t25;
-    const double t29 = t6 * t6 + t12 * t12 + t18 * t18;
-    const double t30 = 1.0 / (t27 * t29 - t19 * t19);
-    const double t31 = (t27 * t28 - t19 * t26) * t30;
-    const double t32 = t4 * t5 + t10 * t11 + t16 * t17;
-    const double t33 = t4 * t6 + t10 * t12 + t16 * t18;
-    const double t34 = (t33 * t27 - t32 * t19) * t30;
-    const double t35 = (t29 * t26 - t19 * t28) * t30;
-    const double t36 = (t32 * t29 - t33 * t19) * t30;
-    const double t37 = t3 - t2;
-    const double t38 = xB[2] - xC[2];
-    const double t39 = xB[1] - xC[1];
-    const double t40 = xB[0] - xC[0];
-    const double t41 = nC[2] * t38 + nC[1] * t39 + nC[0] * t40;
-    const double t42 = nC[2] * t2 + nC[1] * t8 + nC[0] * t14;
-    const double t43 = t2 * t38 + t8 * t39 + t14 * t40 - t41 * t42;
-    const double t44 = t38 * t38 + t39 * t39 + t40 * t40;
-    const double t45 = 1.0 / (t44 - t41 * t41);
-    const double t46 = t43 * t45;
-    const double t47 = nB[2] * t38 + nB[1] * t39 + nB[0] * t40;
-    const double t48 = nB[2] * t3 + nB[1] * t9 + nB[0] * t15;
-    const double t49 = t38 * t3 + t39 * t9 + t40 * t15 - t47 * t48;
-    const double t50 = 1.0 / (t44 - t47 * t47);
-    const double t51 = t49 * t50;
-    const double t52 = t51 - t46;
-    const double t53 = t7 * t16 - t13 * t10;
-    const double t54 = t7 * t15 - t13 * t9;
-    const double t55 = t54 - (t15 * t10 - t9 * t16);
-    const double t56 = t13 * t4 - t1 * t16;
-    const double t57 = t13 * t3 - t1 * t15;
-    const double t58 = t57 - (t3 * t16 - t15 * t4);
-    const double t59 = t1 * t10 - t7 * t4;
-    const double t60 = t1 * t9 - t7 * t3;
-    const double t61 = t60 - (t9 * t4 - t3 * t10);
-    const double t62 = nC[2] * (t55 - t53) + nC[1] * (t58 - t56) + nC[0] * (t61 - t59);
-    const double t63 = t62 * t45;
-    const double t64 = nB[2] * t55 + nB[1] * t58 + nB[0] * t61;
-    const double t65 = t64 * t50;
-    const double t66 = nB[1] * t63 + nC[1] * t65;
-    const double t67 = nB[0] * t63 + nC[0] * t65;
-    const double t68 = t41 * t51;
-    const double t69 = t47 * t46;
-    const double t70 = t37 - t38 * t52 - t40 * t66 + t39 * t67 - 2.0 * (nC[2] * t68 - nB[2] * t69);
-    const double t71 = nD[2] * t1 + nD[1] * t7 + nD[0] * t13;
-    const double t72 = nD[2] * t2 + nD[1] * t8 + nD[0] * t14;
-    const double t73 = t2 * t1 + t8 * t7 + t14 * t13 - t71 * t72;
-    const double t74 = t1 * t1 + t7 * t7 + t13 * t13;
-    const double t75 = 1.0 / (t74 - t71 * t71);
-    const double t76 = t73 * t75;
-    const double t77 = nA[2] * t1 + nA[1] * t7 + nA[0] * t13;
-    const double t78 = nA[2] * t3 + nA[1] * t9 + nA[0] * t15;
-    const double t79 = t1 * t3 + t7 * t9 + t13 * t15 - t77 * t78;
-    const double t80 = 1.0 / (t74 - t77 * t77);
-    const double t81 = t79 * t80;
-    const double t82 = t81 - t76;
-    const double t83 = nD[2] * (t54 - t53) + nD[1] * (t57 - t56) + nD[0] * (t60 - t59);
-    const double t84 = t83 * t75;
-    const double t85 = nA[2] * t54 + nA[1] * t57 + nA[0] * t60;
-    const double t86 = t85 * t80;
-    const double t87 = nA[0] * t84 + nD[0] * t86;
-    const double t88 = nA[1] * t84 + nD[1] * t86;
-    const double t89 = t71 * t81;
-    const double t90 = t77 * t76;
-    const double t91 = t37 - t1 * t82 + t7 * t87 - t13 * t88 - 2.0 * (nD[2] * t89 - nA[2] * t90);
-    const double t92 = t38 + t1;
-    const double t93 = t2 * t2 + t8 * t8 + t14 * t14;
-    const double t94 = 1.0 / (t93 - t72 * t72);
-    const double t95 = t73 * t94;
-    const double t96 = 1.0 / (t93 - t42 * t42);
-    const double t97 = t43 * t96;
-    const double t98 = t95 + t97;
-    const double t99 = t62 * t96;
-    const double t100 = t83 * t94;
-    const double t101 = nD[0] * t99 + nC[0] * t100;
-    const double t102 = nD[1] * t99 + nC[1] * t100;
-    const double t103 = t42 * t95;
-    const double t104 = t72 * t97;
-    const double t105 = t92 - t2 * t98 + t8 * t101 - t14 * t102 - 2.0 * (nC[2] * t103 + nD[2] * t104);
-    const double t106 = t3 * t3 + t9 * t9 + t15 * t15;
-    const double t107 = 1.0 / (t106 - t48 * t48);
-    const double t108 = t49 * t107;
-    const double t109 = 1.0 / (t106 - t78 * t78);
-    const double t110 = t79 * t109;
-    const double t111 = t108 + t110;
-    const double t112 = t64 * t107;
-    const double t113 = t85 * t109;
-    const double t114 = nA[1] * t112 + nB[1] * t113;
-    const double t115 = nA[0] * t112 + nB[0] * t113;
-    const double t116 = t48 * t110;
-    const double t117 = t78 * t108;
-    const double t118 = t92 - t3 * t111 + t15 * t114 - t9 * t115 - 2.0 * (nB[2] * t116 + nA[2] * t117);
-    const double t119 = t76 - (2.0 / 3.0) + t81;
-    const double t120 = t77 * t119;
-    const double t121 = t110 - (2.0 / 3.0) - t108;
-    const double t122 = t78 * t121;
-    const double t123 = t71 * t119;
-    const double t124 = t97 + (2.0 / 3.0) - t95;
-    const double t125 = t72 * t124;
-    const double t126 = t46 + (2.0 / 3.0) + t51;
-    const double t127 = t41 * t126;
-    const double t128 = t42 * t124;
-    const double t129 = t47 * t126;
-    const double t130 = t48 * t121;
-    const double t131 = t9 - t8;
-    const double t132 = nB[2] * t63 + nC[2] * t65;
-    const double t133 = t131 - t39 * t52 - t38 * t67 + t40 * t132 - 2.0 * (nC[1] * t68 - nB[1] * t69);
-    const double t134 = nA[2] * t84 + nD[2] * t86;
-    const double t135 = t131 - t7 * t82 + t13 * t134 - t1 * t87 - 2.0 * (nD[1] * t89 - nA[1] * t90);
-    const double t136 = t39 + t7;
-    const double t137 = nD[2] * t99 + nC[2] * t100;
-    const double t138 = t136 - t8 * t98 + t14 * t137 - t2 * t101 - 2.0 * (nC[1] * t103 + nD[1] * t104);
-    const double t139 = nA[2] * t112 + nB[2] * t113;
-    const double t140 = t136 - t9 * t111 + t3 * t115 - t15 * t139 - 2.0 * (nB[1] * t116 + nA[1] * t117);
-    const double t141 = t15 - t14;
-    const double t142 = t141 - t40 * t52 - t39 * t132 + t38 * t66 - 2.0 * (nC[0] * t68 - nB[0] * t69);
-    const double t143 = t141 - t13 * t82 + t1 * t88 - t7 * t134 - 2.0 * (nD[0] * t89 - nA[0] * t90);
-    const double t144 = t40 + t13;
-    const double t145 = t144 - t14 * t98 + t2 * t102 - t8 * t137 - 2.0 * (nC[0] * t103 + nD[0] * t104);
-    const double t146 = t144 - t15 * t111 + t9 * t139 - t3 * t114 - 2.0 * (nB[0] * t116 + nA[0] * t117);
-    const double u4 = -0.275 * t35;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = xC[1] - xD[1];
+    const double t4 = xA[1] - xB[1];
+    const double t5 = t1 + t2;
+    const double t6 = t3 + t4;
+    const double t7 = xC[0] - xD[0];
+    const double t8 = xA[0] - xB[0];
+    const double t9 = xA[2] - xD[2];
+    const double t10 = xA[1] - xD[1];
+    const double t11 = t7 + t8;
+    const double u1 = 0.275 * t5;
+    const double t12 = t9 - u1;
+    const double t13 = t2 - u1;
+    const double u2 = 0.275 * t6;
+    const double t14 = t10 - u2;
+    const double t15 = t4 - u2;
+    const double t16 = xA[0] - xD[0];
+    const double t17 = xA[2] - xS[2];
+    const double t18 = xA[1] - xS[1];
+    const double u3 = 0.275 * t11;
+    const double t19 = t16 - u3;
+    const double t20 = t8 - u3;
+    const double t21 = xA[0] - xS[0];
+    const double t22 = t12 * t13 + t14 * t15 + t19 * t20;
+    const double t23 = t12 * t12 + t14 * t14 + t19 * t19;
+    const double t24 = t13 * t13 + t15 * t15 + t20 * t20;
+    const double t25 = t2 - (40.0 / 11.0) * t17 + t12;
+    const double t26 = t4 - (40.0 / 11.0) * t18 + t14;
+    const double t27 = t8 - (40.0 / 11.0) * t21 + t19;
+    const double t28 = t12 * t25 + t14 * t26 + t19 * t27;
+    const double t29 = t13 * t25 + t15 * t26 + t20 * t27;
+    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t31 = t5 * t12 + t6 * t14 + t11 * t19;
+    const double t32 = t5 * t13 + t6 * t15 + t11 * t20;
+    const double t33 = (t23 * t29 - t22 * t28) * t30;
+    const double t34 = (t24 * t28 - t22 * t29) * t30;
+    const double t35 = (t31 * t24 - t32 * t22) * t30;
+    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t37 = xB[2] - xC[2];
+    const double t38 = xB[1] - xC[1];
+    const double t39 = xB[0] - xC[0];
+    const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
+    const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t42 = t10 * t8 - t16 * t4;
+    const double t43 = t16 * t2 - t9 * t8;
+    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t47 = t10 * t11 - t16 * t6;
+    const double t48 = t42 - (t8 * t6 - t4 * t11);
+    const double t49 = t16 * t5 - t9 * t11;
+    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t51 = t9 * t4 - t10 * t2;
+    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t56 = t9 * t6 - t10 * t5;
+    const double t57 = t51 - (t4 * t5 - t2 * t6);
+    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
+    const double t62 = 1.0 / (t44 - t40 * t40);
+    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
+    const double t64 = 1.0 / (t44 - t41 * t41);
+    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
+    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
+    const double t67 = t61 * t62;
+    const double t68 = t63 * t64;
+    const double t69 = t65 * t62;
+    const double t70 = t66 * t64;
+    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
+    const double t72 = 1.0 / (t55 - t45 * t45);
+    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
+    const double t74 = 1.0 / (t55 - t46 * t46);
+    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
+    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
+    const double t77 = t68 - t67;
+    const double t78 = t71 * t72;
+    const double t79 = t73 * t74;
+    const double t80 = t75 * t72;
+    const double t81 = t76 * t74;
+    const double t82 = 1.0 / (t59 - t54 * t54);
+    const double t83 = 1.0 / (t59 - t52 * t52);
+    const double t84 = 1.0 / (t60 - t53 * t53);
+    const double t85 = t2 - t1;
+    const double t86 = nB[1] * t69 + nC[1] * t70;
+    const double t87 = nB[0] * t69 + nC[0] * t70;
+    const double t88 = t79 - t78;
+    const double t89 = t71 * t82;
+    const double t90 = t61 * t83;
+    const double t91 = t65 * t83;
+    const double t92 = t75 * t82;
+    const double t93 = t63 * t84;
+    const double t94 = 1.0 / (t60 - t58 * t58);
+    const double t95 = t4 - t3;
+    const double t96 = t40 * t68;
+    const double t97 = nA[0] * t80 + nD[0] * t81;
+    const double t98 = t89 + t90;
+    const double t99 = t73 * t94;
+    const double t100 = t66 * t84;
+    const double t101 = t76 * t94;
+    const double t102 = nB[2] * t69 + nC[2] * t70;
+    const double t103 = nA[2] * t80 + nD[2] * t81;
+    const double t104 = t8 - t7;
+    const double t105 = t41 * t67;
+    const double t106 = nA[1] * t80 + nD[1] * t81;
+    const double t107 = t45 * t79;
+    const double t108 = t37 + t9;
+    const double t109 = nD[0] * t91 + nC[0] * t92;
+    const double t110 = t93 + t99;
+    const double t111 = t78 - (2.0 / 3.0) + t79;
+    const double t112 = t99 - (2.0 / 3.0) - t93;
+    const double t113 = t38 + t10;
+    const double t114 = nD[2] * t91 + nC[2] * t92;
+    const double t115 = t46 * t78;
+    const double t116 = nD[1] * t91 + nC[1] * t92;
+    const double t117 = t52 * t89;
+    const double t118 = nA[1] * t100 + nB[1] * t101;
+    const double t119 = nA[0] * t100 + nB[0] * t101;
+    const double t120 = t46 * t111;
+    const double t121 = t58 * t112;
+    const double t122 = t90 + (2.0 / 3.0) - t89;
+    const double t123 = t39 + t16;
+    const double t124 = t54 * t90;
+    const double t125 = t53 * t99;
+    const double t126 = 3.0 * t120;
+    const double t127 = 3.0 * t121;
+    const double t128 = t45 * t111;
+    const double t129 = t54 * t122;
+    const double t130 = t67 + (2.0 / 3.0) + t68;
+    const double t131 = nA[2] * t100 + nB[2] * t101;
+    const double t132 = t85 - t37 * t77 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t96 - nB[2] * t105);
+    const double t133 = t58 * t93;
+    const double t134 = 3.0 * t128;
+    const double t135 = 3.0 * t129;
+    const double t136 = t40 * t130;
+    const double t137 = t52 * t122;
+    const double t138 = t95 - t38 * t77 - t37 * t87 + t39 * t102 - 2.0 * (nC[1] * t96 - nB[1] * t105);
+    const double t139 = t85 - t9 * t88 + t10 * t97 - t16 * t106 - 2.0 * (nD[2] * t107 - nA[2] * t115);
+    const double t140 = 3.0 * t136;
+    const double t141 = 3.0 * t137;
+    const double t142 = t41 * t130;
+    const double t143 = t53 * t112;
+    const double t144 = t95 - t10 * t88 + t16 * t103 - t9 * t97 - 2.0 * (nD[1] * t107 - nA[1] * t115);
+    const double t145 = t104 - t39 * t77 - t38 * t102 + t37 * t86 - 2.0 * (nC[0] * t96 - nB[0] * t105);
+    const double t146 = t108 - t1 * t98 + t3 * t109 - t7 * t116 - 2.0 * (nC[2] * t117 + nD[2] * t124);
+    const double t147 = 3.0 * t142;
+    const double t148 = 3.0 * t143;
+    const double t149 = t113 - t3 * t98 + t7 * t114 - t1 * t109 - 2.0 * (nC[1] * t117 + nD[1] * t124);
+    const double t150 = t104 - t16 * t88 + t9 * t106 - t10 * t103 - 2.0 * (nD[0] * t107 - nA[0] * t115);
+    const double t151 = t108 - t2 * t110 + t8 * t118 - t4 * t119 - 2.0 * (nB[2] * t125 + nA[2] * t133);
+    const double t152 = t113 - t4 * t110 + t2 * t119 - t8 * t131 - 2.0 * (nB[1] * t125 + nA[1] * t133);
+    const double t153 = t123 - t7 * t98 + t1 * t116 - t3 * t114 - 2.0 * (nC[0] * t117 + nD[0] * t124);
+    const double t154 = t123 - t8 * t110 + t4 * t131 - t2 * t118 - 2.0 * (nB[0] * t125 + nA[0] * t133);
+    const double u4 = -0.275 * t33;
     double u5 = 0.225;
-    const double t147 = (u5 < u4 ? u5 : u4);
-    double u6 = -0.275;
-    const double t148 = (u6 > t147 ? u6 : t147);
-    const double u7 = -0.275 * t31;
-    const double t149 = (u5 < u7 ? u5 : u7);
-    const double t150 = (u6 > t149 ? u6 : t149);
-    const double t151 = t36 * t150 + 1.0 + t34 * t148;
+    const double t155 = (u5 < u4 ? u5 : u4);
+    const double u6 = -0.275 * t34;
+    const double t156 = (u5 < u6 ? u5 : u6);
+    double u7 = -0.275;
+    const double t157 = (u7 > t155 ? u7 : t155);
+    const double t158 = (u7 > t156 ? u7 : t156);
+    const double t159 = t35 * t157 + 1.0 + t36 * t158;
     double u8 = 0.5;
-    const double t152 = (u8 > t151 ? u8 : t151);
-    const double t153 = t148 * t150 * t152;
-    const double t154 = t31 - (40.0 / 11.0) * t34 * t153;
-    const double t155 = t35 - (40.0 / 11.0) * t36 * t153;
-    const double u9 = -0.275 * t154;
-    const double t156 = (u5 < u9 ? u5 : u9);
-    const double t157 = (u6 > t156 ? u6 : t156);
-    const double u10 = -0.275 * t155;
-    const double t158 = (u5 < u10 ? u5 : u10);
-    const double t159 = (u6 > t158 ? u6 : t158);
-    const double t160 = t157 + 0.275;
-    const double t161 = t159 + 0.275;
-    const double t162 = t1 - t4 * t160;
-    const double t163 = t161 - 1.0;
-    const double t164 = t160 * t163;
-    const double t165 = t161 * t160;
-    const double t166 = t160 - 1.0;
-    const double t167 = t161 * t166;
-    const double t168 = t163 + t166;
-    const double t169 = t163 * t166;
-    const double t170 = t161 - t166;
-    const double t171 = t161 + t160;
-    const double t172 = t160 - t163;
-    const double t173 = t160 * t166;
-    const double t174 = nA[2] * t169;
-    const double t175 = nD[2] * t167;
-    const double t176 = nC[2] * t165;
-    const double t177 = nB[2] * t164;
-    const double t178 = t161 * t161;
-    const double t179 = t160 + t166;
-    const double t180 = t163 * t163;
-    const double t181 = t120 * t161 + t122 * t160;
-    const double t182 = t125 * t160 + t123 * t163;
-    const double t183 = t128 * t166 - t127 * t163;
-    const double t184 = t130 * t166 - t129 * t161;
-    const double t185 = t7 - t10 * t160;
-    const double t186 = nA[1] * t169;
-    const double t187 = nD[1] * t167;
-    const double t188 = nC[1] * t165;
-    const double t189 = nB[1] * t164;
-    const double t190 = t13 - t16 * t160;
-    const double t191 = nA[0] * t169;
-    const double t192 = nD[0] * t167;
-    const double t193 = nC[0] * t165;
-    const double t194 = nB[0] * t164;
-    const double t195 = t166 * t166;
-    const double t196 = t161 + t163;
-    const double t197 = t161 * t163;
-    const double t198 = t160 * t160;
-    const double u11 = -t168;
+    const double t160 = (u8 > t159 ? u8 : t159);
+    const double t161 = (40.0 / 11.0) * t158 * t157 * t160;
+    const double t162 = t33 - t36 * t161;
+    const double t163 = t34 - t35 * t161;
+    const double u9 = -0.275 * t162;
+    const double t164 = (u5 < u9 ? u5 : u9);
+    const double u10 = -0.275 * t163;
+    const double t165 = (u5 < u10 ? u5 : u10);
+    const double t166 = (u7 > t164 ? u7 : t164);
+    const double t167 = (u7 > t165 ? u7 : t165);
+    const double t168 = t166 + 0.275;
+    const double t169 = t167 + 0.275;
+    const double t170 = t169 - 1.0;
+    const double t171 = t168 - 1.0;
+    const double t172 = t170 + t171;
+    const double t173 = t169 - t171;
+    const double t174 = t169 + t168;
+    const double t175 = t168 - t170;
+    const double t176 = t169 * t171;
+    const double t177 = t170 * t171;
+    const double t178 = t168 * t170;
+    const double t179 = t169 * t168;
+    const double t180 = t168 * t171;
+    const double t181 = t9 - t5 * t168;
+    const double t182 = t10 - t6 * t168;
+    const double t183 = t16 - t11 * t168;
+    const double t184 = nA[2] * t177;
+    const double t185 = nA[1] * t177;
+    const double t186 = nD[2] * t176;
+    const double t187 = nD[1] * t176;
+    const double t188 = nA[0] * t177;
+    const double t189 = nC[2] * t179;
+    const double t190 = nC[1] * t179;
+    const double t191 = nD[0] * t176;
+    const double t192 = nB[2] * t178;
+    const double t193 = nB[1] * t178;
+    const double t194 = nC[0] * t179;
+    const double t195 = nB[0] * t178;
+    const double t196 = 3.0 * (t120 * t169 + t121 * t168);
+    const double t197 = 3.0 * (t129 * t168 + t128 * t170);
+    const double t198 = t168 + t171;
+    const double t199 = 3.0 * (t137 * t171 - t136 * t170);
+    const double t200 = t169 + t170;
+    const double t201 = t169 * t170;
+    const double t202 = 0.5 * t169;
+    const double t203 = 0.5 * t171;
+    const double t204 = 0.5 * t168;
+    const double t205 = 3.0 * (t143 * t171 - t142 * t169);
+    const double t206 = 0.5 * t170;
+    const double t207 = t169 * t169;
+    const double t208 = t171 * t171;
+    const double t209 = t170 * t170;
+    const double t210 = t168 * t168;
+    const double t211 = 2.0 * t169;
+    const double t212 = 2.0 * t171;
+    const double t213 = 2.0 * t170;
+    const double t214 = 2.0 * t168;
+    const double u11 = -t172;
     double u12 = 0.000001;
-    const double t199 = (u12 > u11 ? u12 : u11);
-    const double t200 = (u12 > t170 ? u12 : t170);
-    const double t201 = (u12 > t171 ? u12 : t171);
-    const double t202 = (u12 > t172 ? u12 : t172);
-    const double t203 = 1.0 / t199;
-    const double t204 = t166 * t203;
-    const double t205 = t204 + 1.0;
-    const double t206 = 1.0 / t200;
-    const double t207 = t166 * t206;
-    const double t208 = t207 + 1.0;
-    const double t209 = t169 * t208 - t167 * t205;
-    const double t210 = t164 * t165 * t209;
-    const double t211 = 1.0 / t201;
-    const double t212 = t160 * t211;
-    const double t213 = t212 - 1.0;
-    const double t214 = 1.0 / t202;
-    const double t215 = t160 * t214;
-    const double t216 = t215 - 1.0;
-    const double t217 = t164 * t213 - t165 * t216;
-    const double t218 = t167 * t169 * t217;
-    const double t219 = t173 * t216 - t173 * t205;
-    const double t220 = t167 * t165 * t219;
-    const double t221 = t173 * t213 - t173 * t208;
-    const double t222 = t164 * t169 * t221;
-    const double t223 = t160 * t213;
-    const double t224 = t77 + 3.0 * t120 * t223;
-    const double t225 = t78 + 3.0 * t122 * t223;
-    const double t226 = t161 * t224 + t160 * t225;
-    const double t227 = t169 * t226;
-    const double t228 = t160 * t216;
-    const double t229 = t71 + 3.0 * t123 * t228;
-    const double t230 = t72 - 3.0 * t125 * t228;
-    const double t231 = t160 * t230 - t163 * t229;
-    const double t232 = t167 * t231;
-    const double t233 = t166 * t205;
-    const double t234 = t41 - 3.0 * t127 * t233;
-    const double t235 = t42 - 3.0 * t128 * t233;
-    const double t236 = t166 * t235 - t163 * t234;
-    const double t237 = t165 * t236;
-    const double t238 = t166 * t208;
-    const double t239 = t47 - 3.0 * t129 * t238;
-    const double t240 = t48 + 3.0 * t130 * t238;
-    const double t241 = t161 * t239 + t166 * t240;
-    const double t242 = t164 * t241;
-    const double t243 = t20 - t3 * t160 - t161 * t162 + t70 * t210 - t91 * t218 + t105 * t220 - t118 * t222 + t174 *
-        t227 - t175 * t232 - t176 * t237 + t177 * t242;
-    const double t244 = t205 * t205;
-    const double t245 = t216 * t216;
-    const double t246 = t173 * (t233 - t228 + t160 * t244 + t166 * t245) - t179 * t219;
-    const double t247 = t178 * t246;
-    const double t248 = t213 * t213;
-    const double t249 = t208 * t208;
-    const double t250 = t179 * t221 + t173 * (t223 - t166 * t248 - t238 - t160 * t249);
-    const double t251 = t180 * t250;
-    const double t252 = t163 * (t226 + 0.5 * t166 * (t225 - 3.0 * t181 * t248));
-    const double t253 = t165 * t163 * (t209 + 0.5 * t160 * (t163 * t249 - t161 * t244));
-    const double t254 = t169 * t161 * (t217 - 0.5 * t166 * (t163 * t248 - t161 * t245));
-    const double t255 = t161 * (t231 + 0.5 * t166 * (3.0 * t182 * t245 + t230));
-    const double t256 = t161 * (t236 + 0.5 * t160 * (t235 - 3.0 * t183 * t244));
-    const double t257 = t163 * (t241 + 0.5 * t160 * (3.0 * t184 * t249 + t240));
-    const double t258 = t3 - t4 * t161 + t105 * t247 + t118 * t251 - 2.0 * (t174 * t252 + t70 * t253 - t91 * t254 -
-        t175 * t255 - t176 * t256 + t177 * t257);
-    const double t259 = t22 - t9 * t160 - t161 * t185 + t133 * t210 - t135 * t218 + t138 * t220 - t140 * t222 + t186
-        * t227 - t187 * t232 - t188 * t237 + t189 * t242;
-    const double t260 = t9 - t10 * t161 + t138 * t247 + t140 * t251 - 2.0 * (t186 * t252 + t133 * t253 - t135 * t254
-        - t187 * t255 - t188 * t256 + t189 * t257);
-    const double t261 = t24 - t15 * t160 - t161 * t190 + t142 * t210 - t143 * t218 + t145 * t220 - t146 * t222 +
-        t191 * t227 - t192 * t232 - t193 * t237 + t194 * t242;
-    const double t262 = t15 - t16 * t161 + t145 * t247 + t146 * t251 - 2.0 * (t191 * t252 + t142 * t253 - t143 *
-        t254 - t192 * t255 - t193 * t256 + t194 * t257);
-    const double t263 = t243 * t258 + t259 * t260 + t261 * t262;
-    const double t264 = t212 * t212;
-    const double t265 = t215 * t215;
-    const double t266 = t196 * t217 + t197 * (t223 - t163 * t264 - t161 * t265 - t228);
-    const double t267 = t195 * t266;
-    const double t268 = t204 * t204;
-    const double t269 = t207 * t207;
-    const double t270 = t196 * t209 + t197 * (t238 - t161 * t268 - t163 * t269 - t233);
-    const double t271 = t198 * t270;
-    const double t272 = t165 * t166 * (t219 + 0.5 * t161 * (t166 * t265 - t160 * t268));
-    const double t273 = t169 * t160 * (t221 - 0.5 * t163 * (t166 * t264 - t160 * t269));
-    const double t274 = t166 * (t226 + 0.5 * t163 * (t224 - 3.0 * t181 * t264));
-    const double t275 = t166 * (t231 - 0.5 * t161 * (3.0 * t182 * t265 + t229));
-    const double t276 = t160 * (t236 - 0.5 * t161 * (3.0 * t183 * t268 + t234));
-    const double t277 = t160 * (t241 + 0.5 * t163 * (t239 - 3.0 * t184 * t269));
-    const double t278 = t162 + t91 * t267 - t70 * t271 - 2.0 * (t105 * t272 - t118 * t273 + t174 * t274 - t175 *
-        t275 - t176 * t276 + t177 * t277);
-    const double t279 = t185 + t135 * t267 - t133 * t271 - 2.0 * (t138 * t272 - t140 * t273 + t186 * t274 - t187 *
-        t275 - t188 * t276 + t189 * t277);
-    const double t280 = t190 + t143 * t267 - t142 * t271 - 2.0 * (t145 * t272 - t146 * t273 + t191 * t274 - t192 *
-        t275 - t193 * t276 + t194 * t277);
-    const double t281 = nC[2] * t243 + nC[1] * t259 + nC[0] * t261;
-    const double t282 = t41 * t281;
-    const double t283 = t70 * t243 + t133 * t259 + t142 * t261;
-    const double t284 = t105 * t243 + t138 * t259 + t145 * t261;
-    const double t285 = t204 * t284 - t205 * t283 - 3.0 * t183 * t203 * t281;
-    const double t286 = t42 * t281 - t163 * t285;
-    const double t287 = t166 * t286 - t163 * t282;
-    const double t288 = t287 - 2.0 * t161 * (t282 + t166 * t285);
-    const double t289 = nB[2] * t243 + nB[1] * t259 + nB[0] * t261;
-    const double t290 = t47 * t289;
-    const double t291 = t118 * t243 + t140 * t259 + t146 * t261;
-    const double t292 = t208 * t283 + t207 * t291 + 3.0 * t184 * t206 * t289;
-    const double t293 = t48 * t289 + t161 * t292;
-    const double t294 = t161 * t290 + t166 * t293;
-    const double t295 = 2.0 * t163 * (t290 + t166 * t292) + t294;
-    const double t296 = nD[2] * t243 + nD[1] * t259 + nD[0] * t261;
-    const double t297 = t71 * t296;
-    const double t298 = t91 * t243 + t135 * t259 + t143 * t261;
-    const double t299 = t216 * t298 + t215 * t284 + 3.0 * t182 * t214 * t296;
-    const double t300 = t72 * t296 - t163 * t299;
-    const double t301 = t160 * t300 - t163 * t297;
-    const double t302 = t301 - 2.0 * t161 * (t297 + t160 * t299);
-    const double t303 = nA[2] * t243 + nA[1] * t259 + nA[0] * t261;
-    const double t304 = t77 * t303;
-    const double t305 = t212 * t291 - t213 * t298 - 3.0 * t181 * t211 * t303;
-    const double t306 = t78 * t303 + t161 * t305;
-    const double t307 = t161 * t304 + t160 * t306;
-    const double t308 = 2.0 * t163 * (t304 + t160 * t305) + t307;
-    const double t309 = t198 * (t295 - t288) + t195 * (t308 - t302);
-    const double t310 = t278 * t278 + t279 * t279 + t280 * t280 + 2.0 * t309;
-    const double t311 = t243 * t278 + t259 * t279 + t261 * t280;
-    const double t312 = 2.0 * t166 * t300 + t301;
-    const double t313 = 2.0 * t160 * t286 + t287;
-    const double t314 = 2.0 * t160 * t293 + t294;
-    const double t315 = 2.0 * t166 * t306 + t307;
-    const double t316 = 0.5 * (t4 * t243 + t10 * t259 + t16 * t261) - t167 * (t301 - 0.5 * (t167 * t299 - t302 -
-        t312)) - t165 * (t287 - 0.5 * (t165 * t285 - t288 - t313)) + t164 * (0.5 * (t164 * t292 + t295 + t314) +
-        t294) + t169 * (0.5 * (t169 * t305 + t308 + t315) + t307);
-    const double t317 = t278 * t258 + t279 * t260 + t280 * t262 + 2.0 * t316;
-    const double t318 = t263 * t310 - t311 * t317;
-    const double t319 = t180 * (t314 + t315) - t178 * (t312 + t313);
-    const double t320 = t258 * t258 + t260 * t260 + t262 * t262 + 2.0 * t319;
-    const double t321 = t310 * t320;
-    const double t322 = t321 - t317 * t317;
-    const double t323 = t311 * t320 - t263 * t317;
-    const double u13 = 0.1 * t321;
-    const double t324 = (t322 > u13 ? t322 : u13);
-    const double t325 = 1.0 / t324;
-    const double t326 = t157 + t318 * t325;
-    const double t327 = t159 + t323 * t325;
-    const double t328 = (u5 < t326 ? u5 : t326);
-    const double t329 = (u6 > t328 ? u6 : t328);
-    const double t330 = (u5 < t327 ? u5 : t327);
-    const double t331 = (u6 > t330 ? u6 : t330);
-    const double t332 = t329 + 0.275;
-    const double t333 = t331 + 0.275;
-    const double t334 = t1 - t4 * t332;
-    const double t335 = t333 - 1.0;
-    const double t336 = t332 * t335;
-    const double t337 = t333 * t332;
-    const double t338 = t332 - 1.0;
-    const double t339 = t333 * t338;
-    const double t340 = t335 + t338;
-    const double t341 = t335 * t338;
-    const double t342 = t333 - t338;
-    const double t343 = t333 + t332;
-    const double t344 = t332 - t335;
-    const double t345 = t332 * t338;
-    const double t346 = nA[2] * t341;
-    const double t347 = nD[2] * t339;
-    const double t348 = nC[2] * t337;
-    const double t349 = nB[2] * t336;
-    const double t350 = t332 + t338;
-    const double t351 = t120 * t333 + t122 * t332;
-    const double t352 = t125 * t332 + t123 * t335;
-    const double t353 = t128 * t338 - t127 * t335;
-    const double t354 = t130 * t338 - t129 * t333;
-    const double t355 = t7 - t10 * t332;
-    const double t356 = nA[1] * t341;
-    const double t357 = nD[1] * t339;
-    const double t358 = nC[1] * t337;
-    const double t359 = nB[1] * t336;
-    const double t360 = t13 - t16 * t332;
-    const double t361 = nA[0] * t341;
-    const double t362 = nD[0] * t339;
-    const double t363 = nC[0] * t337;
-    const double t364 = nB[0] * t336;
-    const double t365 = t333 + t335;
-    const double t366 = t333 * t335;
-    const double u14 = -t340;
-    const double t367 = (u12 > u14 ? u12 : u14);
-    const double t368 = (u12 > t342 ? u12 : t342);
-    const double t369 = (u12 > t343 ? u12 : t343);
-    const double t370 = (u12 > t344 ? u12 : t344);
-    const double t371 = t338 / t367;
-    const double t372 = t371 + 1.0;
-    const double t373 = t338 / t368;
-    const double t374 = t373 + 1.0;
-    const double t375 = t341 * t374 - t339 * t372;
-    const double t376 = t336 * t337 * t375;
-    const double t377 = t332 / t369;
-    const double t378 = t377 - 1.0;
-    const double t379 = t332 / t370;
-    const double t380 = t379 - 1.0;
-    const double t381 = t336 * t378 - t337 * t380;
-    const double t382 = t339 * t341 * t381;
-    const double t383 = t345 * t380 - t345 * t372;
-    const double t384 = t339 * t337 * t383;
-    const double t385 = t345 * t378 - t345 * t374;
-    const double t386 = t336 * t341 * t385;
-    const double t387 = t332 * t378;
-    const double t388 = t77 + 3.0 * t120 * t387;
-    const double t389 = t78 + 3.0 * t122 * t387;
-    const double t390 = t333 * t388 + t332 * t389;
-    const double t391 = t341 * t390;
-    const double t392 = t332 * t380;
-    const double t393 = t71 + 3.0 * t123 * t392;
-    const double t394 = t72 - 3.0 * t125 * t392;
-    const double t395 = t332 * t394 - t335 * t393;
-    const double t396 = t339 * t395;
-    const double t397 = t338 * t372;
-    const double t398 = t41 - 3.0 * t127 * t397;
-    const double t399 = t42 - 3.0 * t128 * t397;
-    const double t400 = t338 * t399 - t335 * t398;
-    const double t401 = t337 * t400;
-    const double t402 = t338 * t374;
-    const double t403 = t47 - 3.0 * t129 * t402;
-    const double t404 = t48 + 3.0 * t130 * t402;
-    const double t405 = t333 * t403 + t338 * t404;
-    const double t406 = t336 * t405;
-    const double t407 = t20 - t3 * t332 - t333 * t334 + t70 * t376 - t91 * t382 + t105 * t384 - t118 * t386 + t346 *
-        t391 - t347 * t396 - t348 * t401 + t349 * t406;
-    const double t408 = t372 * t372;
-    const double t409 = t380 * t380;
-    const double t410 = t345 * (t397 - t392 + t332 * t408 + t338 * t409) - t350 * t383;
-    const double t411 = t333 * t333 * t410;
-    const double t412 = t378 * t378;
-    const double t413 = t374 * t374;
-    const double t414 = t350 * t385 + t345 * (t387 - t338 * t412 - t402 - t332 * t413);
-    const double t415 = t335 * t335 * t414;
-    const double t416 = t335 * (t390 + 0.5 * t338 * (t389 - 3.0 * t351 * t412));
-    const double t417 = t337 * t335 * (t375 + 0.5 * t332 * (t335 * t413 - t333 * t408));
-    const double t418 = t341 * t333 * (t381 - 0.5 * t338 * (t335 * t412 - t333 * t409));
-    const double t419 = t333 * (t395 + 0.5 * t338 * (3.0 * t352 * t409 + t394));
-    const double t420 = t333 * (t400 + 0.5 * t332 * (t399 - 3.0 * t353 * t408));
-    const double t421 = t335 * (t405 + 0.5 * t332 * (3.0 * t354 * t413 + t404));
-    const double t422 = t3 - t4 * t333 + t105 * t411 + t118 * t415 - 2.0 * (t346 * t416 + t70 * t417 - t91 * t418 -
-        t347 * t419 - t348 * t420 + t349 * t421);
-    const double t423 = t22 - t9 * t332 - t333 * t355 + t133 * t376 - t135 * t382 + t138 * t384 - t140 * t386 + t356
-        * t391 - t357 * t396 - t358 * t401 + t359 * t406;
-    const double t424 = t9 - t10 * t333 + t138 * t411 + t140 * t415 - 2.0 * (t356 * t416 + t133 * t417 - t135 * t418
-        - t357 * t419 - t358 * t420 + t359 * t421);
-    const double t425 = t24 - t15 * t332 - t333 * t360 + t142 * t376 - t143 * t382 + t145 * t384 - t146 * t386 +
-        t361 * t391 - t362 * t396 - t363 * t401 + t364 * t406;
-    const double t426 = t15 - t16 * t333 + t145 * t411 + t146 * t415 - 2.0 * (t361 * t416 + t142 * t417 - t143 *
-        t418 - t362 * t419 - t363 * t420 + t364 * t421);
-    const double t427 = t407 * t422 + t423 * t424 + t425 * t426;
-    const double t428 = t377 * t377;
-    const double t429 = t379 * t379;
-    const double t430 = t365 * t381 + t366 * (t387 - t335 * t428 - t333 * t429 - t392);
-    const double t431 = t338 * t338 * t430;
-    const double t432 = t371 * t371;
-    const double t433 = t373 * t373;
-    const double t434 = t365 * t375 + t366 * (t402 - t333 * t432 - t335 * t433 - t397);
-    const double t435 = t332 * t332 * t434;
-    const double t436 = t337 * t338 * (t383 + 0.5 * t333 * (t338 * t429 - t332 * t432));
-    const double t437 = t341 * t332 * (t385 - 0.5 * t335 * (t338 * t428 - t332 * t433));
-    const double t438 = t338 * (t390 + 0.5 * t335 * (t388 - 3.0 * t351 * t428));
-    const double t439 = t338 * (t395 - 0.5 * t333 * (3.0 * t352 * t429 + t393));
-    const double t440 = t332 * (t400 - 0.5 * t333 * (3.0 * t353 * t432 + t398));
-    const double t441 = t332 * (t405 + 0.5 * t335 * (t403 - 3.0 * t354 * t433));
-    const double t442 = t334 + t91 * t431 - t70 * t435 - 2.0 * (t105 * t436 - t118 * t437 + t346 * t438 - t347 *
-        t439 - t348 * t440 + t349 * t441);
-    const double t443 = t355 + t135 * t431 - t133 * t435 - 2.0 * (t138 * t436 - t140 * t437 + t356 * t438 - t357 *
-        t439 - t358 * t440 + t359 * t441);
-    const double t444 = t360 + t143 * t431 - t142 * t435 - 2.0 * (t145 * t436 - t146 * t437 + t361 * t438 - t362 *
-        t439 - t363 * t440 + t364 * t441);
-    const double t445 = t309 + 0.5 * (t442 * t442 + t443 * t443 + t444 * t444);
-    const double t446 = t407 * t442 + t423 * t443 + t425 * t444;
-    const double t447 = t316 + 0.5 * (t442 * t422 + t443 * t424 + t444 * t426);
-    const double t448 = t427 * t445 - t446 * t447;
-    const double t449 = t319 + 0.5 * (t422 * t422 + t424 * t424 + t426 * t426);
-    const double t450 = t445 * t449;
-    const double t451 = t450 - t447 * t447;
-    const double t452 = t446 * t449 - t427 * t447;
-    const double u15 = 0.4 * t450;
-    const double u16 = 4.0 * t451;
-    const double t453 = (u16 > u15 ? u16 : u15);
-    const double t454 = 1.0 / t453;
-    const double t455 = t329 - 0.225 + 2.0 * t448 * t454;
-    const double t456 = t331 - 0.225 + 2.0 * t452 * t454;
-    const double u17 = 2.0 * t455;
+    const double t215 = (u12 > u11 ? u12 : u11);
+    const double t216 = (u12 > t173 ? u12 : t173);
+    const double t217 = (u12 > t174 ? u12 : t174);
+    const double t218 = (u12 > t175 ? u12 : t175);
+    const double t219 = 1.0 / t215;
+    const double t220 = 1.0 / t216;
+    const double t221 = t171 * t219;
+    const double t222 = t171 * t220;
+    const double t223 = 1.0 / t217;
+    const double t224 = 1.0 / t218;
+    const double t225 = t221 + 1.0;
+    const double t226 = t222 + 1.0;
+    const double t227 = t168 * t223;
+    const double t228 = t168 * t224;
+    const double t229 = t227 - 1.0;
+    const double t230 = t228 - 1.0;
+    const double t231 = t177 * t226 - t176 * t225;
+    const double t232 = t178 * t229 - t179 * t230;
+    const double t233 = t168 * t229;
+    const double t234 = t178 * t179 * t231;
+    const double t235 = t180 * t230 - t180 * t225;
+    const double t236 = t168 * t230;
+    const double t237 = t176 * t177 * t232;
+    const double t238 = t180 * t229 - t180 * t226;
+    const double t239 = t46 + t233 * t126;
+    const double t240 = t58 + t233 * t127;
+    const double t241 = t171 * t225;
+    const double t242 = t176 * t179 * t235;
+    const double t243 = t45 + t236 * t134;
+    const double t244 = t54 - t236 * t135;
+    const double t245 = t171 * t226;
+    const double t246 = t178 * t177 * t238;
+    const double t247 = t169 * t239 + t168 * t240;
+    const double t248 = t40 - t241 * t140;
+    const double t249 = t52 - t241 * t141;
+    const double t250 = t177 * t247;
+    const double t251 = t168 * t244 - t170 * t243;
+    const double t252 = t41 - t245 * t147;
+    const double t253 = t53 + t245 * t148;
+    const double t254 = t176 * t251;
+    const double t255 = t171 * t249 - t170 * t248;
+    const double t256 = t179 * t255;
+    const double t257 = t169 * t252 + t171 * t253;
+    const double t258 = t178 * t257;
+    const double t259 = t17 - t2 * t168 - t169 * t181 + t132 * t234 - t139 * t237 + t146 * t242 - t151 * t246 + t184
+        * t250 - t186 * t254 - t189 * t256 + t192 * t258;
+    const double t260 = t18 - t4 * t168 - t169 * t182 + t138 * t234 - t144 * t237 + t149 * t242 - t152 * t246 + t185
+        * t250 - t187 * t254 - t190 * t256 + t193 * t258;
+    const double t261 = t21 - t8 * t168 - t169 * t183 + t145 * t234 - t150 * t237 + t153 * t242 - t154 * t246 + t188
+        * t250 - t191 * t254 - t194 * t256 + t195 * t258;
+    const double t262 = t227 * t227;
+    const double t263 = t225 * t225;
+    const double t264 = t229 * t229;
+    const double t265 = t228 * t228;
+    const double t266 = t221 * t221;
+    const double t267 = t222 * t222;
+    const double t268 = t230 * t230;
+    const double t269 = t146 * t259 + t149 * t260 + t153 * t261;
+    const double t270 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
+    const double t271 = t139 * t259 + t144 * t260 + t150 * t261;
+    const double t272 = t226 * t226;
+    const double t273 = nC[2] * t259 + nC[1] * t260 + nC[0] * t261;
+    const double t274 = t132 * t259 + t138 * t260 + t145 * t261;
+    const double t275 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t276 = t151 * t259 + t152 * t260 + t154 * t261;
+    const double t277 = t230 * t271 + t228 * t269 + t224 * t270 * t197;
+    const double t278 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t279 = t180 * (t241 - t236 + t168 * t263 + t171 * t268) - t198 * t235;
+    const double t280 = t200 * t232 + t201 * (t233 - t170 * t262 - t169 * t265 - t236);
+    const double t281 = t221 * t269 - t225 * t274 - t219 * t273 * t199;
+    const double t282 = t207 * t279;
+    const double t283 = t198 * t238 + t180 * (t233 - t171 * t264 - t245 - t168 * t272);
+    const double t284 = t208 * t280;
+    const double t285 = t200 * t231 + t201 * (t245 - t169 * t266 - t170 * t267 - t241);
+    const double t286 = t226 * t274 + t222 * t276 + t220 * t275 * t205;
+    const double t287 = t45 * t270;
+    const double t288 = t54 * t270 - t170 * t277;
+    const double t289 = t209 * t283;
+    const double t290 = t170 * (t247 + (t240 - t264 * t196) * t203);
+    const double t291 = t210 * t285;
+    const double t292 = t179 * t171 * (t235 + (t171 * t265 - t168 * t266) * t202);
+    const double t293 = t40 * t273;
+    const double t294 = t52 * t273 - t170 * t281;
+    const double t295 = t227 * t276 - t229 * t271 - t223 * t278 * t196;
+    const double t296 = t179 * t170 * (t231 + (t170 * t272 - t169 * t263) * t204);
+    const double t297 = t177 * t168 * (t238 - (t171 * t262 - t168 * t267) * t206);
+    const double t298 = t41 * t275;
+    const double t299 = t53 * t275 + t169 * t286;
+    const double t300 = t168 * t288 - t170 * t287;
+    const double t301 = t177 * t169 * (t232 - (t170 * t264 - t169 * t268) * t203);
+    const double t302 = t171 * (t247 + (t239 - t262 * t196) * t206);
+    const double t303 = t171 * t294 - t170 * t293;
+    const double t304 = t300 - (t287 + t168 * t277) * t211;
+    const double t305 = t46 * t278;
+    const double t306 = t58 * t278 + t169 * t295;
+    const double t307 = t169 * (t251 + (t268 * t197 + t244) * t203);
+    const double t308 = t171 * (t251 - (t265 * t197 + t243) * t202);
+    const double t309 = t303 - (t293 + t171 * t281) * t211;
+    const double t310 = t169 * t298 + t171 * t299;
+    const double t311 = t288 * t212 + t300;
+    const double t312 = t169 * (t255 + (t249 - t263 * t199) * t204);
+    const double t313 = t168 * (t255 - (t266 * t199 + t248) * t202);
+    const double t314 = (t298 + t171 * t286) * t213 + t310;
+    const double t315 = t169 * t305 + t168 * t306;
+    const double t316 = t294 * t214 + t303;
+    const double t317 = t170 * (t257 + (t272 * t205 + t253) * t204);
+    const double t318 = t168 * (t257 + (t252 - t267 * t205) * t206);
+    const double t319 = (t305 + t168 * t295) * t213 + t315;
+    const double t320 = t299 * t214 + t310;
+    const double t321 = t306 * t212 + t315;
+    const double t322 = t2 - t5 * t169 + t146 * t282 + t151 * t289 - 2.0 * (t184 * t290 + t132 * t296 - t139 * t301
+        - t186 * t307 - t189 * t312 + t192 * t317);
+    const double t323 = t4 - t6 * t169 + t149 * t282 + t152 * t289 - 2.0 * (t185 * t290 + t138 * t296 - t144 * t301
+        - t187 * t307 - t190 * t312 + t193 * t317);
+    const double t324 = t181 + t139 * t284 - t132 * t291 - 2.0 * (t146 * t292 - t151 * t297 + t184 * t302 - t186 *
+        t308 - t189 * t313 + t192 * t318);
+    const double t325 = t182 + t144 * t284 - t138 * t291 - 2.0 * (t149 * t292 - t152 * t297 + t185 * t302 - t187 *
+        t308 - t190 * t313 + t193 * t318);
+    const double t326 = t8 - t11 * t169 + t153 * t282 + t154 * t289 - 2.0 * (t188 * t290 + t145 * t296 - t150 * t301
+        - t191 * t307 - t194 * t312 + t195 * t317);
+    const double t327 = t183 + t150 * t284 - t145 * t291 - 2.0 * (t153 * t292 - t154 * t297 + t188 * t302 - t191 *
+        t308 - t194 * t313 + t195 * t318);
+    const double t328 = t210 * (t314 - t309) + t208 * (t319 - t304);
+    const double t329 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t300 - 0.5 * (t176 * t277 - t304 -
+        t311)) - t179 * (t303 - 0.5 * (t179 * t281 - t309 - t316)) + t178 * (0.5 * (t178 * t286 + t314 + t320) +
+        t310) + t177 * (0.5 * (t177 * t295 + t319 + t321) + t315);
+    const double t330 = t209 * (t320 + t321) - t207 * (t311 + t316);
+    const double t331 = t324 * t324 + t325 * t325 + t327 * t327 + 2.0 * t328;
+    const double t332 = t324 * t322 + t325 * t323 + t327 * t326 + 2.0 * t329;
+    const double t333 = t322 * t322 + t323 * t323 + t326 * t326 + 2.0 * t330;
+    const double t334 = t331 * t333;
+    const double t335 = t334 - t332 * t332;
+    const double t336 = t259 * t322 + t260 * t323 + t261 * t326;
+    const double t337 = t259 * t324 + t260 * t325 + t261 * t327;
+    const double t338 = t336 * t331 - t337 * t332;
+    const double t339 = t337 * t333 - t336 * t332;
+    const double u13 = 0.1 * t334;
+    const double t340 = (t335 > u13 ? t335 : u13);
+    const double t341 = 1.0 / t340;
+    const double t342 = t166 + t338 * t341;
+    const double t343 = t167 + t339 * t341;
+    const double t344 = (u5 < t342 ? u5 : t342);
+    const double t345 = (u5 < t343 ? u5 : t343);
+    const double t346 = (u7 > t344 ? u7 : t344);
+    const double t347 = (u7 > t345 ? u7 : t345);
+    const double t348 = t346 + 0.275;
+    const double t349 = t347 + 0.275;
+    const double t350 = t349 - 1.0;
+    const double t351 = t348 - 1.0;
+    const double t352 = t350 + t351;
+    const double t353 = t349 + t348;
+    const double t354 = t348 - t350;
+    const double t355 = t349 - t351;
+    const double t356 = t348 * t350;
+    const double t357 = t349 * t348;
+    const double t358 = t348 * t351;
+    const double t359 = t349 * t351;
+    const double t360 = t350 * t351;
+    const double t361 = 3.0 * (t120 * t349 + t121 * t348);
+    const double t362 = t348 + t351;
+    const double t363 = t349 + t350;
+    const double t364 = t349 * t350;
+    const double t365 = 0.5 * t349;
+    const double t366 = 0.5 * t351;
+    const double t367 = 0.5 * t348;
+    const double t368 = 0.5 * t350;
+    const double t369 = 3.0 * (t129 * t348 + t128 * t350);
+    const double t370 = 3.0 * (t137 * t351 - t136 * t350);
+    const double t371 = t9 - t5 * t348;
+    const double t372 = nA[2] * t360;
+    const double t373 = 3.0 * (t143 * t351 - t142 * t349);
+    const double t374 = t10 - t6 * t348;
+    const double t375 = nA[1] * t360;
+    const double t376 = t16 - t11 * t348;
+    const double t377 = nA[0] * t360;
+    const double t378 = nD[2] * t359;
+    const double t379 = nD[1] * t359;
+    const double t380 = nC[2] * t357;
+    const double t381 = nC[1] * t357;
+    const double t382 = nD[0] * t359;
+    const double t383 = nB[2] * t356;
+    const double t384 = nB[1] * t356;
+    const double t385 = nC[0] * t357;
+    const double t386 = nB[0] * t356;
+    const double u14 = -t352;
+    const double t387 = (u12 > u14 ? u12 : u14);
+    const double t388 = (u12 > t353 ? u12 : t353);
+    const double t389 = (u12 > t354 ? u12 : t354);
+    const double t390 = (u12 > t355 ? u12 : t355);
+    const double t391 = t351 / t387;
+    const double t392 = t348 / t388;
+    const double t393 = t348 / t389;
+    const double t394 = t391 + 1.0;
+    const double t395 = t351 / t390;
+    const double t396 = t392 - 1.0;
+    const double t397 = t393 - 1.0;
+    const double t398 = t392 * t392;
+    const double t399 = t348 * t396;
+    const double t400 = t348 * t397;
+    const double t401 = t351 * t394;
+    const double t402 = t394 * t394;
+    const double t403 = t396 * t396;
+    const double t404 = t393 * t393;
+    const double t405 = t391 * t391;
+    const double t406 = t395 * t395;
+    const double t407 = t395 + 1.0;
+    const double t408 = t397 * t397;
+    const double t409 = t351 * t407;
+    const double t410 = t407 * t407;
+    const double t411 = t356 * t396 - t357 * t397;
+    const double t412 = t358 * t397 - t358 * t394;
+    const double t413 = t46 + t399 * t126;
+    const double t414 = t58 + t399 * t127;
+    const double t415 = t360 * t407 - t359 * t394;
+    const double t416 = t358 * t396 - t358 * t407;
+    const double t417 = t349 * t413 + t348 * t414;
+    const double t418 = t358 * (t401 - t400 + t348 * t402 + t351 * t408) - t362 * t412;
+    const double t419 = t363 * t411 + t364 * (t399 - t350 * t398 - t349 * t404 - t400);
+    const double t420 = t45 + t400 * t134;
+    const double t421 = t54 - t400 * t135;
+    const double t422 = t349 * t349 * t418;
+    const double t423 = t362 * t416 + t358 * (t399 - t351 * t403 - t409 - t348 * t410);
+    const double t424 = t351 * t351 * t419;
+    const double t425 = t363 * t415 + t364 * (t409 - t349 * t405 - t350 * t406 - t401);
+    const double t426 = t40 - t401 * t140;
+    const double t427 = t52 - t401 * t141;
+    const double t428 = t350 * t350 * t423;
+    const double t429 = t350 * (t417 + (t414 - t403 * t361) * t366);
+    const double t430 = t348 * t348 * t425;
+    const double t431 = t357 * t351 * (t412 + (t351 * t404 - t348 * t405) * t365);
+    const double t432 = t348 * t421 - t350 * t420;
+    const double t433 = t41 - t409 * t147;
+    const double t434 = t53 + t409 * t148;
+    const double t435 = t357 * t350 * (t415 + (t350 * t410 - t349 * t402) * t367);
+    const double t436 = t360 * t348 * (t416 - (t351 * t398 - t348 * t406) * t368);
+    const double t437 = t351 * t427 - t350 * t426;
+    const double t438 = t360 * t349 * (t411 - (t350 * t403 - t349 * t408) * t366);
+    const double t439 = t351 * (t417 + (t413 - t398 * t361) * t368);
+    const double t440 = t349 * t433 + t351 * t434;
+    const double t441 = t349 * (t432 + (t408 * t369 + t421) * t366);
+    const double t442 = t351 * (t432 - (t404 * t369 + t420) * t365);
+    const double t443 = t349 * (t437 + (t427 - t402 * t370) * t367);
+    const double t444 = t348 * (t437 - (t405 * t370 + t426) * t365);
+    const double t445 = t350 * (t440 + (t410 * t373 + t434) * t367);
+    const double t446 = t348 * (t440 + (t433 - t406 * t373) * t368);
+    const double t447 = t356 * t357 * t415;
+    const double t448 = t359 * t360 * t411;
+    const double t449 = t2 - t5 * t349 + t146 * t422 + t151 * t428 - 2.0 * (t372 * t429 + t132 * t435 - t139 * t438
+        - t378 * t441 - t380 * t443 + t383 * t445);
+    const double t450 = t4 - t6 * t349 + t149 * t422 + t152 * t428 - 2.0 * (t375 * t429 + t138 * t435 - t144 * t438
+        - t379 * t441 - t381 * t443 + t384 * t445);
+    const double t451 = t371 + t139 * t424 - t132 * t430 - 2.0 * (t146 * t431 - t151 * t436 + t372 * t439 - t378 *
+        t442 - t380 * t444 + t383 * t446);
+    const double t452 = t374 + t144 * t424 - t138 * t430 - 2.0 * (t149 * t431 - t152 * t436 + t375 * t439 - t379 *
+        t442 - t381 * t444 + t384 * t446);
+    const double t453 = t359 * t357 * t412;
+    const double t454 = t8 - t11 * t349 + t153 * t422 + t154 * t428 - 2.0 * (t377 * t429 + t145 * t435 - t150 * t438
+        - t382 * t441 - t385 * t443 + t386 * t445);
+    const double t455 = t376 + t150 * t424 - t145 * t430 - 2.0 * (t153 * t431 - t154 * t436 + t377 * t439 - t382 *
+        t442 - t385 * t444 + t386 * t446);
+    const double t456 = t356 * t360 * t416;
+    const double t457 = t360 * t417;
+    const double t458 = t359 * t432;
+    const double t459 = t357 * t437;
+    const double t460 = t328 + 0.5 * (t451 * t451 + t452 * t452 + t455 * t455);
+    const double t461 = t329 + 0.5 * (t451 * t449 + t452 * t450 + t455 * t454);
+    const double t462 = t330 + 0.5 * (t449 * t449 + t450 * t450 + t454 * t454);
+    const double t463 = t356 * t440;
+    const double t464 = t460 * t462;
+    const double t465 = t464 - t461 * t461;
+    const double t466 = t17 - t2 * t348 - t349 * t371 + t132 * t447 - t139 * t448 + t146 * t453 - t151 * t456 + t372
+        * t457 - t378 * t458 - t380 * t459 + t383 * t463;
+    const double t467 = t18 - t4 * t348 - t349 * t374 + t138 * t447 - t144 * t448 + t149 * t453 - t152 * t456 + t375
+        * t457 - t379 * t458 - t381 * t459 + t384 * t463;
+    const double t468 = t21 - t8 * t348 - t349 * t376 + t145 * t447 - t150 * t448 + t153 * t453 - t154 * t456 + t377
+        * t457 - t382 * t458 - t385 * t459 + t386 * t463;
+    const double t469 = t466 * t449 + t467 * t450 + t468 * t454;
+    const double t470 = t466 * t451 + t467 * t452 + t468 * t455;
+    const double t471 = t469 * t460 - t470 * t461;
+    const double t472 = t470 * t462 - t469 * t461;
+    const double u15 = 0.4 * t464;
+    const double u16 = 4.0 * t465;
+    const double t473 = (u16 > u15 ? u16 : u15);
+    const double t474 = 2.0 / t473;
+    const double t475 = t346 - 0.225 + t471 * t474;
+    const double t476 = t347 - 0.225 + t472 * t474;
+    const double u17 = 2.0 * t475;
     double u18 = 0.0;
-    const double t457 = (u18 < u17 ? u18 : u17);
-    double u19 = -1.0;
-    const double t458 = (!(t457 <= u19) ? t457 : u19);
-    const double u20 = 2.0 * t456;
-    const double t459 = (u18 < u20 ? u18 : u20);
-    const double t460 = (!(t459 <= u19) ? t459 : u19);
-    *xi = t458;
-    *eta = t460;
+    const double t477 = (u18 < u17 ? u18 : u17);
+    const double u19 = 2.0 * t476;
+    const double t478 = (u18 < u19 ? u18 : u19);
+    double u20 = -1.0;
+    const double t479 = (!(t477 <= u20) ? t477 : u20);
+    const double t480 = (!(t478 <= u20) ? t478 : u20);
+    *xi = t479;
+    *eta = t480;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                               const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                   const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_new_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1910,10 +1935,10 @@ FOOTPOINT_FN int footpoint_paper_gregory_exact(const double xA[3], const double 
     return status;
 }
 
-/* footpoint_paper_gregory_exact_at for n pairs.
+/* footpoint_new_paper_gregory_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_new_paper_gregory_exact_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1923,727 +1948,755 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *cons
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_exact_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.5454186915404331, 0, 1.5835231677347541e-15, 9.8813129168249309e-324},
+static const double footpoint_new_paper_gregory_exact_points[][31] = {
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.5454186915404331, 0, 1.5832485998562673e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.12475213832385891, 0, 7.3821311019058806e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.12475213832385891, 0, 7.375493640165774e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.1941076804350968, 9.8813129168249309e-324, 1.2295348114748174e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.1941076804350968, 9.8813129168249309e-324, 1.2295081779289994e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29246290133790293, 9.8813129168249309e-324, 2.4966099909375499e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29246290133790293, 9.8813129168249309e-324, 2.4947599449116814e-15},
 };
 #endif
 
-/* 1353 mul, 24 div, 879 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                  const double xS[3], double *xi, double *eta)
+/* 1282 mul, 24 div, 879 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_new_paper_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                      const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xD[2];
-    const double t2 = xC[2] - xD[2];
-    const double t3 = xA[2] - xB[2];
-    const double t4 = t2 + t3;
-    const double u1 = 0.275 * t4;
-    const double t5 = t1 - u1;
-    const double t6 = t3 - u1;
-    const double t7 = xA[1] - xD[1];
-    const double t8 = xC[1] - xD[1];
-    const double t9 = xA[1] - xB[1];
-    const double t10 = t8 + t9;
-    const double u2 = 0.275 * t10;
-    const double t11 = t7 - u2;
-    const double t12 = t9 - u2;
-    const double t13 = xA[0] - xD[0];
-    const double t14 = xC[0] - xD[0];
-    const double t15 = xA[0] - xB[0];
-    const double t16 = t14 + t15;
-    const double u3 = 0.275 * t16;
-    const double t17 = t13 - u3;
-    const double t18 = t15 - u3;
-    const double t19 = t5 * t6 + t11 * t12 + t17 * t18;
-    const double t20 = xA[2] - xS[2];
-    const double t21 = t3 - (40.0 / 11.0) * t20 + t5;
-    const double t22 = xA[1] - xS[1];
-    const double t23 = t9 - (40.0 / 11.0) * t22 + t11;
-    const double t24 = xA[0] - xS[0];
-    const double t25 = t15 - (40.0 / 11.0) * t24 + t17;
-    const double t26 = t5 * t21 + t11 * t23 + t17 * t25;
-    const double t27 = t5 * t5 + t11 * t11 + t17 * t17;
-    const double t28 = t6 * t21 + t12 * t23 + t18 * t25;
-    const double t29 = t6 * t6 + t12 * t12 + t18 * t18;
-    const double t30 = 1.0 / (t27 * t29 - t19 * t19);
-    const double t31 = (t27 * t28 - t19 * t26) * t30;
-    const double t32 = t4 * t5 + t10 * t11 + t16 * t17;
-    const double t33 = t4 * t6 + t10 * t12 + t16 * t18;
-    const double t34 = (t33 * t27 - t32 * t19) * t30;
-    const double t35 = (t29 * t26 - t19 * t28) * t30;
-    const double t36 = (t32 * t29 - t33 * t19) * t30;
-    const double t37 = t3 - t2;
-    const double t38 = xB[2] - xC[2];
-    const double t39 = xB[1] - xC[1];
-    const double t40 = xB[0] - xC[0];
-    const double t41 = nC[2] * t38 + nC[1] * t39 + nC[0] * t40;
-    const double t42 = nC[2] * t2 + nC[1] * t8 + nC[0] * t14;
-    const double t43 = t2 * t38 + t8 * t39 + t14 * t40 - t41 * t42;
-    const double t44 = t38 * t38 + t39 * t39 + t40 * t40;
-    const double t45 = 1.0 / (t44 - t41 * t41);
-    const double t46 = t43 * t45;
-    const double t47 = nB[2] * t38 + nB[1] * t39 + nB[0] * t40;
-    const double t48 = nB[2] * t3 + nB[1] * t9 + nB[0] * t15;
-    const double t49 = t38 * t3 + t39 * t9 + t40 * t15 - t47 * t48;
-    const double t50 = 1.0 / (t44 - t47 * t47);
-    const double t51 = t49 * t50;
-    const double t52 = t51 - t46;
-    const double t53 = t7 * t16 - t13 * t10;
-    const double t54 = t7 * t15 - t13 * t9;
-    const double t55 = t54 - (t15 * t10 - t9 * t16);
-    const double t56 = t13 * t4 - t1 * t16;
-    const double t57 = t13 * t3 - t1 * t15;
-    const double t58 = t57 - (t3 * t16 - t15 * t4);
-    const double t59 = t1 * t10 - t7 * t4;
-    const double t60 = t1 * t9 - t7 * t3;
-    const double t61 = t60 - (t9 * t4 - t3 * t10);
-    const double t62 = nC[2] * (t55 - t53) + nC[1] * (t58 - t56) + nC[0] * (t61 - t59);
-    const double t63 = t62 * t45;
-    const double t64 = nB[2] * t55 + nB[1] * t58 + nB[0] * t61;
-    const double t65 = t64 * t50;
-    const double t66 = nB[1] * t63 + nC[1] * t65;
-    const double t67 = nB[0] * t63 + nC[0] * t65;
-    const double t68 = t41 * t51;
-    const double t69 = t47 * t46;
-    const double t70 = t37 - t38 * t52 - t40 * t66 + t39 * t67 - 2.0 * (nC[2] * t68 - nB[2] * t69);
-    const double t71 = nD[2] * t1 + nD[1] * t7 + nD[0] * t13;
-    const double t72 = nD[2] * t2 + nD[1] * t8 + nD[0] * t14;
-    const double t73 = t2 * t1 + t8 * t7 + t14 * t13 - t71 * t72;
-    const double t74 = t1 * t1 + t7 * t7 + t13 * t13;
-    const double t75 = 1.0 / (t74 - t71 * t71);
-    const double t76 = t73 * t75;
-    const double t77 = nA[2] * t1 + nA[1] * t7 + nA[0] * t13;
-    const double t78 = nA[2] * t3 + nA[1] * t9 + nA[0] * t15;
-    const double t79 = t1 * t3 + t7 * t9 + t13 * t15 - t77 * t78;
-    const double t80 = 1.0 / (t74 - t77 * t77);
-    const double t81 = t79 * t80;
-    const double t82 = t81 - t76;
-    const double t83 = nD[2] * (t54 - t53) + nD[1] * (t57 - t56) + nD[0] * (t60 - t59);
-    const double t84 = t83 * t75;
-    const double t85 = nA[2] * t54 + nA[1] * t57 + nA[0] * t60;
-    const double t86 = t85 * t80;
-    const double t87 = nA[0] * t84 + nD[0] * t86;
-    const double t88 = nA[1] * t84 + nD[1] * t86;
-    const double t89 = t71 * t81;
-    const double t90 = t77 * t76;
-    const double t91 = t37 - t1 * t82 + t7 * t87 - t13 * t88 - 2.0 * (nD[2] * t89 - nA[2] * t90);
-    const double t92 = t38 + t1;
-    const double t93 = t2 * t2 + t8 * t8 + t14 * t14;
-    const double t94 = 1.0 / (t93 - t72 * t72);
-    const double t95 = t73 * t94;
-    const double t96 = 1.0 / (t93 - t42 * t42);
-    const double t97 = t43 * t96;
-    const double t98 = t95 + t97;
-    const double t99 = t62 * t96;
-    const double t100 = t83 * t94;
-    const double t101 = nD[0] * t99 + nC[0] * t100;
-    const double t102 = nD[1] * t99 + nC[1] * t100;
-    const double t103 = t42 * t95;
-    const double t104 = t72 * t97;
-    const double t105 = t92 - t2 * t98 + t8 * t101 - t14 * t102 - 2.0 * (nC[2] * t103 + nD[2] * t104);
-    const double t106 = t3 * t3 + t9 * t9 + t15 * t15;
-    const double t107 = 1.0 / (t106 - t48 * t48);
-    const double t108 = t49 * t107;
-    const double t109 = 1.0 / (t106 - t78 * t78);
-    const double t110 = t79 * t109;
-    const double t111 = t108 + t110;
-    const double t112 = t64 * t107;
-    const double t113 = t85 * t109;
-    const double t114 = nA[1] * t112 + nB[1] * t113;
-    const double t115 = nA[0] * t112 + nB[0] * t113;
-    const double t116 = t48 * t110;
-    const double t117 = t78 * t108;
-    const double t118 = t92 - t3 * t111 + t15 * t114 - t9 * t115 - 2.0 * (nB[2] * t116 + nA[2] * t117);
-    const double t119 = t76 - (2.0 / 3.0) + t81;
-    const double t120 = t77 * t119;
-    const double t121 = t110 - (2.0 / 3.0) - t108;
-    const double t122 = t78 * t121;
-    const double t123 = t71 * t119;
-    const double t124 = t97 + (2.0 / 3.0) - t95;
-    const double t125 = t72 * t124;
-    const double t126 = t46 + (2.0 / 3.0) + t51;
-    const double t127 = t41 * t126;
-    const double t128 = t42 * t124;
-    const double t129 = t47 * t126;
-    const double t130 = t48 * t121;
-    const double t131 = t9 - t8;
-    const double t132 = nB[2] * t63 + nC[2] * t65;
-    const double t133 = t131 - t39 * t52 - t38 * t67 + t40 * t132 - 2.0 * (nC[1] * t68 - nB[1] * t69);
-    const double t134 = nA[2] * t84 + nD[2] * t86;
-    const double t135 = t131 - t7 * t82 + t13 * t134 - t1 * t87 - 2.0 * (nD[1] * t89 - nA[1] * t90);
-    const double t136 = t39 + t7;
-    const double t137 = nD[2] * t99 + nC[2] * t100;
-    const double t138 = t136 - t8 * t98 + t14 * t137 - t2 * t101 - 2.0 * (nC[1] * t103 + nD[1] * t104);
-    const double t139 = nA[2] * t112 + nB[2] * t113;
-    const double t140 = t136 - t9 * t111 + t3 * t115 - t15 * t139 - 2.0 * (nB[1] * t116 + nA[1] * t117);
-    const double t141 = t15 - t14;
-    const double t142 = t141 - t40 * t52 - t39 * t132 + t38 * t66 - 2.0 * (nC[0] * t68 - nB[0] * t69);
-    const double t143 = t141 - t13 * t82 + t1 * t88 - t7 * t134 - 2.0 * (nD[0] * t89 - nA[0] * t90);
-    const double t144 = t40 + t13;
-    const double t145 = t144 - t14 * t98 + t2 * t102 - t8 * t137 - 2.0 * (nC[0] * t103 + nD[0] * t104);
-    const double t146 = t144 - t15 * t111 + t9 * t139 - t3 * t114 - 2.0 * (nB[0] * t116 + nA[0] * t117);
-    const double u4 = -0.275 * t35;
+    const double t1 = xC[2] - xD[2];
+    const double t2 = xA[2] - xB[2];
+    const double t3 = xC[1] - xD[1];
+    const double t4 = xA[1] - xB[1];
+    const double t5 = t1 + t2;
+    const double t6 = t3 + t4;
+    const double t7 = xC[0] - xD[0];
+    const double t8 = xA[0] - xB[0];
+    const double t9 = xA[2] - xD[2];
+    const double t10 = xA[1] - xD[1];
+    const double t11 = t7 + t8;
+    const double u1 = 0.275 * t5;
+    const double t12 = t9 - u1;
+    const double t13 = t2 - u1;
+    const double u2 = 0.275 * t6;
+    const double t14 = t10 - u2;
+    const double t15 = t4 - u2;
+    const double t16 = xA[0] - xD[0];
+    const double t17 = xA[2] - xS[2];
+    const double t18 = xA[1] - xS[1];
+    const double u3 = 0.275 * t11;
+    const double t19 = t16 - u3;
+    const double t20 = t8 - u3;
+    const double t21 = xA[0] - xS[0];
+    const double t22 = t12 * t13 + t14 * t15 + t19 * t20;
+    const double t23 = t12 * t12 + t14 * t14 + t19 * t19;
+    const double t24 = t13 * t13 + t15 * t15 + t20 * t20;
+    const double t25 = t2 - (40.0 / 11.0) * t17 + t12;
+    const double t26 = t4 - (40.0 / 11.0) * t18 + t14;
+    const double t27 = t8 - (40.0 / 11.0) * t21 + t19;
+    const double t28 = t12 * t25 + t14 * t26 + t19 * t27;
+    const double t29 = t13 * t25 + t15 * t26 + t20 * t27;
+    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t31 = t5 * t12 + t6 * t14 + t11 * t19;
+    const double t32 = t5 * t13 + t6 * t15 + t11 * t20;
+    const double t33 = (t23 * t29 - t22 * t28) * t30;
+    const double t34 = (t24 * t28 - t22 * t29) * t30;
+    const double t35 = (t31 * t24 - t32 * t22) * t30;
+    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t37 = xB[2] - xC[2];
+    const double t38 = xB[1] - xC[1];
+    const double t39 = xB[0] - xC[0];
+    const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
+    const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t42 = t10 * t8 - t16 * t4;
+    const double t43 = t16 * t2 - t9 * t8;
+    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t47 = t10 * t11 - t16 * t6;
+    const double t48 = t42 - (t8 * t6 - t4 * t11);
+    const double t49 = t16 * t5 - t9 * t11;
+    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t51 = t9 * t4 - t10 * t2;
+    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t56 = t9 * t6 - t10 * t5;
+    const double t57 = t51 - (t4 * t5 - t2 * t6);
+    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
+    const double t62 = 1.0 / (t44 - t40 * t40);
+    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
+    const double t64 = 1.0 / (t44 - t41 * t41);
+    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
+    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
+    const double t67 = t61 * t62;
+    const double t68 = t63 * t64;
+    const double t69 = t65 * t62;
+    const double t70 = t66 * t64;
+    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
+    const double t72 = 1.0 / (t55 - t45 * t45);
+    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
+    const double t74 = 1.0 / (t55 - t46 * t46);
+    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
+    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
+    const double t77 = t68 - t67;
+    const double t78 = t71 * t72;
+    const double t79 = t73 * t74;
+    const double t80 = t75 * t72;
+    const double t81 = t76 * t74;
+    const double t82 = 1.0 / (t59 - t54 * t54);
+    const double t83 = 1.0 / (t59 - t52 * t52);
+    const double t84 = 1.0 / (t60 - t53 * t53);
+    const double t85 = t2 - t1;
+    const double t86 = nB[1] * t69 + nC[1] * t70;
+    const double t87 = nB[0] * t69 + nC[0] * t70;
+    const double t88 = t79 - t78;
+    const double t89 = t71 * t82;
+    const double t90 = t61 * t83;
+    const double t91 = t65 * t83;
+    const double t92 = t75 * t82;
+    const double t93 = t63 * t84;
+    const double t94 = 1.0 / (t60 - t58 * t58);
+    const double t95 = t4 - t3;
+    const double t96 = t40 * t68;
+    const double t97 = nA[0] * t80 + nD[0] * t81;
+    const double t98 = t89 + t90;
+    const double t99 = t73 * t94;
+    const double t100 = t66 * t84;
+    const double t101 = t76 * t94;
+    const double t102 = nB[2] * t69 + nC[2] * t70;
+    const double t103 = nA[2] * t80 + nD[2] * t81;
+    const double t104 = t8 - t7;
+    const double t105 = t41 * t67;
+    const double t106 = nA[1] * t80 + nD[1] * t81;
+    const double t107 = t45 * t79;
+    const double t108 = t37 + t9;
+    const double t109 = nD[0] * t91 + nC[0] * t92;
+    const double t110 = t93 + t99;
+    const double t111 = t78 - (2.0 / 3.0) + t79;
+    const double t112 = t99 - (2.0 / 3.0) - t93;
+    const double t113 = t38 + t10;
+    const double t114 = nD[2] * t91 + nC[2] * t92;
+    const double t115 = t46 * t78;
+    const double t116 = nD[1] * t91 + nC[1] * t92;
+    const double t117 = t52 * t89;
+    const double t118 = nA[1] * t100 + nB[1] * t101;
+    const double t119 = nA[0] * t100 + nB[0] * t101;
+    const double t120 = t46 * t111;
+    const double t121 = t58 * t112;
+    const double t122 = t90 + (2.0 / 3.0) - t89;
+    const double t123 = t39 + t16;
+    const double t124 = t54 * t90;
+    const double t125 = t53 * t99;
+    const double t126 = 3.0 * t120;
+    const double t127 = 3.0 * t121;
+    const double t128 = t45 * t111;
+    const double t129 = t54 * t122;
+    const double t130 = t67 + (2.0 / 3.0) + t68;
+    const double t131 = nA[2] * t100 + nB[2] * t101;
+    const double t132 = t85 - t37 * t77 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t96 - nB[2] * t105);
+    const double t133 = t58 * t93;
+    const double t134 = 3.0 * t128;
+    const double t135 = 3.0 * t129;
+    const double t136 = t40 * t130;
+    const double t137 = t52 * t122;
+    const double t138 = t95 - t38 * t77 - t37 * t87 + t39 * t102 - 2.0 * (nC[1] * t96 - nB[1] * t105);
+    const double t139 = t85 - t9 * t88 + t10 * t97 - t16 * t106 - 2.0 * (nD[2] * t107 - nA[2] * t115);
+    const double t140 = 3.0 * t136;
+    const double t141 = 3.0 * t137;
+    const double t142 = t41 * t130;
+    const double t143 = t53 * t112;
+    const double t144 = t95 - t10 * t88 + t16 * t103 - t9 * t97 - 2.0 * (nD[1] * t107 - nA[1] * t115);
+    const double t145 = t104 - t39 * t77 - t38 * t102 + t37 * t86 - 2.0 * (nC[0] * t96 - nB[0] * t105);
+    const double t146 = t108 - t1 * t98 + t3 * t109 - t7 * t116 - 2.0 * (nC[2] * t117 + nD[2] * t124);
+    const double t147 = 3.0 * t142;
+    const double t148 = 3.0 * t143;
+    const double t149 = t113 - t3 * t98 + t7 * t114 - t1 * t109 - 2.0 * (nC[1] * t117 + nD[1] * t124);
+    const double t150 = t104 - t16 * t88 + t9 * t106 - t10 * t103 - 2.0 * (nD[0] * t107 - nA[0] * t115);
+    const double t151 = t108 - t2 * t110 + t8 * t118 - t4 * t119 - 2.0 * (nB[2] * t125 + nA[2] * t133);
+    const double t152 = t113 - t4 * t110 + t2 * t119 - t8 * t131 - 2.0 * (nB[1] * t125 + nA[1] * t133);
+    const double t153 = t123 - t7 * t98 + t1 * t116 - t3 * t114 - 2.0 * (nC[0] * t117 + nD[0] * t124);
+    const double t154 = t123 - t8 * t110 + t4 * t131 - t2 * t118 - 2.0 * (nB[0] * t125 + nA[0] * t133);
+    const double u4 = -0.275 * t33;
     double u5 = 0.225;
-    const double t147 = (u5 < u4 ? u5 : u4);
-    double u6 = -0.275;
-    const double t148 = (u6 > t147 ? u6 : t147);
-    const double u7 = -0.275 * t31;
-    const double t149 = (u5 < u7 ? u5 : u7);
-    const double t150 = (u6 > t149 ? u6 : t149);
-    const double t151 = t36 * t150 + 1.0 + t34 * t148;
+    const double t155 = (u5 < u4 ? u5 : u4);
+    const double u6 = -0.275 * t34;
+    const double t156 = (u5 < u6 ? u5 : u6);
+    double u7 = -0.275;
+    const double t157 = (u7 > t155 ? u7 : t155);
+    const double t158 = (u7 > t156 ? u7 : t156);
+    const double t159 = t35 * t157 + 1.0 + t36 * t158;
     double u8 = 0.5;
-    const double t152 = (u8 > t151 ? u8 : t151);
-    const double t153 = t148 * t150 * t152;
-    const double t154 = t31 - (40.0 / 11.0) * t34 * t153;
-    const double t155 = t35 - (40.0 / 11.0) * t36 * t153;
-    const double u9 = -0.275 * t154;
-    const double t156 = (u5 < u9 ? u5 : u9);
-    const double t157 = (u6 > t156 ? u6 : t156);
-    const double u10 = -0.275 * t155;
-    const double t158 = (u5 < u10 ? u5 : u10);
-    const double t159 = (u6 > t158 ? u6 : t158);
-    const double t160 = t157 + 0.275;
-    const double t161 = t159 + 0.275;
-    const double t162 = t1 - t4 * t160;
-    const double t163 = t161 - 1.0;
-    const double t164 = t160 * t163;
-    const double t165 = t161 * t160;
-    const double t166 = t160 - 1.0;
-    const double t167 = t161 * t166;
-    const double t168 = t163 + t166;
-    const double t169 = t163 * t166;
-    const double t170 = t161 - t166;
-    const double t171 = t161 + t160;
-    const double t172 = t160 - t163;
-    const double t173 = t160 * t166;
-    const double t174 = nA[2] * t169;
-    const double t175 = nD[2] * t167;
-    const double t176 = nC[2] * t165;
-    const double t177 = nB[2] * t164;
-    const double t178 = t161 * t161;
-    const double t179 = t160 + t166;
-    const double t180 = t163 * t163;
-    const double t181 = t120 * t161 + t122 * t160;
-    const double t182 = t125 * t160 + t123 * t163;
-    const double t183 = t128 * t166 - t127 * t163;
-    const double t184 = t130 * t166 - t129 * t161;
-    const double t185 = t7 - t10 * t160;
-    const double t186 = nA[1] * t169;
-    const double t187 = nD[1] * t167;
-    const double t188 = nC[1] * t165;
-    const double t189 = nB[1] * t164;
-    const double t190 = t13 - t16 * t160;
-    const double t191 = nA[0] * t169;
-    const double t192 = nD[0] * t167;
-    const double t193 = nC[0] * t165;
-    const double t194 = nB[0] * t164;
-    const double t195 = t166 * t166;
-    const double t196 = t161 + t163;
-    const double t197 = t161 * t163;
-    const double t198 = t160 * t160;
-    const double u11 = -t168;
+    const double t160 = (u8 > t159 ? u8 : t159);
+    const double t161 = (40.0 / 11.0) * t158 * t157 * t160;
+    const double t162 = t33 - t36 * t161;
+    const double t163 = t34 - t35 * t161;
+    const double u9 = -0.275 * t162;
+    const double t164 = (u5 < u9 ? u5 : u9);
+    const double u10 = -0.275 * t163;
+    const double t165 = (u5 < u10 ? u5 : u10);
+    const double t166 = (u7 > t164 ? u7 : t164);
+    const double t167 = (u7 > t165 ? u7 : t165);
+    const double t168 = t166 + 0.275;
+    const double t169 = t167 + 0.275;
+    const double t170 = t169 - 1.0;
+    const double t171 = t168 - 1.0;
+    const double t172 = t170 + t171;
+    const double t173 = t169 - t171;
+    const double t174 = t169 + t168;
+    const double t175 = t168 - t170;
+    const double t176 = t169 * t171;
+    const double t177 = t170 * t171;
+    const double t178 = t168 * t170;
+    const double t179 = t169 * t168;
+    const double t180 = t168 * t171;
+    const double t181 = t9 - t5 * t168;
+    const double t182 = t10 - t6 * t168;
+    const double t183 = t16 - t11 * t168;
+    const double t184 = nA[2] * t177;
+    const double t185 = nA[1] * t177;
+    const double t186 = nD[2] * t176;
+    const double t187 = nD[1] * t176;
+    const double t188 = nA[0] * t177;
+    const double t189 = nC[2] * t179;
+    const double t190 = nC[1] * t179;
+    const double t191 = nD[0] * t176;
+    const double t192 = nB[2] * t178;
+    const double t193 = nB[1] * t178;
+    const double t194 = nC[0] * t179;
+    const double t195 = nB[0] * t178;
+    const double t196 = 3.0 * (t120 * t169 + t121 * t168);
+    const double t197 = 3.0 * (t129 * t168 + t128 * t170);
+    const double t198 = t168 + t171;
+    const double t199 = 3.0 * (t137 * t171 - t136 * t170);
+    const double t200 = t169 + t170;
+    const double t201 = t169 * t170;
+    const double t202 = 0.5 * t169;
+    const double t203 = 0.5 * t171;
+    const double t204 = 0.5 * t168;
+    const double t205 = 3.0 * (t143 * t171 - t142 * t169);
+    const double t206 = 0.5 * t170;
+    const double t207 = t169 * t169;
+    const double t208 = t171 * t171;
+    const double t209 = t170 * t170;
+    const double t210 = t168 * t168;
+    const double t211 = 2.0 * t169;
+    const double t212 = 2.0 * t171;
+    const double t213 = 2.0 * t170;
+    const double t214 = 2.0 * t168;
+    const double u11 = -t172;
     double u12 = 0.000001;
-    const double t199 = (u12 > u11 ? u12 : u11);
-    const double t200 = (u12 > t170 ? u12 : t170);
-    const double t201 = (u12 > t171 ? u12 : t171);
-    const double t202 = (u12 > t172 ? u12 : t172);
-    const double t203 = 1.0 / t199;
-    const double t204 = t166 * t203;
-    const double t205 = t204 + 1.0;
-    const double t206 = 1.0 / t200;
-    const double t207 = t166 * t206;
-    const double t208 = t207 + 1.0;
-    const double t209 = t169 * t208 - t167 * t205;
-    const double t210 = t164 * t165 * t209;
-    const double t211 = 1.0 / t201;
-    const double t212 = t160 * t211;
-    const double t213 = t212 - 1.0;
-    const double t214 = 1.0 / t202;
-    const double t215 = t160 * t214;
-    const double t216 = t215 - 1.0;
-    const double t217 = t164 * t213 - t165 * t216;
-    const double t218 = t167 * t169 * t217;
-    const double t219 = t173 * t216 - t173 * t205;
-    const double t220 = t167 * t165 * t219;
-    const double t221 = t173 * t213 - t173 * t208;
-    const double t222 = t164 * t169 * t221;
-    const double t223 = t160 * t213;
-    const double t224 = t77 + 3.0 * t120 * t223;
-    const double t225 = t78 + 3.0 * t122 * t223;
-    const double t226 = t161 * t224 + t160 * t225;
-    const double t227 = t169 * t226;
-    const double t228 = t160 * t216;
-    const double t229 = t71 + 3.0 * t123 * t228;
-    const double t230 = t72 - 3.0 * t125 * t228;
-    const double t231 = t160 * t230 - t163 * t229;
-    const double t232 = t167 * t231;
-    const double t233 = t166 * t205;
-    const double t234 = t41 - 3.0 * t127 * t233;
-    const double t235 = t42 - 3.0 * t128 * t233;
-    const double t236 = t166 * t235 - t163 * t234;
-    const double t237 = t165 * t236;
-    const double t238 = t166 * t208;
-    const double t239 = t47 - 3.0 * t129 * t238;
-    const double t240 = t48 + 3.0 * t130 * t238;
-    const double t241 = t161 * t239 + t166 * t240;
-    const double t242 = t164 * t241;
-    const double t243 = t20 - t3 * t160 - t161 * t162 + t70 * t210 - t91 * t218 + t105 * t220 - t118 * t222 + t174 *
-        t227 - t175 * t232 - t176 * t237 + t177 * t242;
-    const double t244 = t205 * t205;
-    const double t245 = t216 * t216;
-    const double t246 = t173 * (t233 - t228 + t160 * t244 + t166 * t245) - t179 * t219;
-    const double t247 = t178 * t246;
-    const double t248 = t213 * t213;
-    const double t249 = t208 * t208;
-    const double t250 = t179 * t221 + t173 * (t223 - t166 * t248 - t238 - t160 * t249);
-    const double t251 = t180 * t250;
-    const double t252 = t163 * (t226 + 0.5 * t166 * (t225 - 3.0 * t181 * t248));
-    const double t253 = t165 * t163 * (t209 + 0.5 * t160 * (t163 * t249 - t161 * t244));
-    const double t254 = t169 * t161 * (t217 - 0.5 * t166 * (t163 * t248 - t161 * t245));
-    const double t255 = t161 * (t231 + 0.5 * t166 * (3.0 * t182 * t245 + t230));
-    const double t256 = t161 * (t236 + 0.5 * t160 * (t235 - 3.0 * t183 * t244));
-    const double t257 = t163 * (t241 + 0.5 * t160 * (3.0 * t184 * t249 + t240));
-    const double t258 = t3 - t4 * t161 + t105 * t247 + t118 * t251 - 2.0 * (t174 * t252 + t70 * t253 - t91 * t254 -
-        t175 * t255 - t176 * t256 + t177 * t257);
-    const double t259 = t22 - t9 * t160 - t161 * t185 + t133 * t210 - t135 * t218 + t138 * t220 - t140 * t222 + t186
-        * t227 - t187 * t232 - t188 * t237 + t189 * t242;
-    const double t260 = t9 - t10 * t161 + t138 * t247 + t140 * t251 - 2.0 * (t186 * t252 + t133 * t253 - t135 * t254
-        - t187 * t255 - t188 * t256 + t189 * t257);
-    const double t261 = t24 - t15 * t160 - t161 * t190 + t142 * t210 - t143 * t218 + t145 * t220 - t146 * t222 +
-        t191 * t227 - t192 * t232 - t193 * t237 + t194 * t242;
-    const double t262 = t15 - t16 * t161 + t145 * t247 + t146 * t251 - 2.0 * (t191 * t252 + t142 * t253 - t143 *
-        t254 - t192 * t255 - t193 * t256 + t194 * t257);
-    const double t263 = t243 * t258 + t259 * t260 + t261 * t262;
-    const double t264 = t212 * t212;
-    const double t265 = t215 * t215;
-    const double t266 = t196 * t217 + t197 * (t223 - t163 * t264 - t161 * t265 - t228);
-    const double t267 = t195 * t266;
-    const double t268 = t204 * t204;
-    const double t269 = t207 * t207;
-    const double t270 = t196 * t209 + t197 * (t238 - t161 * t268 - t163 * t269 - t233);
-    const double t271 = t198 * t270;
-    const double t272 = t165 * t166 * (t219 + 0.5 * t161 * (t166 * t265 - t160 * t268));
-    const double t273 = t169 * t160 * (t221 - 0.5 * t163 * (t166 * t264 - t160 * t269));
-    const double t274 = t166 * (t226 + 0.5 * t163 * (t224 - 3.0 * t181 * t264));
-    const double t275 = t166 * (t231 - 0.5 * t161 * (3.0 * t182 * t265 + t229));
-    const double t276 = t160 * (t236 - 0.5 * t161 * (3.0 * t183 * t268 + t234));
-    const double t277 = t160 * (t241 + 0.5 * t163 * (t239 - 3.0 * t184 * t269));
-    const double t278 = t162 + t91 * t267 - t70 * t271 - 2.0 * (t105 * t272 - t118 * t273 + t174 * t274 - t175 *
-        t275 - t176 * t276 + t177 * t277);
-    const double t279 = t185 + t135 * t267 - t133 * t271 - 2.0 * (t138 * t272 - t140 * t273 + t186 * t274 - t187 *
-        t275 - t188 * t276 + t189 * t277);
-    const double t280 = t190 + t143 * t267 - t142 * t271 - 2.0 * (t145 * t272 - t146 * t273 + t191 * t274 - t192 *
-        t275 - t193 * t276 + t194 * t277);
-    const double t281 = nC[2] * t243 + nC[1] * t259 + nC[0] * t261;
-    const double t282 = t41 * t281;
-    const double t283 = t70 * t243 + t133 * t259 + t142 * t261;
-    const double t284 = t105 * t243 + t138 * t259 + t145 * t261;
-    const double t285 = t204 * t284 - t205 * t283 - 3.0 * t183 * t203 * t281;
-    const double t286 = t42 * t281 - t163 * t285;
-    const double t287 = t166 * t286 - t163 * t282;
-    const double t288 = t287 - 2.0 * t161 * (t282 + t166 * t285);
-    const double t289 = nB[2] * t243 + nB[1] * t259 + nB[0] * t261;
-    const double t290 = t47 * t289;
-    const double t291 = t118 * t243 + t140 * t259 + t146 * t261;
-    const double t292 = t208 * t283 + t207 * t291 + 3.0 * t184 * t206 * t289;
-    const double t293 = t48 * t289 + t161 * t292;
-    const double t294 = t161 * t290 + t166 * t293;
-    const double t295 = 2.0 * t163 * (t290 + t166 * t292) + t294;
-    const double t296 = nD[2] * t243 + nD[1] * t259 + nD[0] * t261;
-    const double t297 = t71 * t296;
-    const double t298 = t91 * t243 + t135 * t259 + t143 * t261;
-    const double t299 = t216 * t298 + t215 * t284 + 3.0 * t182 * t214 * t296;
-    const double t300 = t72 * t296 - t163 * t299;
-    const double t301 = t160 * t300 - t163 * t297;
-    const double t302 = t301 - 2.0 * t161 * (t297 + t160 * t299);
-    const double t303 = nA[2] * t243 + nA[1] * t259 + nA[0] * t261;
-    const double t304 = t77 * t303;
-    const double t305 = t212 * t291 - t213 * t298 - 3.0 * t181 * t211 * t303;
-    const double t306 = t78 * t303 + t161 * t305;
-    const double t307 = t161 * t304 + t160 * t306;
-    const double t308 = 2.0 * t163 * (t304 + t160 * t305) + t307;
-    const double t309 = t278 * t278 + t279 * t279 + t280 * t280 + 2.0 * (t198 * (t295 - t288) + t195 * (t308 -
-        t302));
-    const double t310 = t243 * t278 + t259 * t279 + t261 * t280;
-    const double t311 = 2.0 * t166 * t300 + t301;
-    const double t312 = 2.0 * t160 * t286 + t287;
-    const double t313 = 2.0 * t160 * t293 + t294;
-    const double t314 = 2.0 * t166 * t306 + t307;
-    const double t315 = 0.5 * (t4 * t243 + t10 * t259 + t16 * t261) - t167 * (t301 - 0.5 * (t167 * t299 - t302 -
-        t311)) - t165 * (t287 - 0.5 * (t165 * t285 - t288 - t312)) + t164 * (0.5 * (t164 * t292 + t295 + t313) +
-        t294) + t169 * (0.5 * (t169 * t305 + t308 + t314) + t307);
-    const double t316 = t278 * t258 + t279 * t260 + t280 * t262 + 2.0 * t315;
-    const double t317 = t263 * t309 - t310 * t316;
-    const double t318 = t258 * t258 + t260 * t260 + t262 * t262 + 2.0 * (t180 * (t313 + t314) - t178 * (t311 +
-        t312));
-    const double t319 = t309 * t318;
-    const double t320 = t319 - t316 * t316;
-    const double t321 = t310 * t318 - t263 * t316;
-    const double u13 = 0.1 * t319;
-    const double t322 = (t320 > u13 ? t320 : u13);
-    const double t323 = 1.0 / t322;
-    const double t324 = t157 + t317 * t323;
-    const double t325 = t159 + t321 * t323;
-    const double t326 = (u5 < t324 ? u5 : t324);
-    const double t327 = (u6 > t326 ? u6 : t326);
-    const double t328 = (u5 < t325 ? u5 : t325);
-    const double t329 = (u6 > t328 ? u6 : t328);
-    const double t330 = t327 + 0.275;
-    const double t331 = t329 + 0.275;
-    const double t332 = t1 - t4 * t330;
-    const double t333 = t331 - 1.0;
-    const double t334 = t330 * t333;
-    const double t335 = t331 * t330;
-    const double t336 = t330 - 1.0;
-    const double t337 = t331 * t336;
-    const double t338 = t333 + t336;
-    const double t339 = t333 * t336;
-    const double t340 = t331 - t336;
-    const double t341 = t331 + t330;
-    const double t342 = t330 - t333;
-    const double t343 = t330 * t336;
-    const double t344 = nA[2] * t339;
-    const double t345 = nD[2] * t337;
-    const double t346 = nC[2] * t335;
-    const double t347 = nB[2] * t334;
-    const double t348 = t331 * t331;
-    const double t349 = t330 + t336;
-    const double t350 = t333 * t333;
-    const double t351 = t120 * t331 + t122 * t330;
-    const double t352 = t125 * t330 + t123 * t333;
-    const double t353 = t128 * t336 - t127 * t333;
-    const double t354 = t130 * t336 - t129 * t331;
-    const double t355 = t7 - t10 * t330;
-    const double t356 = nA[1] * t339;
-    const double t357 = nD[1] * t337;
-    const double t358 = nC[1] * t335;
-    const double t359 = nB[1] * t334;
-    const double t360 = t13 - t16 * t330;
-    const double t361 = nA[0] * t339;
-    const double t362 = nD[0] * t337;
-    const double t363 = nC[0] * t335;
-    const double t364 = nB[0] * t334;
-    const double t365 = t336 * t336;
-    const double t366 = t331 + t333;
-    const double t367 = t331 * t333;
-    const double t368 = t330 * t330;
-    const double u14 = -t338;
-    const double t369 = (u12 > u14 ? u12 : u14);
-    const double t370 = (u12 > t340 ? u12 : t340);
-    const double t371 = (u12 > t341 ? u12 : t341);
-    const double t372 = (u12 > t342 ? u12 : t342);
-    const double t373 = 1.0 / t369;
-    const double t374 = t336 * t373;
-    const double t375 = t374 + 1.0;
-    const double t376 = 1.0 / t370;
-    const double t377 = t336 * t376;
-    const double t378 = t377 + 1.0;
-    const double t379 = t339 * t378 - t337 * t375;
-    const double t380 = t334 * t335 * t379;
-    const double t381 = 1.0 / t371;
-    const double t382 = t330 * t381;
-    const double t383 = t382 - 1.0;
-    const double t384 = 1.0 / t372;
-    const double t385 = t330 * t384;
-    const double t386 = t385 - 1.0;
-    const double t387 = t334 * t383 - t335 * t386;
-    const double t388 = t337 * t339 * t387;
-    const double t389 = t343 * t386 - t343 * t375;
-    const double t390 = t337 * t335 * t389;
-    const double t391 = t343 * t383 - t343 * t378;
-    const double t392 = t334 * t339 * t391;
-    const double t393 = t330 * t383;
-    const double t394 = t77 + 3.0 * t120 * t393;
-    const double t395 = t78 + 3.0 * t122 * t393;
-    const double t396 = t331 * t394 + t330 * t395;
-    const double t397 = t339 * t396;
-    const double t398 = t330 * t386;
-    const double t399 = t71 + 3.0 * t123 * t398;
-    const double t400 = t72 - 3.0 * t125 * t398;
-    const double t401 = t330 * t400 - t333 * t399;
-    const double t402 = t337 * t401;
-    const double t403 = t336 * t375;
-    const double t404 = t41 - 3.0 * t127 * t403;
-    const double t405 = t42 - 3.0 * t128 * t403;
-    const double t406 = t336 * t405 - t333 * t404;
-    const double t407 = t335 * t406;
-    const double t408 = t336 * t378;
-    const double t409 = t47 - 3.0 * t129 * t408;
-    const double t410 = t48 + 3.0 * t130 * t408;
-    const double t411 = t331 * t409 + t336 * t410;
-    const double t412 = t334 * t411;
-    const double t413 = t20 - t3 * t330 - t331 * t332 + t70 * t380 - t91 * t388 + t105 * t390 - t118 * t392 + t344 *
-        t397 - t345 * t402 - t346 * t407 + t347 * t412;
-    const double t414 = t375 * t375;
-    const double t415 = t386 * t386;
-    const double t416 = t343 * (t403 - t398 + t330 * t414 + t336 * t415) - t349 * t389;
-    const double t417 = t348 * t416;
-    const double t418 = t383 * t383;
-    const double t419 = t378 * t378;
-    const double t420 = t349 * t391 + t343 * (t393 - t336 * t418 - t408 - t330 * t419);
-    const double t421 = t350 * t420;
-    const double t422 = t333 * (t396 + 0.5 * t336 * (t395 - 3.0 * t351 * t418));
-    const double t423 = t335 * t333 * (t379 + 0.5 * t330 * (t333 * t419 - t331 * t414));
-    const double t424 = t339 * t331 * (t387 - 0.5 * t336 * (t333 * t418 - t331 * t415));
-    const double t425 = t331 * (t401 + 0.5 * t336 * (3.0 * t352 * t415 + t400));
-    const double t426 = t331 * (t406 + 0.5 * t330 * (t405 - 3.0 * t353 * t414));
-    const double t427 = t333 * (t411 + 0.5 * t330 * (3.0 * t354 * t419 + t410));
-    const double t428 = t3 - t4 * t331 + t105 * t417 + t118 * t421 - 2.0 * (t344 * t422 + t70 * t423 - t91 * t424 -
-        t345 * t425 - t346 * t426 + t347 * t427);
-    const double t429 = t22 - t9 * t330 - t331 * t355 + t133 * t380 - t135 * t388 + t138 * t390 - t140 * t392 + t356
-        * t397 - t357 * t402 - t358 * t407 + t359 * t412;
-    const double t430 = t9 - t10 * t331 + t138 * t417 + t140 * t421 - 2.0 * (t356 * t422 + t133 * t423 - t135 * t424
-        - t357 * t425 - t358 * t426 + t359 * t427);
-    const double t431 = t24 - t15 * t330 - t331 * t360 + t142 * t380 - t143 * t388 + t145 * t390 - t146 * t392 +
-        t361 * t397 - t362 * t402 - t363 * t407 + t364 * t412;
-    const double t432 = t15 - t16 * t331 + t145 * t417 + t146 * t421 - 2.0 * (t361 * t422 + t142 * t423 - t143 *
-        t424 - t362 * t425 - t363 * t426 + t364 * t427);
-    const double t433 = t413 * t428 + t429 * t430 + t431 * t432;
-    const double t434 = t382 * t382;
-    const double t435 = t385 * t385;
-    const double t436 = t366 * t387 + t367 * (t393 - t333 * t434 - t331 * t435 - t398);
-    const double t437 = t365 * t436;
-    const double t438 = t374 * t374;
-    const double t439 = t377 * t377;
-    const double t440 = t366 * t379 + t367 * (t408 - t331 * t438 - t333 * t439 - t403);
-    const double t441 = t368 * t440;
-    const double t442 = t335 * t336 * (t389 + 0.5 * t331 * (t336 * t435 - t330 * t438));
-    const double t443 = t339 * t330 * (t391 - 0.5 * t333 * (t336 * t434 - t330 * t439));
-    const double t444 = t336 * (t396 + 0.5 * t333 * (t394 - 3.0 * t351 * t434));
-    const double t445 = t336 * (t401 - 0.5 * t331 * (3.0 * t352 * t435 + t399));
-    const double t446 = t330 * (t406 - 0.5 * t331 * (3.0 * t353 * t438 + t404));
-    const double t447 = t330 * (t411 + 0.5 * t333 * (t409 - 3.0 * t354 * t439));
-    const double t448 = t332 + t91 * t437 - t70 * t441 - 2.0 * (t105 * t442 - t118 * t443 + t344 * t444 - t345 *
-        t445 - t346 * t446 + t347 * t447);
-    const double t449 = t355 + t135 * t437 - t133 * t441 - 2.0 * (t138 * t442 - t140 * t443 + t356 * t444 - t357 *
-        t445 - t358 * t446 + t359 * t447);
-    const double t450 = t360 + t143 * t437 - t142 * t441 - 2.0 * (t145 * t442 - t146 * t443 + t361 * t444 - t362 *
-        t445 - t363 * t446 + t364 * t447);
-    const double t451 = nC[2] * t413 + nC[1] * t429 + nC[0] * t431;
-    const double t452 = t41 * t451;
-    const double t453 = t70 * t413 + t133 * t429 + t142 * t431;
-    const double t454 = t105 * t413 + t138 * t429 + t145 * t431;
-    const double t455 = t374 * t454 - t375 * t453 - 3.0 * t353 * t373 * t451;
-    const double t456 = t42 * t451 - t333 * t455;
-    const double t457 = t336 * t456 - t333 * t452;
-    const double t458 = t457 - 2.0 * t331 * (t452 + t336 * t455);
-    const double t459 = nB[2] * t413 + nB[1] * t429 + nB[0] * t431;
-    const double t460 = t47 * t459;
-    const double t461 = t118 * t413 + t140 * t429 + t146 * t431;
-    const double t462 = t378 * t453 + t377 * t461 + 3.0 * t354 * t376 * t459;
-    const double t463 = t48 * t459 + t331 * t462;
-    const double t464 = t331 * t460 + t336 * t463;
-    const double t465 = 2.0 * t333 * (t460 + t336 * t462) + t464;
-    const double t466 = nD[2] * t413 + nD[1] * t429 + nD[0] * t431;
-    const double t467 = t71 * t466;
-    const double t468 = t91 * t413 + t135 * t429 + t143 * t431;
-    const double t469 = t386 * t468 + t385 * t454 + 3.0 * t352 * t384 * t466;
-    const double t470 = t72 * t466 - t333 * t469;
-    const double t471 = t330 * t470 - t333 * t467;
-    const double t472 = t471 - 2.0 * t331 * (t467 + t330 * t469);
-    const double t473 = nA[2] * t413 + nA[1] * t429 + nA[0] * t431;
-    const double t474 = t77 * t473;
-    const double t475 = t382 * t461 - t383 * t468 - 3.0 * t351 * t381 * t473;
-    const double t476 = t78 * t473 + t331 * t475;
-    const double t477 = t331 * t474 + t330 * t476;
-    const double t478 = 2.0 * t333 * (t474 + t330 * t475) + t477;
-    const double t479 = t368 * (t465 - t458) + t365 * (t478 - t472);
-    const double t480 = t448 * t448 + t449 * t449 + t450 * t450 + 2.0 * t479;
-    const double t481 = t413 * t448 + t429 * t449 + t431 * t450;
-    const double t482 = 2.0 * t336 * t470 + t471;
-    const double t483 = 2.0 * t330 * t456 + t457;
-    const double t484 = 2.0 * t330 * t463 + t464;
-    const double t485 = 2.0 * t336 * t476 + t477;
-    const double t486 = 0.5 * (t4 * t413 + t10 * t429 + t16 * t431) - t337 * (t471 - 0.5 * (t337 * t469 - t472 -
-        t482)) - t335 * (t457 - 0.5 * (t335 * t455 - t458 - t483)) + t334 * (0.5 * (t334 * t462 + t465 + t484) +
-        t464) + t339 * (0.5 * (t339 * t475 + t478 + t485) + t477);
-    const double t487 = t448 * t428 + t449 * t430 + t450 * t432 + 2.0 * t486;
-    const double t488 = t433 * t480 - t481 * t487;
-    const double t489 = t350 * (t484 + t485) - t348 * (t482 + t483);
-    const double t490 = t428 * t428 + t430 * t430 + t432 * t432 + 2.0 * t489;
-    const double t491 = t480 * t490;
-    const double t492 = t491 - t487 * t487;
-    const double t493 = t481 * t490 - t433 * t487;
-    const double u15 = 0.1 * t491;
-    const double t494 = (t492 > u15 ? t492 : u15);
-    const double t495 = 1.0 / t494;
-    const double t496 = t327 + t488 * t495;
-    const double t497 = t329 + t493 * t495;
-    const double t498 = (u5 < t496 ? u5 : t496);
-    const double t499 = (u6 > t498 ? u6 : t498);
-    const double t500 = (u5 < t497 ? u5 : t497);
-    const double t501 = (u6 > t500 ? u6 : t500);
-    const double t502 = t499 + 0.275;
-    const double t503 = t501 + 0.275;
-    const double t504 = t1 - t4 * t502;
-    const double t505 = t503 - 1.0;
-    const double t506 = t502 * t505;
-    const double t507 = t503 * t502;
-    const double t508 = t502 - 1.0;
-    const double t509 = t503 * t508;
-    const double t510 = t505 + t508;
-    const double t511 = t505 * t508;
-    const double t512 = t503 - t508;
-    const double t513 = t503 + t502;
-    const double t514 = t502 - t505;
-    const double t515 = t502 * t508;
-    const double t516 = nA[2] * t511;
-    const double t517 = nD[2] * t509;
-    const double t518 = nC[2] * t507;
-    const double t519 = nB[2] * t506;
-    const double t520 = t502 + t508;
-    const double t521 = t120 * t503 + t122 * t502;
-    const double t522 = t125 * t502 + t123 * t505;
-    const double t523 = t128 * t508 - t127 * t505;
-    const double t524 = t130 * t508 - t129 * t503;
-    const double t525 = t7 - t10 * t502;
-    const double t526 = nA[1] * t511;
-    const double t527 = nD[1] * t509;
-    const double t528 = nC[1] * t507;
-    const double t529 = nB[1] * t506;
-    const double t530 = t13 - t16 * t502;
-    const double t531 = nA[0] * t511;
-    const double t532 = nD[0] * t509;
-    const double t533 = nC[0] * t507;
-    const double t534 = nB[0] * t506;
-    const double t535 = t503 + t505;
-    const double t536 = t503 * t505;
-    const double u16 = -t510;
-    const double t537 = (u12 > u16 ? u12 : u16);
-    const double t538 = (u12 > t512 ? u12 : t512);
-    const double t539 = (u12 > t513 ? u12 : t513);
-    const double t540 = (u12 > t514 ? u12 : t514);
-    const double t541 = t508 / t537;
-    const double t542 = t541 + 1.0;
-    const double t543 = t508 / t538;
-    const double t544 = t543 + 1.0;
-    const double t545 = t511 * t544 - t509 * t542;
-    const double t546 = t506 * t507 * t545;
-    const double t547 = t502 / t539;
-    const double t548 = t547 - 1.0;
-    const double t549 = t502 / t540;
-    const double t550 = t549 - 1.0;
-    const double t551 = t506 * t548 - t507 * t550;
-    const double t552 = t509 * t511 * t551;
-    const double t553 = t515 * t550 - t515 * t542;
-    const double t554 = t509 * t507 * t553;
-    const double t555 = t515 * t548 - t515 * t544;
-    const double t556 = t506 * t511 * t555;
-    const double t557 = t502 * t548;
-    const double t558 = t77 + 3.0 * t120 * t557;
-    const double t559 = t78 + 3.0 * t122 * t557;
-    const double t560 = t503 * t558 + t502 * t559;
-    const double t561 = t511 * t560;
-    const double t562 = t502 * t550;
-    const double t563 = t71 + 3.0 * t123 * t562;
-    const double t564 = t72 - 3.0 * t125 * t562;
-    const double t565 = t502 * t564 - t505 * t563;
-    const double t566 = t509 * t565;
-    const double t567 = t508 * t542;
-    const double t568 = t41 - 3.0 * t127 * t567;
-    const double t569 = t42 - 3.0 * t128 * t567;
-    const double t570 = t508 * t569 - t505 * t568;
-    const double t571 = t507 * t570;
-    const double t572 = t508 * t544;
-    const double t573 = t47 - 3.0 * t129 * t572;
-    const double t574 = t48 + 3.0 * t130 * t572;
-    const double t575 = t503 * t573 + t508 * t574;
-    const double t576 = t506 * t575;
-    const double t577 = t20 - t3 * t502 - t503 * t504 + t70 * t546 - t91 * t552 + t105 * t554 - t118 * t556 + t516 *
-        t561 - t517 * t566 - t518 * t571 + t519 * t576;
-    const double t578 = t542 * t542;
-    const double t579 = t550 * t550;
-    const double t580 = t515 * (t567 - t562 + t502 * t578 + t508 * t579) - t520 * t553;
-    const double t581 = t503 * t503 * t580;
-    const double t582 = t548 * t548;
-    const double t583 = t544 * t544;
-    const double t584 = t520 * t555 + t515 * (t557 - t508 * t582 - t572 - t502 * t583);
-    const double t585 = t505 * t505 * t584;
-    const double t586 = t505 * (t560 + 0.5 * t508 * (t559 - 3.0 * t521 * t582));
-    const double t587 = t507 * t505 * (t545 + 0.5 * t502 * (t505 * t583 - t503 * t578));
-    const double t588 = t511 * t503 * (t551 - 0.5 * t508 * (t505 * t582 - t503 * t579));
-    const double t589 = t503 * (t565 + 0.5 * t508 * (3.0 * t522 * t579 + t564));
-    const double t590 = t503 * (t570 + 0.5 * t502 * (t569 - 3.0 * t523 * t578));
-    const double t591 = t505 * (t575 + 0.5 * t502 * (3.0 * t524 * t583 + t574));
-    const double t592 = t3 - t4 * t503 + t105 * t581 + t118 * t585 - 2.0 * (t516 * t586 + t70 * t587 - t91 * t588 -
-        t517 * t589 - t518 * t590 + t519 * t591);
-    const double t593 = t22 - t9 * t502 - t503 * t525 + t133 * t546 - t135 * t552 + t138 * t554 - t140 * t556 + t526
-        * t561 - t527 * t566 - t528 * t571 + t529 * t576;
-    const double t594 = t9 - t10 * t503 + t138 * t581 + t140 * t585 - 2.0 * (t526 * t586 + t133 * t587 - t135 * t588
-        - t527 * t589 - t528 * t590 + t529 * t591);
-    const double t595 = t24 - t15 * t502 - t503 * t530 + t142 * t546 - t143 * t552 + t145 * t554 - t146 * t556 +
-        t531 * t561 - t532 * t566 - t533 * t571 + t534 * t576;
-    const double t596 = t15 - t16 * t503 + t145 * t581 + t146 * t585 - 2.0 * (t531 * t586 + t142 * t587 - t143 *
-        t588 - t532 * t589 - t533 * t590 + t534 * t591);
-    const double t597 = t577 * t592 + t593 * t594 + t595 * t596;
-    const double t598 = t547 * t547;
-    const double t599 = t549 * t549;
-    const double t600 = t535 * t551 + t536 * (t557 - t505 * t598 - t503 * t599 - t562);
-    const double t601 = t508 * t508 * t600;
-    const double t602 = t541 * t541;
-    const double t603 = t543 * t543;
-    const double t604 = t535 * t545 + t536 * (t572 - t503 * t602 - t505 * t603 - t567);
-    const double t605 = t502 * t502 * t604;
-    const double t606 = t507 * t508 * (t553 + 0.5 * t503 * (t508 * t599 - t502 * t602));
-    const double t607 = t511 * t502 * (t555 - 0.5 * t505 * (t508 * t598 - t502 * t603));
-    const double t608 = t508 * (t560 + 0.5 * t505 * (t558 - 3.0 * t521 * t598));
-    const double t609 = t508 * (t565 - 0.5 * t503 * (3.0 * t522 * t599 + t563));
-    const double t610 = t502 * (t570 - 0.5 * t503 * (3.0 * t523 * t602 + t568));
-    const double t611 = t502 * (t575 + 0.5 * t505 * (t573 - 3.0 * t524 * t603));
-    const double t612 = t504 + t91 * t601 - t70 * t605 - 2.0 * (t105 * t606 - t118 * t607 + t516 * t608 - t517 *
-        t609 - t518 * t610 + t519 * t611);
-    const double t613 = t525 + t135 * t601 - t133 * t605 - 2.0 * (t138 * t606 - t140 * t607 + t526 * t608 - t527 *
-        t609 - t528 * t610 + t529 * t611);
-    const double t614 = t530 + t143 * t601 - t142 * t605 - 2.0 * (t145 * t606 - t146 * t607 + t531 * t608 - t532 *
-        t609 - t533 * t610 + t534 * t611);
-    const double t615 = t479 + 0.5 * (t612 * t612 + t613 * t613 + t614 * t614);
-    const double t616 = t577 * t612 + t593 * t613 + t595 * t614;
-    const double t617 = t486 + 0.5 * (t612 * t592 + t613 * t594 + t614 * t596);
-    const double t618 = t597 * t615 - t616 * t617;
-    const double t619 = t489 + 0.5 * (t592 * t592 + t594 * t594 + t596 * t596);
-    const double t620 = t615 * t619;
-    const double t621 = t620 - t617 * t617;
-    const double t622 = t616 * t619 - t597 * t617;
-    const double u17 = 0.4 * t620;
-    const double u18 = 4.0 * t621;
-    const double t623 = (u18 > u17 ? u18 : u17);
-    const double t624 = 1.0 / t623;
-    const double t625 = t499 - 0.225 + 2.0 * t618 * t624;
-    const double t626 = t501 - 0.225 + 2.0 * t622 * t624;
-    const double u19 = 2.0 * t625;
+    const double t215 = (u12 > u11 ? u12 : u11);
+    const double t216 = (u12 > t173 ? u12 : t173);
+    const double t217 = (u12 > t174 ? u12 : t174);
+    const double t218 = (u12 > t175 ? u12 : t175);
+    const double t219 = 1.0 / t215;
+    const double t220 = 1.0 / t216;
+    const double t221 = t171 * t219;
+    const double t222 = t171 * t220;
+    const double t223 = 1.0 / t217;
+    const double t224 = 1.0 / t218;
+    const double t225 = t221 + 1.0;
+    const double t226 = t222 + 1.0;
+    const double t227 = t168 * t223;
+    const double t228 = t168 * t224;
+    const double t229 = t227 - 1.0;
+    const double t230 = t228 - 1.0;
+    const double t231 = t177 * t226 - t176 * t225;
+    const double t232 = t178 * t229 - t179 * t230;
+    const double t233 = t168 * t229;
+    const double t234 = t178 * t179 * t231;
+    const double t235 = t180 * t230 - t180 * t225;
+    const double t236 = t168 * t230;
+    const double t237 = t176 * t177 * t232;
+    const double t238 = t180 * t229 - t180 * t226;
+    const double t239 = t46 + t233 * t126;
+    const double t240 = t58 + t233 * t127;
+    const double t241 = t171 * t225;
+    const double t242 = t176 * t179 * t235;
+    const double t243 = t45 + t236 * t134;
+    const double t244 = t54 - t236 * t135;
+    const double t245 = t171 * t226;
+    const double t246 = t178 * t177 * t238;
+    const double t247 = t169 * t239 + t168 * t240;
+    const double t248 = t40 - t241 * t140;
+    const double t249 = t52 - t241 * t141;
+    const double t250 = t177 * t247;
+    const double t251 = t168 * t244 - t170 * t243;
+    const double t252 = t41 - t245 * t147;
+    const double t253 = t53 + t245 * t148;
+    const double t254 = t176 * t251;
+    const double t255 = t171 * t249 - t170 * t248;
+    const double t256 = t179 * t255;
+    const double t257 = t169 * t252 + t171 * t253;
+    const double t258 = t178 * t257;
+    const double t259 = t17 - t2 * t168 - t169 * t181 + t132 * t234 - t139 * t237 + t146 * t242 - t151 * t246 + t184
+        * t250 - t186 * t254 - t189 * t256 + t192 * t258;
+    const double t260 = t18 - t4 * t168 - t169 * t182 + t138 * t234 - t144 * t237 + t149 * t242 - t152 * t246 + t185
+        * t250 - t187 * t254 - t190 * t256 + t193 * t258;
+    const double t261 = t21 - t8 * t168 - t169 * t183 + t145 * t234 - t150 * t237 + t153 * t242 - t154 * t246 + t188
+        * t250 - t191 * t254 - t194 * t256 + t195 * t258;
+    const double t262 = t227 * t227;
+    const double t263 = t225 * t225;
+    const double t264 = t229 * t229;
+    const double t265 = t228 * t228;
+    const double t266 = t221 * t221;
+    const double t267 = t222 * t222;
+    const double t268 = t230 * t230;
+    const double t269 = t146 * t259 + t149 * t260 + t153 * t261;
+    const double t270 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
+    const double t271 = t139 * t259 + t144 * t260 + t150 * t261;
+    const double t272 = t226 * t226;
+    const double t273 = nC[2] * t259 + nC[1] * t260 + nC[0] * t261;
+    const double t274 = t132 * t259 + t138 * t260 + t145 * t261;
+    const double t275 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t276 = t151 * t259 + t152 * t260 + t154 * t261;
+    const double t277 = t230 * t271 + t228 * t269 + t224 * t270 * t197;
+    const double t278 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t279 = t180 * (t241 - t236 + t168 * t263 + t171 * t268) - t198 * t235;
+    const double t280 = t200 * t232 + t201 * (t233 - t170 * t262 - t169 * t265 - t236);
+    const double t281 = t221 * t269 - t225 * t274 - t219 * t273 * t199;
+    const double t282 = t207 * t279;
+    const double t283 = t198 * t238 + t180 * (t233 - t171 * t264 - t245 - t168 * t272);
+    const double t284 = t208 * t280;
+    const double t285 = t200 * t231 + t201 * (t245 - t169 * t266 - t170 * t267 - t241);
+    const double t286 = t226 * t274 + t222 * t276 + t220 * t275 * t205;
+    const double t287 = t45 * t270;
+    const double t288 = t54 * t270 - t170 * t277;
+    const double t289 = t209 * t283;
+    const double t290 = t170 * (t247 + (t240 - t264 * t196) * t203);
+    const double t291 = t210 * t285;
+    const double t292 = t179 * t171 * (t235 + (t171 * t265 - t168 * t266) * t202);
+    const double t293 = t40 * t273;
+    const double t294 = t52 * t273 - t170 * t281;
+    const double t295 = t227 * t276 - t229 * t271 - t223 * t278 * t196;
+    const double t296 = t179 * t170 * (t231 + (t170 * t272 - t169 * t263) * t204);
+    const double t297 = t177 * t168 * (t238 - (t171 * t262 - t168 * t267) * t206);
+    const double t298 = t41 * t275;
+    const double t299 = t53 * t275 + t169 * t286;
+    const double t300 = t168 * t288 - t170 * t287;
+    const double t301 = t177 * t169 * (t232 - (t170 * t264 - t169 * t268) * t203);
+    const double t302 = t171 * (t247 + (t239 - t262 * t196) * t206);
+    const double t303 = t171 * t294 - t170 * t293;
+    const double t304 = t300 - (t287 + t168 * t277) * t211;
+    const double t305 = t46 * t278;
+    const double t306 = t58 * t278 + t169 * t295;
+    const double t307 = t169 * (t251 + (t268 * t197 + t244) * t203);
+    const double t308 = t171 * (t251 - (t265 * t197 + t243) * t202);
+    const double t309 = t303 - (t293 + t171 * t281) * t211;
+    const double t310 = t169 * t298 + t171 * t299;
+    const double t311 = t288 * t212 + t300;
+    const double t312 = t169 * (t255 + (t249 - t263 * t199) * t204);
+    const double t313 = t168 * (t255 - (t266 * t199 + t248) * t202);
+    const double t314 = (t298 + t171 * t286) * t213 + t310;
+    const double t315 = t169 * t305 + t168 * t306;
+    const double t316 = t294 * t214 + t303;
+    const double t317 = t170 * (t257 + (t272 * t205 + t253) * t204);
+    const double t318 = t168 * (t257 + (t252 - t267 * t205) * t206);
+    const double t319 = (t305 + t168 * t295) * t213 + t315;
+    const double t320 = t299 * t214 + t310;
+    const double t321 = t306 * t212 + t315;
+    const double t322 = t2 - t5 * t169 + t146 * t282 + t151 * t289 - 2.0 * (t184 * t290 + t132 * t296 - t139 * t301
+        - t186 * t307 - t189 * t312 + t192 * t317);
+    const double t323 = t4 - t6 * t169 + t149 * t282 + t152 * t289 - 2.0 * (t185 * t290 + t138 * t296 - t144 * t301
+        - t187 * t307 - t190 * t312 + t193 * t317);
+    const double t324 = t181 + t139 * t284 - t132 * t291 - 2.0 * (t146 * t292 - t151 * t297 + t184 * t302 - t186 *
+        t308 - t189 * t313 + t192 * t318);
+    const double t325 = t182 + t144 * t284 - t138 * t291 - 2.0 * (t149 * t292 - t152 * t297 + t185 * t302 - t187 *
+        t308 - t190 * t313 + t193 * t318);
+    const double t326 = t8 - t11 * t169 + t153 * t282 + t154 * t289 - 2.0 * (t188 * t290 + t145 * t296 - t150 * t301
+        - t191 * t307 - t194 * t312 + t195 * t317);
+    const double t327 = t183 + t150 * t284 - t145 * t291 - 2.0 * (t153 * t292 - t154 * t297 + t188 * t302 - t191 *
+        t308 - t194 * t313 + t195 * t318);
+    const double t328 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t300 - 0.5 * (t176 * t277 - t304 -
+        t311)) - t179 * (t303 - 0.5 * (t179 * t281 - t309 - t316)) + t178 * (0.5 * (t178 * t286 + t314 + t320) +
+        t310) + t177 * (0.5 * (t177 * t295 + t319 + t321) + t315);
+    const double t329 = t324 * t324 + t325 * t325 + t327 * t327 + 2.0 * (t210 * (t314 - t309) + t208 * (t319 -
+        t304));
+    const double t330 = t324 * t322 + t325 * t323 + t327 * t326 + 2.0 * t328;
+    const double t331 = t322 * t322 + t323 * t323 + t326 * t326 + 2.0 * (t209 * (t320 + t321) - t207 * (t311 +
+        t316));
+    const double t332 = t329 * t331;
+    const double t333 = t332 - t330 * t330;
+    const double t334 = t259 * t322 + t260 * t323 + t261 * t326;
+    const double t335 = t259 * t324 + t260 * t325 + t261 * t327;
+    const double t336 = t334 * t329 - t335 * t330;
+    const double t337 = t335 * t331 - t334 * t330;
+    const double u13 = 0.1 * t332;
+    const double t338 = (t333 > u13 ? t333 : u13);
+    const double t339 = 1.0 / t338;
+    const double t340 = t166 + t336 * t339;
+    const double t341 = t167 + t337 * t339;
+    const double t342 = (u5 < t340 ? u5 : t340);
+    const double t343 = (u5 < t341 ? u5 : t341);
+    const double t344 = (u7 > t342 ? u7 : t342);
+    const double t345 = (u7 > t343 ? u7 : t343);
+    const double t346 = t344 + 0.275;
+    const double t347 = t345 + 0.275;
+    const double t348 = t347 - 1.0;
+    const double t349 = t346 - 1.0;
+    const double t350 = t348 + t349;
+    const double t351 = t347 - t349;
+    const double t352 = t347 + t346;
+    const double t353 = t346 - t348;
+    const double t354 = t347 * t349;
+    const double t355 = t348 * t349;
+    const double t356 = t346 * t348;
+    const double t357 = t347 * t346;
+    const double t358 = t346 * t349;
+    const double t359 = t9 - t5 * t346;
+    const double t360 = t10 - t6 * t346;
+    const double t361 = t16 - t11 * t346;
+    const double t362 = nA[2] * t355;
+    const double t363 = nA[1] * t355;
+    const double t364 = nD[2] * t354;
+    const double t365 = nD[1] * t354;
+    const double t366 = nA[0] * t355;
+    const double t367 = nC[2] * t357;
+    const double t368 = nC[1] * t357;
+    const double t369 = nD[0] * t354;
+    const double t370 = nB[2] * t356;
+    const double t371 = nB[1] * t356;
+    const double t372 = nC[0] * t357;
+    const double t373 = nB[0] * t356;
+    const double t374 = 3.0 * (t120 * t347 + t121 * t346);
+    const double t375 = 3.0 * (t129 * t346 + t128 * t348);
+    const double t376 = t346 + t349;
+    const double t377 = 3.0 * (t137 * t349 - t136 * t348);
+    const double t378 = t347 + t348;
+    const double t379 = t347 * t348;
+    const double t380 = 0.5 * t347;
+    const double t381 = 0.5 * t349;
+    const double t382 = 0.5 * t346;
+    const double t383 = 3.0 * (t143 * t349 - t142 * t347);
+    const double t384 = 0.5 * t348;
+    const double t385 = t347 * t347;
+    const double t386 = t349 * t349;
+    const double t387 = t348 * t348;
+    const double t388 = t346 * t346;
+    const double t389 = 2.0 * t347;
+    const double t390 = 2.0 * t349;
+    const double t391 = 2.0 * t348;
+    const double t392 = 2.0 * t346;
+    const double u14 = -t350;
+    const double t393 = (u12 > u14 ? u12 : u14);
+    const double t394 = (u12 > t351 ? u12 : t351);
+    const double t395 = (u12 > t352 ? u12 : t352);
+    const double t396 = (u12 > t353 ? u12 : t353);
+    const double t397 = 1.0 / t393;
+    const double t398 = 1.0 / t394;
+    const double t399 = t349 * t397;
+    const double t400 = t349 * t398;
+    const double t401 = 1.0 / t395;
+    const double t402 = 1.0 / t396;
+    const double t403 = t399 + 1.0;
+    const double t404 = t400 + 1.0;
+    const double t405 = t346 * t401;
+    const double t406 = t346 * t402;
+    const double t407 = t405 - 1.0;
+    const double t408 = t406 - 1.0;
+    const double t409 = t355 * t404 - t354 * t403;
+    const double t410 = t356 * t407 - t357 * t408;
+    const double t411 = t346 * t407;
+    const double t412 = t356 * t357 * t409;
+    const double t413 = t358 * t408 - t358 * t403;
+    const double t414 = t346 * t408;
+    const double t415 = t354 * t355 * t410;
+    const double t416 = t358 * t407 - t358 * t404;
+    const double t417 = t46 + t411 * t126;
+    const double t418 = t58 + t411 * t127;
+    const double t419 = t349 * t403;
+    const double t420 = t354 * t357 * t413;
+    const double t421 = t45 + t414 * t134;
+    const double t422 = t54 - t414 * t135;
+    const double t423 = t349 * t404;
+    const double t424 = t356 * t355 * t416;
+    const double t425 = t347 * t417 + t346 * t418;
+    const double t426 = t40 - t419 * t140;
+    const double t427 = t52 - t419 * t141;
+    const double t428 = t355 * t425;
+    const double t429 = t346 * t422 - t348 * t421;
+    const double t430 = t41 - t423 * t147;
+    const double t431 = t53 + t423 * t148;
+    const double t432 = t354 * t429;
+    const double t433 = t349 * t427 - t348 * t426;
+    const double t434 = t357 * t433;
+    const double t435 = t347 * t430 + t349 * t431;
+    const double t436 = t356 * t435;
+    const double t437 = t17 - t2 * t346 - t347 * t359 + t132 * t412 - t139 * t415 + t146 * t420 - t151 * t424 + t362
+        * t428 - t364 * t432 - t367 * t434 + t370 * t436;
+    const double t438 = t18 - t4 * t346 - t347 * t360 + t138 * t412 - t144 * t415 + t149 * t420 - t152 * t424 + t363
+        * t428 - t365 * t432 - t368 * t434 + t371 * t436;
+    const double t439 = t21 - t8 * t346 - t347 * t361 + t145 * t412 - t150 * t415 + t153 * t420 - t154 * t424 + t366
+        * t428 - t369 * t432 - t372 * t434 + t373 * t436;
+    const double t440 = t405 * t405;
+    const double t441 = t403 * t403;
+    const double t442 = t407 * t407;
+    const double t443 = t406 * t406;
+    const double t444 = t399 * t399;
+    const double t445 = t400 * t400;
+    const double t446 = t408 * t408;
+    const double t447 = t146 * t437 + t149 * t438 + t153 * t439;
+    const double t448 = nD[2] * t437 + nD[1] * t438 + nD[0] * t439;
+    const double t449 = t139 * t437 + t144 * t438 + t150 * t439;
+    const double t450 = t404 * t404;
+    const double t451 = nC[2] * t437 + nC[1] * t438 + nC[0] * t439;
+    const double t452 = t132 * t437 + t138 * t438 + t145 * t439;
+    const double t453 = nB[2] * t437 + nB[1] * t438 + nB[0] * t439;
+    const double t454 = t151 * t437 + t152 * t438 + t154 * t439;
+    const double t455 = t408 * t449 + t406 * t447 + t402 * t448 * t375;
+    const double t456 = nA[2] * t437 + nA[1] * t438 + nA[0] * t439;
+    const double t457 = t358 * (t419 - t414 + t346 * t441 + t349 * t446) - t376 * t413;
+    const double t458 = t378 * t410 + t379 * (t411 - t348 * t440 - t347 * t443 - t414);
+    const double t459 = t399 * t447 - t403 * t452 - t397 * t451 * t377;
+    const double t460 = t385 * t457;
+    const double t461 = t376 * t416 + t358 * (t411 - t349 * t442 - t423 - t346 * t450);
+    const double t462 = t386 * t458;
+    const double t463 = t378 * t409 + t379 * (t423 - t347 * t444 - t348 * t445 - t419);
+    const double t464 = t404 * t452 + t400 * t454 + t398 * t453 * t383;
+    const double t465 = t45 * t448;
+    const double t466 = t54 * t448 - t348 * t455;
+    const double t467 = t387 * t461;
+    const double t468 = t348 * (t425 + (t418 - t442 * t374) * t381);
+    const double t469 = t388 * t463;
+    const double t470 = t357 * t349 * (t413 + (t349 * t443 - t346 * t444) * t380);
+    const double t471 = t40 * t451;
+    const double t472 = t52 * t451 - t348 * t459;
+    const double t473 = t405 * t454 - t407 * t449 - t401 * t456 * t374;
+    const double t474 = t357 * t348 * (t409 + (t348 * t450 - t347 * t441) * t382);
+    const double t475 = t355 * t346 * (t416 - (t349 * t440 - t346 * t445) * t384);
+    const double t476 = t41 * t453;
+    const double t477 = t53 * t453 + t347 * t464;
+    const double t478 = t346 * t466 - t348 * t465;
+    const double t479 = t355 * t347 * (t410 - (t348 * t442 - t347 * t446) * t381);
+    const double t480 = t349 * (t425 + (t417 - t440 * t374) * t384);
+    const double t481 = t349 * t472 - t348 * t471;
+    const double t482 = t478 - (t465 + t346 * t455) * t389;
+    const double t483 = t46 * t456;
+    const double t484 = t58 * t456 + t347 * t473;
+    const double t485 = t347 * (t429 + (t446 * t375 + t422) * t381);
+    const double t486 = t349 * (t429 - (t443 * t375 + t421) * t380);
+    const double t487 = t481 - (t471 + t349 * t459) * t389;
+    const double t488 = t347 * t476 + t349 * t477;
+    const double t489 = t466 * t390 + t478;
+    const double t490 = t347 * (t433 + (t427 - t441 * t377) * t382);
+    const double t491 = t346 * (t433 - (t444 * t377 + t426) * t380);
+    const double t492 = (t476 + t349 * t464) * t391 + t488;
+    const double t493 = t347 * t483 + t346 * t484;
+    const double t494 = t472 * t392 + t481;
+    const double t495 = t348 * (t435 + (t450 * t383 + t431) * t382);
+    const double t496 = t346 * (t435 + (t430 - t445 * t383) * t384);
+    const double t497 = (t483 + t346 * t473) * t391 + t493;
+    const double t498 = t477 * t392 + t488;
+    const double t499 = t484 * t390 + t493;
+    const double t500 = t2 - t5 * t347 + t146 * t460 + t151 * t467 - 2.0 * (t362 * t468 + t132 * t474 - t139 * t479
+        - t364 * t485 - t367 * t490 + t370 * t495);
+    const double t501 = t4 - t6 * t347 + t149 * t460 + t152 * t467 - 2.0 * (t363 * t468 + t138 * t474 - t144 * t479
+        - t365 * t485 - t368 * t490 + t371 * t495);
+    const double t502 = t359 + t139 * t462 - t132 * t469 - 2.0 * (t146 * t470 - t151 * t475 + t362 * t480 - t364 *
+        t486 - t367 * t491 + t370 * t496);
+    const double t503 = t360 + t144 * t462 - t138 * t469 - 2.0 * (t149 * t470 - t152 * t475 + t363 * t480 - t365 *
+        t486 - t368 * t491 + t371 * t496);
+    const double t504 = t8 - t11 * t347 + t153 * t460 + t154 * t467 - 2.0 * (t366 * t468 + t145 * t474 - t150 * t479
+        - t369 * t485 - t372 * t490 + t373 * t495);
+    const double t505 = t361 + t150 * t462 - t145 * t469 - 2.0 * (t153 * t470 - t154 * t475 + t366 * t480 - t369 *
+        t486 - t372 * t491 + t373 * t496);
+    const double t506 = t388 * (t492 - t487) + t386 * (t497 - t482);
+    const double t507 = 0.5 * (t5 * t437 + t6 * t438 + t11 * t439) - t354 * (t478 - 0.5 * (t354 * t455 - t482 -
+        t489)) - t357 * (t481 - 0.5 * (t357 * t459 - t487 - t494)) + t356 * (0.5 * (t356 * t464 + t492 + t498) +
+        t488) + t355 * (0.5 * (t355 * t473 + t497 + t499) + t493);
+    const double t508 = t387 * (t498 + t499) - t385 * (t489 + t494);
+    const double t509 = t502 * t502 + t503 * t503 + t505 * t505 + 2.0 * t506;
+    const double t510 = t502 * t500 + t503 * t501 + t505 * t504 + 2.0 * t507;
+    const double t511 = t500 * t500 + t501 * t501 + t504 * t504 + 2.0 * t508;
+    const double t512 = t509 * t511;
+    const double t513 = t512 - t510 * t510;
+    const double t514 = t437 * t500 + t438 * t501 + t439 * t504;
+    const double t515 = t437 * t502 + t438 * t503 + t439 * t505;
+    const double t516 = t514 * t509 - t515 * t510;
+    const double t517 = t515 * t511 - t514 * t510;
+    const double u15 = 0.1 * t512;
+    const double t518 = (t513 > u15 ? t513 : u15);
+    const double t519 = 1.0 / t518;
+    const double t520 = t344 + t516 * t519;
+    const double t521 = t345 + t517 * t519;
+    const double t522 = (u5 < t520 ? u5 : t520);
+    const double t523 = (u5 < t521 ? u5 : t521);
+    const double t524 = (u7 > t522 ? u7 : t522);
+    const double t525 = (u7 > t523 ? u7 : t523);
+    const double t526 = t524 + 0.275;
+    const double t527 = t525 + 0.275;
+    const double t528 = t527 - 1.0;
+    const double t529 = t526 - 1.0;
+    const double t530 = t528 + t529;
+    const double t531 = t527 + t526;
+    const double t532 = t526 - t528;
+    const double t533 = t527 - t529;
+    const double t534 = t526 * t528;
+    const double t535 = t527 * t526;
+    const double t536 = t526 * t529;
+    const double t537 = t527 * t529;
+    const double t538 = t528 * t529;
+    const double t539 = 3.0 * (t120 * t527 + t121 * t526);
+    const double t540 = t526 + t529;
+    const double t541 = t527 + t528;
+    const double t542 = t527 * t528;
+    const double t543 = 0.5 * t527;
+    const double t544 = 0.5 * t529;
+    const double t545 = 0.5 * t526;
+    const double t546 = 0.5 * t528;
+    const double t547 = 3.0 * (t129 * t526 + t128 * t528);
+    const double t548 = 3.0 * (t137 * t529 - t136 * t528);
+    const double t549 = t9 - t5 * t526;
+    const double t550 = nA[2] * t538;
+    const double t551 = 3.0 * (t143 * t529 - t142 * t527);
+    const double t552 = t10 - t6 * t526;
+    const double t553 = nA[1] * t538;
+    const double t554 = t16 - t11 * t526;
+    const double t555 = nA[0] * t538;
+    const double t556 = nD[2] * t537;
+    const double t557 = nD[1] * t537;
+    const double t558 = nC[2] * t535;
+    const double t559 = nC[1] * t535;
+    const double t560 = nD[0] * t537;
+    const double t561 = nB[2] * t534;
+    const double t562 = nB[1] * t534;
+    const double t563 = nC[0] * t535;
+    const double t564 = nB[0] * t534;
+    const double u16 = -t530;
+    const double t565 = (u12 > u16 ? u12 : u16);
+    const double t566 = (u12 > t531 ? u12 : t531);
+    const double t567 = (u12 > t532 ? u12 : t532);
+    const double t568 = (u12 > t533 ? u12 : t533);
+    const double t569 = t529 / t565;
+    const double t570 = t526 / t566;
+    const double t571 = t526 / t567;
+    const double t572 = t569 + 1.0;
+    const double t573 = t529 / t568;
+    const double t574 = t570 - 1.0;
+    const double t575 = t571 - 1.0;
+    const double t576 = t570 * t570;
+    const double t577 = t526 * t574;
+    const double t578 = t526 * t575;
+    const double t579 = t529 * t572;
+    const double t580 = t572 * t572;
+    const double t581 = t574 * t574;
+    const double t582 = t571 * t571;
+    const double t583 = t569 * t569;
+    const double t584 = t573 * t573;
+    const double t585 = t573 + 1.0;
+    const double t586 = t575 * t575;
+    const double t587 = t529 * t585;
+    const double t588 = t585 * t585;
+    const double t589 = t534 * t574 - t535 * t575;
+    const double t590 = t536 * t575 - t536 * t572;
+    const double t591 = t46 + t577 * t126;
+    const double t592 = t58 + t577 * t127;
+    const double t593 = t538 * t585 - t537 * t572;
+    const double t594 = t536 * t574 - t536 * t585;
+    const double t595 = t527 * t591 + t526 * t592;
+    const double t596 = t536 * (t579 - t578 + t526 * t580 + t529 * t586) - t540 * t590;
+    const double t597 = t541 * t589 + t542 * (t577 - t528 * t576 - t527 * t582 - t578);
+    const double t598 = t45 + t578 * t134;
+    const double t599 = t54 - t578 * t135;
+    const double t600 = t527 * t527 * t596;
+    const double t601 = t540 * t594 + t536 * (t577 - t529 * t581 - t587 - t526 * t588);
+    const double t602 = t529 * t529 * t597;
+    const double t603 = t541 * t593 + t542 * (t587 - t527 * t583 - t528 * t584 - t579);
+    const double t604 = t40 - t579 * t140;
+    const double t605 = t52 - t579 * t141;
+    const double t606 = t528 * t528 * t601;
+    const double t607 = t528 * (t595 + (t592 - t581 * t539) * t544);
+    const double t608 = t526 * t526 * t603;
+    const double t609 = t535 * t529 * (t590 + (t529 * t582 - t526 * t583) * t543);
+    const double t610 = t526 * t599 - t528 * t598;
+    const double t611 = t41 - t587 * t147;
+    const double t612 = t53 + t587 * t148;
+    const double t613 = t535 * t528 * (t593 + (t528 * t588 - t527 * t580) * t545);
+    const double t614 = t538 * t526 * (t594 - (t529 * t576 - t526 * t584) * t546);
+    const double t615 = t529 * t605 - t528 * t604;
+    const double t616 = t538 * t527 * (t589 - (t528 * t581 - t527 * t586) * t544);
+    const double t617 = t529 * (t595 + (t591 - t576 * t539) * t546);
+    const double t618 = t527 * t611 + t529 * t612;
+    const double t619 = t527 * (t610 + (t586 * t547 + t599) * t544);
+    const double t620 = t529 * (t610 - (t582 * t547 + t598) * t543);
+    const double t621 = t527 * (t615 + (t605 - t580 * t548) * t545);
+    const double t622 = t526 * (t615 - (t583 * t548 + t604) * t543);
+    const double t623 = t528 * (t618 + (t588 * t551 + t612) * t545);
+    const double t624 = t526 * (t618 + (t611 - t584 * t551) * t546);
+    const double t625 = t534 * t535 * t593;
+    const double t626 = t537 * t538 * t589;
+    const double t627 = t2 - t5 * t527 + t146 * t600 + t151 * t606 - 2.0 * (t550 * t607 + t132 * t613 - t139 * t616
+        - t556 * t619 - t558 * t621 + t561 * t623);
+    const double t628 = t4 - t6 * t527 + t149 * t600 + t152 * t606 - 2.0 * (t553 * t607 + t138 * t613 - t144 * t616
+        - t557 * t619 - t559 * t621 + t562 * t623);
+    const double t629 = t549 + t139 * t602 - t132 * t608 - 2.0 * (t146 * t609 - t151 * t614 + t550 * t617 - t556 *
+        t620 - t558 * t622 + t561 * t624);
+    const double t630 = t552 + t144 * t602 - t138 * t608 - 2.0 * (t149 * t609 - t152 * t614 + t553 * t617 - t557 *
+        t620 - t559 * t622 + t562 * t624);
+    const double t631 = t537 * t535 * t590;
+    const double t632 = t8 - t11 * t527 + t153 * t600 + t154 * t606 - 2.0 * (t555 * t607 + t145 * t613 - t150 * t616
+        - t560 * t619 - t563 * t621 + t564 * t623);
+    const double t633 = t554 + t150 * t602 - t145 * t608 - 2.0 * (t153 * t609 - t154 * t614 + t555 * t617 - t560 *
+        t620 - t563 * t622 + t564 * t624);
+    const double t634 = t534 * t538 * t594;
+    const double t635 = t538 * t595;
+    const double t636 = t537 * t610;
+    const double t637 = t535 * t615;
+    const double t638 = t506 + 0.5 * (t629 * t629 + t630 * t630 + t633 * t633);
+    const double t639 = t507 + 0.5 * (t629 * t627 + t630 * t628 + t633 * t632);
+    const double t640 = t508 + 0.5 * (t627 * t627 + t628 * t628 + t632 * t632);
+    const double t641 = t534 * t618;
+    const double t642 = t638 * t640;
+    const double t643 = t642 - t639 * t639;
+    const double t644 = t17 - t2 * t526 - t527 * t549 + t132 * t625 - t139 * t626 + t146 * t631 - t151 * t634 + t550
+        * t635 - t556 * t636 - t558 * t637 + t561 * t641;
+    const double t645 = t18 - t4 * t526 - t527 * t552 + t138 * t625 - t144 * t626 + t149 * t631 - t152 * t634 + t553
+        * t635 - t557 * t636 - t559 * t637 + t562 * t641;
+    const double t646 = t21 - t8 * t526 - t527 * t554 + t145 * t625 - t150 * t626 + t153 * t631 - t154 * t634 + t555
+        * t635 - t560 * t636 - t563 * t637 + t564 * t641;
+    const double t647 = t644 * t627 + t645 * t628 + t646 * t632;
+    const double t648 = t644 * t629 + t645 * t630 + t646 * t633;
+    const double t649 = t647 * t638 - t648 * t639;
+    const double t650 = t648 * t640 - t647 * t639;
+    const double u17 = 0.4 * t642;
+    const double u18 = 4.0 * t643;
+    const double t651 = (u18 > u17 ? u18 : u17);
+    const double t652 = 2.0 / t651;
+    const double t653 = t524 - 0.225 + t649 * t652;
+    const double t654 = t525 - 0.225 + t650 * t652;
+    const double u19 = 2.0 * t653;
     double u20 = 0.0;
-    const double t627 = (u20 < u19 ? u20 : u19);
-    double u21 = -1.0;
-    const double t628 = (!(t627 <= u21) ? t627 : u21);
-    const double u22 = 2.0 * t626;
-    const double t629 = (u20 < u22 ? u20 : u22);
-    const double t630 = (!(t629 <= u21) ? t629 : u21);
-    *xi = t628;
-    *eta = t630;
+    const double t655 = (u20 < u19 ? u20 : u19);
+    const double u21 = 2.0 * t654;
+    const double t656 = (u20 < u21 ? u20 : u21);
+    double u22 = -1.0;
+    const double t657 = (!(t655 <= u22) ? t655 : u22);
+    const double t658 = (!(t656 <= u22) ? t656 : u22);
+    *xi = t657;
+    *eta = t658;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                  const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_new_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -2655,10 +2708,10 @@ FOOTPOINT_FN int footpoint_paper_gregory_full(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_paper_gregory_full_at for n pairs.
+/* footpoint_new_paper_gregory_full_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_gregory_full_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_new_paper_gregory_full_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2668,20 +2721,20 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_full_n(size_t n, const double *const
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_gregory_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54249111767951608, 0, 1.611557438845518e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -0.66303589267549012, 1.110223024625157e-16, 3.4093194462433669e-12},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.23916456777681763, 0, 7.2934451683997068e-15, 9.8813129168249309e-324},
+static const double footpoint_new_paper_gregory_full_points[][31] = {
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54249111767951608, 0, 1.6111229126986672e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -0.66303589267549012, 1.110223024625157e-16, 3.4093194462433467e-12},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.23916456777681763, 0, 7.2903795365034853e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.2914092943426691, 9.8813129168249309e-324, 1.2225139339588834e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.2914092943426691, 9.8813129168249309e-324, 1.2223509174195031e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29252969738319862, 9.8813129168249309e-324, 2.59094438968204e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29252969738319862, 9.8813129168249309e-324, 2.589326163083498e-15},
 };
 #endif
 

@@ -12,14 +12,14 @@
  * reference: xi -0.5 eta -0.5
  * corners: nearest-shorter (NAME_at assumes it; NAME arranges it)
  *
- * footpoint_paper_quad4_gauss
+ * footpoint_new_paper_quad4_gauss
  *   genome_sha256: 42a5aa63cd885c79dc3538959d52f432d6459ced06a4d135cdce6f84cfec9cdf
  *   operations: 29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   rounding error of xi: <= 0.00011 proved (with or without FMA), 1.3e-10 worst of 10000 points
  *   rounding error of eta: <= 0.00011 proved (with or without FMA), 1.3e-10 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -31,16 +31,16 @@
  *   heldout_random_xi: n 200000 mean 2.677e-02 p99 1.392e-01 max 1.057e+02
  *   heldout_random_eta: n 200000 mean 3.970e-02 p99 2.121e-01 max 1.217e+02
  *
- * footpoint_paper_quad4_fast
+ * footpoint_new_paper_quad4_fast
  *   genome_sha256: 0fbabea7002556053fb66f48c56dc258fb8e390abad4f06c9170eba4fae97af7
  *   operations: 32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t18 - t20 * t10: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
+ *   poles: t14 * t14 - t15 * t13: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
  *   rounding error of xi: <= 9.6e-05 proved (with or without FMA), 7.6e-15 worst of 10000 points
- *   rounding error of eta: <= 0.00011 proved (with or without FMA), 1.9e-14 worst of 10000 points
+ *   rounding error of eta: <= 0.00011 proved (with or without FMA), 2.1e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 7 mean 1.687e-02
@@ -50,16 +50,16 @@
  *   heldout_random_xi: n 200000 mean 1.835e-02 p99 1.177e-01 max 9.844e-01
  *   heldout_random_eta: n 200000 mean 2.424e-02 p99 1.623e-01 max 1.067e+00
  *
- * footpoint_paper_quad4_taper
+ * footpoint_new_paper_quad4_taper
  *   genome_sha256: 3c83954750c8954ab0a2fd5dd006e1d45b73eaa1b60d3e11cf19b1c33a417594
  *   operations: 49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 40 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   rounding error of xi: no bound found, 1.9e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 9.8e-14 worst of 10000 points
+ *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   rounding error of xi: no bound found, 2e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 9.7e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 9.627e-03
@@ -69,15 +69,15 @@
  *   heldout_random_xi: n 200000 mean 8.398e-03 p99 9.140e-02 max 9.793e-01
  *   heldout_random_eta: n 200000 mean 1.224e-02 p99 1.389e-01 max 9.829e-01
  *
- * footpoint_paper_quad4_gauss2
+ * footpoint_new_paper_quad4_gauss2
  *   genome_sha256: 46b1887c3ccfeab71df8fd5db0f706f927ead3735719d3f62445f45af4c5f63b
  *   operations: 59 mul, 2 div, 65 add, 0 sqrt, 0 compare; 38 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t19 * t21 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   poles: t33: proved free of zeros, |t33| >= 8.7e-09 (rounding error <= 3.1e+15)
+ *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t36: proved free of zeros, |t36| >= 8.7e-09 (rounding error <= 3.1e+15)
  *   rounding error of xi: no bound found, 6.6e-07 worst of 10000 points
  *   rounding error of eta: no bound found, 3.3e-07 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -89,16 +89,16 @@
  *   heldout_random_xi: n 200000 mean 1.230e-02 p99 6.036e-02 max 1.258e+02
  *   heldout_random_eta: n 200000 mean 1.802e-02 p99 8.296e-02 max 1.852e+02
  *
- * footpoint_paper_quad4_coarse
+ * footpoint_new_paper_quad4_coarse
  *   genome_sha256: 8fb636fed0f2a46fce8a08eea3d2067c1b53baceed885ab6c8211035de16379b
  *   operations: 60 mul, 1 div, 59 add, 0 sqrt, 13 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t13 - t18 * t20: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 5.7e-15)
- *   rounding error of xi: no bound found, 3.8e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 7e-12 worst of 10000 points
+ *   poles: t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 5.7e-15)
+ *   rounding error of xi: no bound found, 5.8e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 8.6e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.244e-03
@@ -108,14 +108,14 @@
  *   heldout_random_xi: n 200000 mean 5.091e-03 p99 5.877e-02 max 9.985e-01
  *   heldout_random_eta: n 200000 mean 5.984e-03 p99 7.429e-02 max 9.424e-01
  *
- * footpoint_paper_quad4_newton
+ * footpoint_new_paper_quad4_newton
  *   genome_sha256: 9dfe823ae152e99c4058f8493d72f21c08cf45f20b1dc422859d7086518766eb
  *   operations: 62 mul, 2 div, 69 add, 0 sqrt, 9 compare; 59 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t10 * t20 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t43: proved free of zeros, |t43| >= 8.7e-10 (rounding error <= 0.052)
  *   rounding error of xi: no bound found, 4.8e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.4e-13 worst of 10000 points
@@ -128,16 +128,16 @@
  *   heldout_random_xi: n 200000 mean 4.345e-03 p99 6.055e-02 max 9.992e-01
  *   heldout_random_eta: n 200000 mean 4.357e-03 p99 6.479e-02 max 9.992e-01
  *
- * footpoint_paper_quad4_medium
+ * footpoint_new_paper_quad4_medium
  *   genome_sha256: a68827da308bcfd421424d022e02173857e2e842cbc08e2128ef9e10fabc8f2e
- *   operations: 70 mul, 2 div, 73 add, 0 sqrt, 9 compare; 64 temporaries
+ *   operations: 70 mul, 2 div, 73 add, 0 sqrt, 9 compare; 63 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t18 * t19 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t47: proved free of zeros, |t47| >= 8.7e-10 (rounding error <= 1.9e+21)
- *   rounding error of xi: no bound found, 2.8e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 2.7e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.6e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -148,17 +148,17 @@
  *   heldout_random_xi: n 200000 mean 1.380e-03 p99 1.988e-02 max 9.992e-01
  *   heldout_random_eta: n 200000 mean 1.610e-03 p99 2.388e-02 max 9.902e-01
  *
- * footpoint_paper_quad4_balanced
+ * footpoint_new_paper_quad4_balanced
  *   genome_sha256: b77008a78a632ae4d785e3261838b414bf4b05b6f84cc4481d0b4e753ba861b3
  *   operations: 88 mul, 2 div, 83 add, 0 sqrt, 14 compare; 84 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t19 * t21 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   poles: t49: proved free of zeros, |t49| >= 9e-10 (rounding error <= 6.7e+37)
- *   rounding error of xi: no bound found, 3.4e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 4.2e-13 worst of 10000 points
+ *   poles: t13 * t13 - t15 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 8.1e-15)
+ *   poles: t49: proved free of zeros, |t49| >= 9e-10 (rounding error <= 6.8e+37)
+ *   rounding error of xi: no bound found, 5.4e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 6.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.390e-04
@@ -168,14 +168,14 @@
  *   heldout_random_xi: n 200000 mean 6.837e-04 p99 3.709e-03 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 8.886e-04 p99 5.494e-03 max 9.902e-01
  *
- * footpoint_paper_quad4_fine
+ * footpoint_new_paper_quad4_fine
  *   genome_sha256: 8b809011b3f459ed977370879a9297bfcc44c298e0787c3dce6db10fc625f9cc
  *   operations: 95 mul, 3 div, 93 add, 0 sqrt, 15 compare; 88 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t20 * t22 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 2.1e+38)
  *   poles: t70: proved free of zeros, |t70| >= 1.2e-09
  *   rounding error of xi: no bound found, 2.4e-12 worst of 10000 points
@@ -189,19 +189,19 @@
  *   heldout_random_xi: n 200000 mean 5.548e-04 p99 6.620e-04 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 5.955e-04 p99 9.535e-04 max 9.892e-01
  *
- * footpoint_paper_quad4_precise
+ * footpoint_new_paper_quad4_precise
  *   genome_sha256: 3d616d70d5d13109e4cd08844702cc4783009cf0b452cae33f9d62238b0a9b16
  *   operations: 116 mul, 4 div, 111 add, 0 sqrt, 20 compare; 109 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t10 * t22 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
+ *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 6.2e+38)
  *   poles: t70: proved free of zeros, |t70| >= 1.2e-09
  *   poles: t90: proved free of zeros, |t90| >= 1.3e-09
  *   rounding error of xi: no bound found, 1.4e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 6e-14 worst of 10000 points
+ *   rounding error of eta: no bound found, 7.7e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.745e-05
@@ -211,18 +211,18 @@
  *   heldout_random_xi: n 200000 mean 3.727e-04 p99 1.157e-06 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 3.727e-04 p99 1.599e-06 max 9.937e-01
  *
- * footpoint_paper_quad4_accurate
+ * footpoint_new_paper_quad4_accurate
  *   genome_sha256: a5f179d137fb7f1cb1f8350bd6d04d4bec1094a9d7233abd93332753f852ab10
  *   operations: 133 mul, 3 div, 117 add, 0 sqrt, 31 compare; 139 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t20 * t22 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 3.3e+38)
  *   poles: t84: proved free of zeros, |t84| >= 9.2e-10
- *   rounding error of xi: no bound found, 7.3e-14 worst of 10000 points
- *   rounding error of eta: no bound found, 4.2e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 8e-14 worst of 10000 points
+ *   rounding error of eta: no bound found, 7.2e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.855e-05
@@ -232,19 +232,19 @@
  *   heldout_random_xi: n 200000 mean 3.990e-04 p99 2.423e-07 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 4.089e-04 p99 3.101e-07 max 9.892e-01
  *
- * footpoint_paper_quad4_full
+ * footpoint_new_paper_quad4_full
  *   genome_sha256: f9c7b6066bbd2747a51977c08873833405f89cefd022093070a155e5c2ddf260
  *   operations: 137 mul, 5 div, 129 add, 0 sqrt, 25 compare; 130 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t10 * t22 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
+ *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 1.4e+39)
  *   poles: t70: proved free of zeros, |t70| >= 1.2e-09
  *   poles: t90: proved free of zeros, |t90| >= 1.3e-09
  *   poles: t110: proved free of zeros, |t110| >= 1.2e-09
- *   rounding error of xi: no bound found, 1.2e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 9.7e-14 worst of 10000 points
  *   rounding error of eta: no bound found, 2.2e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -255,19 +255,19 @@
  *   heldout_random_xi: n 200000 mean 3.518e-04 p99 4.942e-12 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 3.443e-04 p99 6.930e-12 max 9.937e-01
  *
- * footpoint_paper_quad4_program1
+ * footpoint_new_paper_quad4_program1
  *   genome_sha256: ceb0408a4bc3cd941e226720ae7422c35f1bd86865340b92d24a52d5a58d3147
  *   operations: 92 mul, 5 div, 94 add, 0 sqrt, 9 compare; 75 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t20 * t22 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
- *   poles: t35: proved free of zeros, |t35| >= 0.0017 (rounding error <= 2e+40)
+ *   poles: t15 * t16 - t14 * t14: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
+ *   poles: t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 2e+40)
  *   poles: t43: proved free of zeros, |t43| >= 0.00014
- *   poles: t48: proved free of zeros, |t48| >= 0.0018
+ *   poles: t47: proved free of zeros, |t47| >= 0.0018
  *   poles: t59: proved free of zeros, |t59| >= 7.4e-05
- *   rounding error of xi: no bound found, 2.5e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 3.3e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.7e-13 worst of 10000 points
  *   found_both: seed 1 generations 2 islands 2
  *   twin: foot newton_kept solve_v newton_kept solve_v inside ut
@@ -277,20 +277,20 @@
  *   heldout_random_xi: n 200000 mean 9.973e-05 p99 6.345e-05 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 1.240e-04 p99 7.587e-05 max 9.929e-01
  *
- * footpoint_paper_quad4_program2
+ * footpoint_new_paper_quad4_program2
  *   genome_sha256: 8e8c05d5bf7e6cf238d3536c7312d4a24982d857f90c110115c03c1d022724ea
  *   operations: 113 mul, 6 div, 112 add, 0 sqrt, 10 compare; 92 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t20 * t22 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
- *   poles: t35: proved free of zeros, |t35| >= 0.0017 (rounding error <= 4.1e+40)
+ *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
+ *   poles: t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 4.1e+40)
  *   poles: t43: proved free of zeros, |t43| >= 0.00014
- *   poles: t48: proved free of zeros, |t48| >= 0.0018
+ *   poles: t47: proved free of zeros, |t47| >= 0.0018
  *   poles: t59: proved free of zeros, |t59| >= 7.4e-05
  *   poles: t75: proved free of zeros, |t75| >= 1.9e-05
- *   rounding error of xi: no bound found, 5.8e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 2.8e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 7.9e-12 worst of 10000 points
  *   found_both: seed 1 generations 2 islands 2
  *   twin: foot newton_kept newton_kept solve_v newton_kept solve_v inside ut
@@ -300,21 +300,21 @@
  *   heldout_random_xi: n 200000 mean 7.622e-05 p99 1.269e-08 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 8.441e-05 p99 1.643e-08 max 9.929e-01
  *
- * footpoint_paper_quad4_program3
+ * footpoint_new_paper_quad4_program3
  *   genome_sha256: 9f3ccdc912f600487fed9abca0d118245efb9f2b64b147c96ea97aef76ca8e8b
  *   operations: 134 mul, 7 div, 128 add, 0 sqrt, 11 compare; 109 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-139
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t22 * t20 - t13 * t13: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
- *   poles: t36: proved free of zeros, |t36| >= 0.0017 (rounding error <= 9.7e+40)
+ *   poles: t17 * t16 - t15 * t15: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
+ *   poles: t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 9.7e+40)
  *   poles: t43: proved free of zeros, |t43| >= 0.00014
- *   poles: t48: proved free of zeros, |t48| >= 0.0018
+ *   poles: t47: proved free of zeros, |t47| >= 0.0018
  *   poles: t59: proved free of zeros, |t59| >= 7.4e-05
  *   poles: t75: proved free of zeros, |t75| >= 1.9e-05
  *   poles: t91: proved free of zeros, |t91| >= 0.00047
- *   rounding error of xi: no bound found, 3.5e-11 worst of 10000 points
+ *   rounding error of xi: no bound found, 5e-11 worst of 10000 points
  *   rounding error of eta: no bound found, 2.7e-12 worst of 10000 points
  *   found_both: seed 1 generations 2 islands 2
  *   twin: foot newton_kept newton_kept newton_kept solve_v newton_kept solve_v inside ut
@@ -324,8 +324,8 @@
  *   heldout_random_xi: n 200000 mean 7.005e-05 p99 1.998e-15 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 7.282e-05 p99 2.442e-15 max 9.929e-01
  */
-#ifndef FOOTPOINT_PAPER_QUAD4_H
-#define FOOTPOINT_PAPER_QUAD4_H
+#ifndef FOOTPOINT_NEW_PAPER_QUAD4_H
+#define FOOTPOINT_NEW_PAPER_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -430,41 +430,41 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 42 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.275 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.275 * t10;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.275 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1;
+    const double u2 = 0.275 * t4;
+    const double t9 = xA[1] - xD[1] - u2;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
     const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t15 = (xA[1] - xS[1]) - 0.275 * (t5 + t7);
-    const double t16 = (xA[0] - xS[0]) - 0.275 * (t9 + t11);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 2.0 / (t18 * t20 - t13 * t13);
-    *xi = (t18 * t19 - t13 * t17) * t21 - 0.45;
-    *eta = (t20 * t17 - t13 * t19) * t21 - 0.45;
+    const double t12 = t5 - u3;
+    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
+    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
+    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
+    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
+    const double t21 = 2.0 / (t14 * t15 - t13 * t13);
+    *xi = (t14 * t20 - t13 * t19) * t21 - 0.45;
+    *eta = (t15 * t19 - t13 * t20) * t21 - 0.45;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -477,7 +477,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_gauss_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_gauss_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -494,10 +494,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_paper_quad4_gauss_at for n pairs.
+/* footpoint_new_paper_quad4_gauss_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_gauss_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -505,68 +505,68 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_gauss_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_gauss_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1771482223347739e-14, 1.8939922442953568e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.3579394204165431, -3.407148023461624, 2.5361254954378676e-15, 6.5366396292127599e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 8.0598055834504371e-16, 2.2366032492270152e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 5.104479770297887e-15, 7.8786266775795237e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 1.0869986744252695, -5.5318293486343464, 9.4017454102978544e-15, 1.9292238665721744e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -3.4601352542149084, 6.8649771107331352, 9.8331105669844933e-15, 2.1068554127284427e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3684376152086536e-15, 3.7314013572348299e-15},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.47487673190904767, 4.2388033683067521, 1.7688888282092499e-15, 9.691265242341767e-15},
+static const double footpoint_new_paper_quad4_gauss_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1771482223347733e-14, 1.8939922442953568e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.3579394204165431, -3.407148023461624, 2.5361254954378672e-15, 6.5366396292127591e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 8.0598055834504351e-16, 2.2366032492270136e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 5.1044797702978862e-15, 7.8786266775795253e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 1.0869986744252695, -5.5318293486343464, 9.4017454102978559e-15, 1.9292238665721741e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -3.4601352542149084, 6.8649771107331352, 9.8331105669844917e-15, 2.1068554127284427e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3684376152086538e-15, 3.7314013572348307e-15},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.47487673190904767, 4.2388033683067521, 1.7688888282092505e-15, 9.6912652423417654e-15},
 };
 #endif
 
 /* 32 mul, 1 div, 44 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.25 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = xA[1] - xB[1];
-    const double t5 = xC[1] - xD[1] + t4;
-    const double u2 = 0.25 * t5;
-    const double t6 = xA[1] - xD[1] - u2;
-    const double t7 = xA[0] - xB[0];
-    const double t8 = xC[0] - xD[0] + t7;
-    const double u3 = 0.25 * t8;
-    const double t9 = xA[0] - xD[0] - u3;
-    const double t10 = t3 * t3 + t6 * t6 + t9 * t9;
-    const double t11 = t1 - u1;
-    const double t12 = (xA[2] - xS[2]) - 0.25 * (t1 + t3);
-    const double t13 = t4 - u2;
-    const double t14 = (xA[1] - xS[1]) - 0.25 * (t4 + t6);
-    const double t15 = t7 - u3;
-    const double t16 = (xA[0] - xS[0]) - 0.25 * (t7 + t9);
-    const double t17 = t11 * t12 + t13 * t14 + t15 * t16;
-    const double t18 = t3 * t11 + t6 * t13 + t9 * t15;
-    const double t19 = t3 * t12 + t6 * t14 + t9 * t16;
-    const double t20 = t11 * t11 + t13 * t13 + t15 * t15;
-    const double t21 = 1.0 / (t18 * t18 - t20 * t10);
-    const double t22 = (t18 * t19 - t10 * t17) * t21;
-    const double t23 = (t18 * t17 - t20 * t19) * t21;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.25 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double u2 = 0.25 * t4;
+    const double t8 = xA[1] - xD[1] - u2;
+    const double t9 = t1 - u1;
+    const double t10 = t2 - u2;
+    const double u3 = 0.25 * t6;
+    const double t11 = xA[0] - xD[0] - u3;
+    const double t12 = t5 - u3;
+    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
+    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
+    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
+    const double t16 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
+    const double t17 = (xA[1] - xS[1]) - 0.25 * (t2 + t8);
+    const double t18 = (xA[0] - xS[0]) - 0.25 * (t5 + t11);
+    const double t19 = t9 * t16 + t10 * t17 + t12 * t18;
+    const double t20 = t7 * t16 + t8 * t17 + t11 * t18;
+    const double t21 = 1.0 / (t14 * t14 - t15 * t13);
+    const double t22 = (t14 * t20 - t13 * t19) * t21;
+    const double t23 = (t14 * t19 - t15 * t20) * t21;
     double u4 = 0.25;
     const double t24 = (u4 < t22 ? u4 : t22);
+    const double t25 = (u4 < t23 ? u4 : t23);
     double u5 = -0.25;
-    const double t25 = (!(t24 <= u5) ? t24 : u5);
-    const double t26 = (u4 < t23 ? u4 : t23);
-    const double t27 = (!(t26 <= u5) ? t26 : u5);
-    const double t28 = t27 * (t25 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
-    *xi = -(t25 * (t27 - 2.0) + 0.5);
+    const double t26 = (!(t24 <= u5) ? t24 : u5);
+    const double t27 = (!(t25 <= u5) ? t25 : u5);
+    const double t28 = t27 * (t26 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
+    *xi = -(t26 * (t27 - 2.0) + 0.5);
     *eta = -1.443034844 * t28;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -579,7 +579,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_fast_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_fast_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -596,10 +596,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_paper_quad4_fast_at for n pairs.
+/* footpoint_new_paper_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -607,75 +607,75 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_fast_points[][19] = {
+static const double footpoint_new_paper_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.0625, -1.09018967775, 2.9837243786802477e-16, 5.3769229091804807e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983425e-16, 2.811626997030751e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983415e-16, 2.8116269970307505e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.0625, -0.090189677750000002, 6.2450045135171033e-17, 1.577579888390067e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.0625, -0.90981032225000003, 7.6327832942987068e-17, 4.5274615568102511e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.370116209169433e-15, 6.7569112442495791e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056937e-15, 4.347011532545874e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.3701162091694334e-15, 6.7569112442495791e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056935e-15, 4.3470115325458735e-16},
 };
 #endif
 
 /* 49 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = 0.275 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.275 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.275 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t3;
-    const double t15 = t5 - (40.0 / 11.0) * (xA[1] - xS[1]) + t7;
-    const double t16 = t9 - (40.0 / 11.0) * (xA[0] - xS[0]) + t11;
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
-    const double t22 = (t18 * t19 - t13 * t17) * t21;
-    const double t23 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = (t20 * t17 - t13 * t19) * t21;
-    const double t26 = (t24 * t18 - t23 * t13) * t21 * t25;
-    const double t27 = (t23 * t20 - t24 * t13) * t21 * t22;
-    const double t28 = t27 + 1.0 + t26;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = 0.275 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.275 * (xD[1] - xC[1] - t2);
+    const double t5 = xA[0] - xB[0];
+    const double t6 = 0.275 * (xD[0] - xC[0] - t5);
+    const double t7 = xA[2] - xD[2] + t3;
+    const double t8 = xA[1] - xD[1] + t4;
+    const double t9 = t1 + t3;
+    const double t10 = t2 + t4;
+    const double t11 = xA[0] - xD[0] + t6;
+    const double t12 = t5 + t6;
+    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
+    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
+    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
+    const double t16 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t7;
+    const double t17 = t5 - (40.0 / 11.0) * (xA[0] - xS[0]) + t11;
+    const double t18 = t2 - (40.0 / 11.0) * (xA[1] - xS[1]) + t8;
+    const double t19 = t9 * t16 + t12 * t17 + t10 * t18;
+    const double t20 = t8 * t18 + t7 * t16 + t11 * t17;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t11;
+    const double t22 = t3 * t9 + t4 * t10 + t6 * t12;
+    const double t23 = 1.0 / (t13 * t15 - t14 * t14);
+    const double t24 = (t14 * t20 - t13 * t19) * t23;
+    const double t25 = (t15 * t20 - t14 * t19) * t23;
+    const double t26 = (t21 * t15 - t22 * t14) * t23 * t24;
+    const double t27 = (t22 * t13 - t21 * t14) * t23 * t25;
+    const double t28 = t27 + 1.0 - t26;
     double u1 = 0.6;
     const double t29 = (u1 > t28 ? u1 : t28);
-    const double t30 = t22 * (t26 * t29 + 1.0) + (9.0 / 11.0);
-    const double t31 = t25 * (t27 * t29 + 1.0) + (9.0 / 11.0);
-    const double u2 = -0.55 * t30;
+    const double t30 = t24 * (t27 * t29 + 1.0) - (9.0 / 11.0);
+    const double t31 = t25 * (t26 * t29 - 1.0) - (9.0 / 11.0);
+    const double u2 = 0.55 * t30;
     double u3 = 0.0;
     const double t32 = (u3 < u2 ? u3 : u2);
-    double u4 = -1.0;
-    const double t33 = (!(t32 <= u4) ? t32 : u4);
-    const double u5 = -0.55 * t31;
-    const double t34 = (u3 < u5 ? u3 : u5);
-    const double t35 = (!(t34 <= u4) ? t34 : u4);
-    *xi = t33;
+    const double u4 = 0.55 * t31;
+    const double t33 = (u3 < u4 ? u3 : u4);
+    double u5 = -1.0;
+    const double t34 = (!(t32 <= u5) ? t32 : u5);
+    const double t35 = (!(t33 <= u5) ? t33 : u5);
+    *xi = t34;
     *eta = t35;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -688,7 +688,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_taper_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_taper_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -705,10 +705,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_paper_quad4_taper_at for n pairs.
+/* footpoint_new_paper_quad4_taper_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_taper_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -716,73 +716,73 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_taper_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_taper_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_taper_points[][19] = {
+static const double footpoint_new_paper_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.99724850253418829, -1, 3.2736283417369189e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 8.6308089413715218e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.99724850253418829, -1, 3.2364179887609064e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 8.6308089413715267e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.065370588081732725, -0.74083235128139702, 2.2307877989081148e-14, 4.7443807615272795e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.2862774368800848e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.435748207034659, 0, 1.2886742616759515e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.065370588081732725, -0.74083235128139702, 2.2323688903420427e-14, 4.7497613808264744e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.3254542879794232e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.435748207034659, 0, 1.2948473930295103e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* 59 mul, 2 div, 65 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = 0.275 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.275 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.275 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t15 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t3;
-    const double t16 = t5 - (40.0 / 11.0) * (xA[1] - xS[1]) + t7;
-    const double t17 = t9 - (40.0 / 11.0) * (xA[0] - xS[0]) + t11;
-    const double t18 = t3 * t15 + t7 * t16 + t11 * t17;
-    const double t19 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t20 = t4 * t15 + t8 * t16 + t12 * t17;
-    const double t21 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t22 = 1.0 / (t19 * t21 - t13 * t13);
-    const double t23 = (t19 * t20 - t13 * t18) * t22;
-    const double t24 = (t21 * t18 - t13 * t20) * t22;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = t2 * t2 + t6 * t6 + t10 * t10;
-    const double t27 = t25 - t26 * t23;
-    const double t28 = t24 * t27;
-    const double t29 = t13 - (t14 * t23 + t28);
-    const double t30 = t23 * (t25 + t27) - t19;
-    const double t31 = t14 - t26 * t24;
-    const double t32 = t21 - t24 * (t14 + t31);
-    const double t33 = t29 * t29 + t30 * t32;
-    const double t34 = t2 * t15 + t6 * t16 + t10 * t17;
-    const double t35 = t18 - t23 * (t34 + t28);
-    const double t36 = t20 - t24 * (t34 + t23 * t31);
-    const double u1 = (9.0 / 11.0) * t33;
-    const double t37 = -0.55 / t33;
-    *xi = (u1 + (t29 * t35 + t30 * t36)) * t37;
-    *eta = (u1 + (t29 * t36 - t32 * t35)) * t37;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = 0.275 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.275 * (xD[1] - xC[1] - t2);
+    const double t5 = xA[0] - xB[0];
+    const double t6 = 0.275 * (xD[0] - xC[0] - t5);
+    const double t7 = xA[2] - xD[2] + t3;
+    const double t8 = t1 + t3;
+    const double t9 = xA[1] - xD[1] + t4;
+    const double t10 = t2 + t4;
+    const double t11 = xA[0] - xD[0] + t6;
+    const double t12 = t5 + t6;
+    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t16 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t7;
+    const double t17 = t2 - (40.0 / 11.0) * (xA[1] - xS[1]) + t9;
+    const double t18 = t5 - (40.0 / 11.0) * (xA[0] - xS[0]) + t11;
+    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
+    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
+    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
+    const double t22 = (t14 * t20 - t13 * t19) * t21;
+    const double t23 = (t15 * t19 - t13 * t20) * t21;
+    const double t24 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t25 = t3 * t8 + t4 * t10 + t6 * t12;
+    const double t26 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t27 = t26 - t24 * t22;
+    const double t28 = t25 - t24 * t23;
+    const double t29 = t23 * t27;
+    const double t30 = t3 * t16 + t4 * t17 + t6 * t18;
+    const double t31 = t13 - (t25 * t22 + t29);
+    const double t32 = t22 * (t26 + t27) - t14;
+    const double t33 = t15 - t23 * (t25 + t28);
+    const double t34 = t19 - t22 * (t30 + t29);
+    const double t35 = t20 - t23 * (t30 + t22 * t28);
+    const double t36 = t31 * t31 + t32 * t33;
+    const double u1 = (9.0 / 11.0) * t36;
+    const double t37 = -0.55 / t36;
+    *xi = (u1 + (t31 * t34 + t32 * t35)) * t37;
+    *eta = (u1 + (t31 * t35 - t33 * t34)) * t37;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -795,7 +795,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double x
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_gauss2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_gauss2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -812,10 +812,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_paper_quad4_gauss2_at for n pairs.
+/* footpoint_new_paper_quad4_gauss2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_gauss2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -823,93 +823,93 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0625153934621088e-14, 2.6254175202621932e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.0738968755647273e-14, 5.0387511470448437e-13},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 1.0731430858126101e-15, 3.1085171392542448e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 1.3189660378828662e-13, 6.3526304416164716e-13},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.11661905718921374, -4.2155952220439019, 1.3255765202921104e-14, 4.2056608179586815e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -2.2279570204741979, 4.1085750118801654, 1.609923568298937e-14, 3.4650077676803543e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.4135980628102528e-15, 4.5926460102611328e-15},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.6526182680633052e-15, 1.6168777776510459e-14},
+static const double footpoint_new_paper_quad4_gauss2_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0625153934621076e-14, 2.6254175202621922e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.0738968755647275e-14, 5.0387511470448467e-13},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 1.0731430858126105e-15, 3.1085171392542456e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 1.3189660378828662e-13, 6.3526304416164736e-13},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.11661905718921374, -4.2155952220439019, 1.3255765202921096e-14, 4.2056608179586802e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -2.2279570204741979, 4.1085750118801654, 1.6099235682989364e-14, 3.465007767680353e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.4135980628102526e-15, 4.5926460102611312e-15},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.652618268063305e-15, 1.6168777776510453e-14},
 };
 #endif
 
 /* 60 mul, 1 div, 59 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.25 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.25 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.25 * t10;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xA[0] - xB[0];
+    const double t4 = xC[2] - xD[2] + t1;
+    const double t5 = xC[1] - xD[1] + t2;
+    const double t6 = xC[0] - xD[0] + t3;
+    const double u1 = 0.25 * t4;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1;
+    const double u2 = 0.25 * t5;
+    const double t9 = xA[1] - xD[1] - u2;
+    const double t10 = t2 - u2;
+    const double u3 = 0.25 * t6;
     const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.25 * (t1 + t3);
-    const double t15 = (xA[1] - xS[1]) - 0.25 * (t5 + t7);
-    const double t16 = xA[0] - xS[0] - 0.25 * (t9 + t11);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t11 * t11 + t7 * t7;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t13 * t13 - t18 * t20);
-    const double t22 = (t13 * t17 - t18 * t19) * t21;
-    const double t23 = (t13 * t19 - t20 * t17) * t21;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = (t25 * t13 - t18 * t24) * t21;
-    const double t27 = t23 * t26;
-    const double t28 = (t25 * t20 - t24 * t13) * t21;
-    const double t29 = t28 * t22;
-    const double t30 = t27 + 1.0 - t29;
-    const double t31 = t21 * (t2 * t14 + t6 * t15 + t10 * t16 + t17 * t28 - t19 * t26);
+    const double t12 = t3 - u3;
+    const double t13 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
+    const double t14 = (xA[1] - xS[1]) - 0.25 * (t2 + t9);
+    const double t15 = xA[0] - xS[0] - 0.25 * (t3 + t11);
+    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t17 = t7 * t7 + t11 * t11 + t9 * t9;
+    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t19 = t8 * t13 + t10 * t14 + t12 * t15;
+    const double t20 = t7 * t13 + t9 * t14 + t11 * t15;
+    const double t21 = t4 * t8 + t5 * t10 + t6 * t12;
+    const double t22 = t4 * t7 + t5 * t9 + t6 * t11;
+    const double t23 = 1.0 / (t16 * t16 - t17 * t18);
+    const double t24 = (t16 * t20 - t17 * t19) * t23;
+    const double t25 = (t22 * t18 - t21 * t16) * t23;
+    const double t26 = (t16 * t19 - t18 * t20) * t23;
+    const double t27 = (t22 * t16 - t17 * t21) * t23;
+    const double t28 = t25 * t24;
+    const double t29 = t26 * t27;
+    const double t30 = t29 + 1.0 - t28;
+    const double t31 = t23 * (t4 * t13 + t5 * t14 + t6 * t15 + t20 * t25 - t19 * t27);
     double u4 = 0.6;
     const double t32 = (u4 > t30 ? u4 : t30);
-    const double t33 = t22 * (t27 * t32 + 1.0);
-    const double t34 = t23 * (1.0 - t29 * t32);
+    const double t33 = t24 * (t29 * t32 + 1.0);
+    const double t34 = t26 * (1.0 - t28 * t32);
     double u5 = 0.25;
     const double t35 = (u5 < t33 ? u5 : t33);
+    const double t36 = (u5 < t34 ? u5 : t34);
     double u6 = -0.25;
-    const double t36 = (u6 > t35 ? u6 : t35);
-    const double t37 = (u5 < t34 ? u5 : t34);
-    const double t38 = (u6 > t37 ? u6 : t37);
-    const double t39 = t18 * t31 * t38;
-    const double t40 = t31 * (t20 * t36 - t13 * t38);
+    const double t37 = (u6 > t35 ? u6 : t35);
+    const double t38 = (u6 > t36 ? u6 : t36);
+    const double t39 = t17 * t31 * t38;
+    const double t40 = t31 * (t18 * t37 - t16 * t38);
     double u7 = 0.075;
     const double t41 = (u7 < t39 ? u7 : t39);
+    const double t42 = (u7 < t40 ? u7 : t40);
     double u8 = -0.075;
-    const double t42 = (u8 > t41 ? u8 : t41);
-    const double t43 = (u7 < t40 ? u7 : t40);
-    const double t44 = (u8 > t43 ? u8 : t43);
-    const double t45 = t36 + t42;
+    const double t43 = (u8 > t41 ? u8 : t41);
+    const double t44 = (u8 > t42 ? u8 : t42);
+    const double t45 = t37 + t43;
     const double t46 = t38 + t44;
     const double t47 = (u5 < t45 ? u5 : t45);
-    const double t48 = (!(t47 <= u6) ? t47 : u6);
-    const double t49 = (u5 < t46 ? u5 : t46);
-    const double t50 = (!(t49 <= u6) ? t49 : u6);
-    *xi = 2.0 * (t48 - 0.25);
+    const double t48 = (u5 < t46 ? u5 : t46);
+    const double t49 = (!(t47 <= u6) ? t47 : u6);
+    const double t50 = (!(t48 <= u6) ? t48 : u6);
+    *xi = 2.0 * (t49 - 0.25);
     *eta = 2.0 * (t50 - 0.25);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -922,7 +922,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double x
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_coarse_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_coarse_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -939,10 +939,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_paper_quad4_coarse_at for n pairs.
+/* footpoint_new_paper_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -950,94 +950,94 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.99454269876060708, -0.009419332158369256, 3.005846159548035e-14, 5.1460221577980917e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98947297499683495, -1, 2.4386106997067223e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22593361298873954, -0.012488609683776452, 7.6086191393702103e-16, 3.3889385967150305e-16},
+static const double footpoint_new_paper_quad4_coarse_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.99454269876060708, -0.009419332158369256, 3.0058461595480357e-14, 5.1460221577980949e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98947297499683495, -1, 2.4386106997067239e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22593361298873954, -0.012488609683776452, 7.6086191393702112e-16, 3.3889385967150305e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -0.98258681631141831, -0.080013110723799089, 6.4010087502484049e-15, 2.8247142990827598e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.21032367589664211, -0.47843691478932032, 2.0546334414603379e-14, 4.2292638851562032e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.26195730925986482, -1, 1.0891857505664073e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.63580143828854085, 0, 3.5417436032597405e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -0.98258681631141831, -0.080013110723799089, 6.4010087502483986e-15, 2.8247142990827579e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.21032367589664211, -0.47843691478932032, 2.0546334414603382e-14, 4.2292638851562006e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.26195730925986482, -1, 1.0891857505664071e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.63580143828854085, 0, 3.5417436032597413e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* 62 mul, 2 div, 69 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = xA[1] - xB[1];
-    const double t5 = xC[1] - xD[1] + t4;
-    const double u2 = 0.275 * t5;
-    const double t6 = xA[1] - xD[1] - u2;
-    const double t7 = xA[0] - xB[0];
-    const double t8 = xC[0] - xD[0] + t7;
-    const double u3 = 0.275 * t8;
-    const double t9 = xA[0] - xD[0] - u3;
-    const double t10 = t3 * t3 + t6 * t6 + t9 * t9;
-    const double t11 = t1 - u1;
-    const double t12 = t4 - u2;
-    const double t13 = t7 - u3;
-    const double t14 = t3 * t11 + t6 * t12 + t9 * t13;
-    const double t15 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t16 = (xA[1] - xS[1]) - 0.275 * (t4 + t6);
-    const double t17 = (xA[0] - xS[0]) - 0.275 * (t7 + t9);
-    const double t18 = t3 * t15 + t6 * t16 + t9 * t17;
-    const double t19 = t11 * t15 + t12 * t16 + t13 * t17;
-    const double t20 = t11 * t11 + t12 * t12 + t13 * t13;
-    const double t21 = 1.0 / (t10 * t20 - t14 * t14);
-    const double t22 = (t10 * t19 - t14 * t18) * t21;
-    const double t23 = t2 * t3 + t5 * t6 + t8 * t9;
-    const double t24 = t2 * t2 + t5 * t5 + t8 * t8;
-    const double t25 = (t20 * t18 - t14 * t19) * t21;
-    const double t26 = t2 * t11 + t5 * t12 + t8 * t13;
-    const double t27 = t2 * t15 + t5 * t16 + t8 * t17;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.275 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double u2 = 0.275 * t4;
+    const double t8 = xA[1] - xD[1] - u2;
+    const double t9 = t1 - u1;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
+    const double t11 = xA[0] - xD[0] - u3;
+    const double t12 = t5 - u3;
+    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
+    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
+    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
+    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
+    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
+    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
+    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
+    const double t21 = 1.0 / (t13 * t15 - t14 * t14);
+    const double t22 = (t13 * t20 - t14 * t19) * t21;
+    const double t23 = (t15 * t19 - t14 * t20) * t21;
+    const double t24 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t25 = t3 * t7 + t4 * t8 + t6 * t11;
+    const double t26 = t3 * t9 + t4 * t10 + t6 * t12;
+    const double t27 = t3 * t16 + t4 * t17 + t6 * t18;
     double u4 = 0.225;
     const double t28 = (u4 < t22 ? u4 : t22);
     double u5 = -0.275;
     const double t29 = (u5 > t28 ? u5 : t28);
-    const double t30 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t23 ? u4 : t23);
     const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = t23 - t24 * t29;
-    const double t33 = t10 - t29 * (t23 + t32);
-    const double t34 = t26 - t24 * t31;
-    const double t35 = t20 - t31 * (t26 + t34);
-    const double t36 = t33 * t35;
-    const double t37 = t31 * t32;
-    const double t38 = t26 * t29 + t37;
-    const double t39 = t14 + t27 - 2.0 * t38;
-    const double t40 = t36 - t39 * t39;
-    const double t41 = t18 - t29 * (t37 + t38);
-    const double t42 = t19 - t31 * (t29 * t34 + t38);
-    const double u6 = 0.02 * t36;
+    const double t32 = t25 - t24 * t29;
+    const double t33 = t26 - t24 * t31;
+    const double t34 = t31 * t32;
+    const double t35 = t26 * t29 + t34;
+    const double t36 = t13 - t29 * (t25 + t32);
+    const double t37 = t15 - t31 * (t26 + t33);
+    const double t38 = t14 + t27 - 2.0 * t35;
+    const double t39 = t36 * t37;
+    const double t40 = t39 - t38 * t38;
+    const double t41 = t19 - t29 * (t34 + t35);
+    const double t42 = t20 - t31 * (t29 * t33 + t35);
+    const double u6 = 0.02 * t39;
     const double t43 = (t40 > u6 ? t40 : u6);
-    const double t44 = 2.0 / t43;
-    const double t45 = t40 - t43;
-    const double t46 = t44 * (t33 * t42 - t39 * t41 - t29 * t45) - 0.45;
-    const double t47 = t44 * (t35 * t41 - t39 * t42 - t31 * t45) - 0.45;
+    const double t44 = t40 - t43;
+    const double t45 = 2.0 / t43;
+    const double t46 = t45 * (t36 * t42 - t38 * t41 - t29 * t44) - 0.45;
+    const double t47 = t45 * (t37 * t41 - t38 * t42 - t31 * t44) - 0.45;
     double u7 = 0.0;
     const double t48 = (u7 < t46 ? u7 : t46);
+    const double t49 = (u7 < t47 ? u7 : t47);
     double u8 = -1.0;
-    const double t49 = (!(t48 <= u8) ? t48 : u8);
-    const double t50 = (u7 < t47 ? u7 : t47);
-    const double t51 = (!(t50 <= u8) ? t50 : u8);
-    *xi = t49;
+    const double t50 = (!(t48 <= u8) ? t48 : u8);
+    const double t51 = (!(t49 <= u8) ? t49 : u8);
+    *xi = t50;
     *eta = t51;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1050,7 +1050,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double x
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_newton_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_newton_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1067,10 +1067,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_paper_quad4_newton_at for n pairs.
+/* footpoint_new_paper_quad4_newton_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_newton_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1078,16 +1078,16 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_newton_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_newton_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_newton_points[][19] = {
+static const double footpoint_new_paper_quad4_newton_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.27967919232952992, 0, 1.0074539991644321e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.3487947892354092e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.27967919232952992, 0, 1.0074539991644323e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.3487947892354088e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29628846750830479, -1, 1.2663860660897592e-15, 1.110223024625157e-16},
@@ -1096,81 +1096,80 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
 #endif
 
 /* 70 mul, 2 div, 73 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xD[2] - xA[2] + u1;
-    const double t4 = 0.275 * (t1 - t3) + (xS[2] - xA[2]);
-    const double t5 = xB[1] - xA[1];
-    const double t6 = xC[1] - xD[1] - t5;
-    const double u2 = 0.275 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = (xS[1] - xA[1]) - 0.275 * (t5 - t7);
-    const double t9 = xB[0] - xA[0];
-    const double t10 = xC[0] - xD[0] - t9;
-    const double u3 = 0.275 * t10;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = xA[0] - xS[0] + 0.275 * (t9 - t11);
-    const double t13 = u1 - t1;
-    const double t14 = t5 + u2;
-    const double t15 = t9 + u3;
-    const double t16 = t7 * t14 - t3 * t13 + t11 * t15;
-    const double t17 = t2 * t13 + t6 * t14 + t10 * t15;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t13 * t13 + t14 * t14 + t15 * t15;
-    const double t20 = 1.0 / (t18 * t19 - t16 * t16);
-    const double t21 = t13 * t4 + (t14 * t8 - t15 * t12);
-    const double t22 = t3 * t4 + (t11 * t12 - t7 * t8);
-    const double t23 = t20 * (t18 * t21 + t16 * t22);
-    const double t24 = t6 * t7 - t2 * t3 + t10 * t11;
-    const double t25 = t24 * t16 - t17 * t18;
-    const double t26 = t20 * (t16 * t21 + t19 * t22);
-    const double t27 = t24 * t19 - t17 * t16;
-    const double t28 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t1 = xB[1] - xA[1];
+    const double t2 = xB[0] - xA[0];
+    const double t3 = xA[2] - xB[2];
+    const double t4 = xC[1] - xD[1] - t1;
+    const double t5 = xC[0] - xD[0] - t2;
+    const double t6 = xC[2] - xD[2] + t3;
+    const double u1 = 0.275 * t4;
+    const double t7 = xA[1] - xD[1] - u1;
+    const double u2 = 0.275 * t5;
+    const double t8 = xA[0] - xD[0] - u2;
+    const double u3 = 0.275 * t6;
+    const double t9 = xA[2] - xD[2] - u3;
+    const double t10 = u3 - t3;
+    const double t11 = t1 + u1;
+    const double t12 = (xS[1] - xA[1]) - 0.275 * (t1 - t7);
+    const double t13 = t2 + u2;
+    const double t14 = xA[0] - xS[0] + 0.275 * (t2 - t8);
+    const double t15 = 0.275 * (t3 + t9) + (xS[2] - xA[2]);
+    const double t16 = t9 * t10 + t7 * t11 + t8 * t13;
+    const double t17 = t9 * t9 + t7 * t7 + t8 * t8;
+    const double t18 = t10 * t10 + t11 * t11 + t13 * t13;
+    const double t19 = t10 * t15 + (t11 * t12 - t13 * t14);
+    const double t20 = t8 * t14 - t9 * t15 - t7 * t12;
+    const double t21 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t22 = t21 * (t16 * t20 + t17 * t19);
+    const double t23 = t21 * (t18 * t20 + t16 * t19);
+    const double t24 = t6 * t10 + t4 * t11 + t5 * t13;
+    const double t25 = t6 * t9 + t4 * t7 + t5 * t8;
+    const double t26 = t25 * t16 - t24 * t17;
+    const double t27 = t25 * t18 - t24 * t16;
+    const double t28 = t6 * t6 + t4 * t4 + t5 * t5;
     double u4 = 0.225;
-    const double t29 = (u4 < t26 ? u4 : t26);
+    const double t29 = (u4 < t22 ? u4 : t22);
+    const double t30 = (u4 < t23 ? u4 : t23);
     double u5 = -0.275;
-    const double t30 = (u5 > t29 ? u5 : t29);
-    const double t31 = (u4 < t23 ? u4 : t23);
-    const double t32 = (u5 > t31 ? u5 : t31);
-    const double t33 = t30 * t20 * t32;
-    const double t34 = t23 + t25 * t33;
-    const double t35 = t26 + t27 * t33;
-    const double t36 = t24 - t28 * t34;
+    const double t31 = (u5 > t29 ? u5 : t29);
+    const double t32 = (u5 > t30 ? u5 : t30);
+    const double t33 = t32 * t21 * t31;
+    const double t34 = t22 + t26 * t33;
+    const double t35 = t23 + t27 * t33;
+    const double t36 = t25 - t28 * t34;
     const double t37 = t35 * t36;
-    const double t38 = t17 * t34 - t37;
-    const double t39 = t10 * t12 - t2 * t4 - t6 * t8 - t16 + 2.0 * t38;
-    const double t40 = t34 * (t37 - t38) - t22;
-    const double t41 = t18 - t34 * (t24 + t36);
-    const double t42 = t17 + t28 * t35;
-    const double t43 = t21 + t35 * (t34 * t42 + t38);
-    const double t44 = t19 + t35 * (t17 + t42);
-    const double t45 = t41 * t44;
-    const double t46 = t45 - t39 * t39;
-    const double u6 = 0.02 * t45;
-    const double t47 = (t46 > u6 ? t46 : u6);
-    const double t48 = t46 - t47;
+    const double t38 = t24 + t28 * t35;
+    const double t39 = t24 * t34 - t37;
+    const double t40 = t5 * t14 - t6 * t15 - t4 * t12 - t16 + 2.0 * t39;
+    const double t41 = t17 - t34 * (t25 + t36);
+    const double t42 = t18 + t35 * (t24 + t38);
+    const double t43 = t41 * t42;
+    const double t44 = t43 - t40 * t40;
+    const double t45 = t20 - t34 * (t37 - t39);
+    const double t46 = t19 + t35 * (t34 * t38 + t39);
+    const double u6 = 0.02 * t43;
+    const double t47 = (t44 > u6 ? t44 : u6);
+    const double t48 = t44 - t47;
     const double t49 = 2.0 / t47;
-    const double t50 = (t39 * t40 + t41 * t43 - t34 * t48) * t49 - 0.45;
-    const double t51 = (t39 * t43 + t44 * t40 + t35 * t48) * t49 + 0.45;
+    const double t50 = (t41 * t46 - t40 * t45 - t34 * t48) * t49 - 0.45;
+    const double t51 = (t42 * t45 - t40 * t46 - t35 * t48) * t49 - 0.45;
     double u7 = 0.0;
     const double t52 = (u7 < t50 ? u7 : t50);
+    const double t53 = (u7 < t51 ? u7 : t51);
     double u8 = -1.0;
-    const double t53 = (!(t52 <= u8) ? t52 : u8);
-    const double u9 = -t51;
-    const double t54 = (u7 < u9 ? u7 : u9);
-    const double t55 = (!(t54 <= u8) ? t54 : u8);
-    *xi = t53;
+    const double t54 = (!(t52 <= u8) ? t52 : u8);
+    const double t55 = (!(t53 <= u8) ? t53 : u8);
+    *xi = t54;
     *eta = t55;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1183,7 +1182,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double x
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_medium_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_medium_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1200,10 +1199,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_paper_quad4_medium_at for n pairs.
+/* footpoint_new_paper_quad4_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_medium_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1211,118 +1210,275 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_medium_points[][19] = {
+static const double footpoint_new_paper_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24315494811501914, 0, 9.2810824414163663e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24315494811501914, 0, 9.2076279998714284e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25394573519921826, -1, 1.1705623972326722e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46003731494321881, 0, 1.2366221943769651e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25394573519921826, -1, 1.1590886092259382e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46003731494321881, 0, 1.2087287725599842e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* 88 mul, 2 div, 83 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.275 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = (xA[1] - xS[1]) - 0.275 * (t5 + t7);
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.275 * t10;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = xA[0] - xS[0] - 0.275 * (t9 + t11);
-    const double t13 = t1 - u1;
-    const double t14 = t5 - u2;
-    const double t15 = t9 - u3;
-    const double t16 = t3 * t13 + t7 * t14 + t11 * t15;
-    const double t17 = t2 * t13 + t6 * t14 + t10 * t15;
-    const double t18 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t19 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t20 = t13 * t4 + t14 * t8 + t15 * t12;
-    const double t21 = t13 * t13 + t14 * t14 + t15 * t15;
-    const double t22 = 1.0 / (t19 * t21 - t16 * t16);
-    const double t23 = (t19 * t20 - t16 * t18) * t22;
-    const double t24 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t25 = (t17 * t19 - t24 * t16) * t22;
-    const double t26 = (t21 * t18 - t16 * t20) * t22;
-    const double t27 = (t24 * t21 - t17 * t16) * t22;
-    const double t28 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xA[0] - xB[0];
+    const double t4 = xC[2] - xD[2] + t1;
+    const double t5 = xC[1] - xD[1] + t2;
+    const double t6 = xC[0] - xD[0] + t3;
+    const double u1 = 0.275 * t4;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double u2 = 0.275 * t5;
+    const double t8 = xA[1] - xD[1] - u2;
+    const double t9 = t1 - u1;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
+    const double t11 = t3 - u3;
+    const double t12 = xA[0] - xD[0] - u3;
+    const double t13 = t7 * t9 + t8 * t10 + t12 * t11;
+    const double t14 = t7 * t7 + t8 * t8 + t12 * t12;
+    const double t15 = t9 * t9 + (t10 * t10 + t11 * t11);
+    const double t16 = xA[2] - xS[2] - 0.275 * (t1 + t7);
+    const double t17 = xA[1] - xS[1] - 0.275 * (t2 + t8);
+    const double t18 = xA[0] - xS[0] - 0.275 * (t3 + t12);
+    const double t19 = t9 * t16 + (t10 * t17 + t11 * t18);
+    const double t20 = t12 * t18 + t7 * t16 + t8 * t17;
+    const double t21 = t4 * t9 + t5 * t10 + t6 * t11;
+    const double t22 = 1.0 / (t13 * t13 - t15 * t14);
+    const double t23 = t4 * t7 + (t5 * t8 + t6 * t12);
+    const double t24 = (t13 * t20 - t14 * t19) * t22;
+    const double t25 = (t13 * t19 - t15 * t20) * t22;
+    const double t26 = (t23 * t15 - t21 * t13) * t22;
+    const double t27 = (t23 * t13 - t21 * t14) * t22;
+    const double t28 = t4 * t4 + t5 * t5 + t6 * t6;
     double u4 = 0.225;
-    const double t29 = (u4 < t26 ? u4 : t26);
+    const double t29 = (u4 < t24 ? u4 : t24);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t30 = (u5 > t29 ? u5 : t29);
-    const double t31 = (u4 < t23 ? u4 : t23);
-    const double t32 = (u5 > t31 ? u5 : t31);
-    const double t33 = t27 * t32 + 1.0 + t25 * t30;
+    const double t31 = (u5 > t29 ? u5 : t29);
+    const double t32 = (u5 > t30 ? u5 : t30);
+    const double t33 = t27 * t32 + 1.0 - t26 * t31;
     double u6 = 0.5;
     const double t34 = (u6 > t33 ? u6 : t33);
-    const double t35 = t30 * t32 * t34;
-    const double t36 = t23 + t25 * t35;
-    const double t37 = t26 + t27 * t35;
-    const double t38 = t24 - t28 * t36;
+    const double t35 = t32 * t31 * t34;
+    const double t36 = t24 + t27 * t35;
+    const double t37 = t25 - t26 * t35;
+    const double t38 = t23 - t28 * t36;
     const double t39 = t37 * t38;
-    const double t40 = t17 * t36 + t39;
-    const double t41 = t2 * t4 + t6 * t8 + t10 * t12 + t16 - 2.0 * t40;
-    const double t42 = t18 - t36 * (t39 + t40);
-    const double t43 = t36 * (t24 + t38) - t19;
-    const double t44 = t17 - t28 * t37;
-    const double t45 = t20 - t37 * (t36 * t44 + t40);
-    const double t46 = t37 * (t17 + t44) - t21;
-    const double t47 = t43 * t46;
-    const double t48 = t47 - t41 * t41;
-    const double u7 = 0.02 * t47;
-    const double t49 = (t48 > u7 ? t48 : u7);
-    const double t50 = t48 - t49;
+    const double t40 = t21 - t28 * t37;
+    const double t41 = t21 * t36 + t39;
+    const double t42 = t4 * t16 + t5 * t17 + t6 * t18 + t13 - 2.0 * t41;
+    const double t43 = t14 - t36 * (t23 + t38);
+    const double t44 = t15 - t37 * (t21 + t40);
+    const double t45 = t43 * t44;
+    const double t46 = t45 - t42 * t42;
+    const double t47 = t20 - t36 * (t39 + t41);
+    const double t48 = t19 - t37 * (t36 * t40 + t41);
+    const double u7 = 0.02 * t45;
+    const double t49 = (t46 > u7 ? t46 : u7);
+    const double t50 = t46 - t49;
     const double t51 = 1.0 / t49;
-    const double t52 = (t41 * t42 + t43 * t45 + t36 * t50) * t51;
-    const double t53 = (t41 * t45 + t46 * t42 + t37 * t50) * t51;
-    const double t54 = 2.0 * (t37 + t53);
-    const double t55 = t36 + t52;
-    const double t56 = t44 * t55;
-    const double t57 = t38 * t54;
-    const double t58 = t54 * (t56 + 0.25 * t57);
-    const double t59 = t55 * (t56 + t57);
-    const double t60 = t51 * (t43 * t58 + t41 * t59);
-    const double t61 = t51 * (t46 * t59 + t41 * t58);
+    const double t52 = (t44 * t47 - t42 * t48 - t37 * t50) * t51;
+    const double t53 = (t43 * t48 - t42 * t47 - t36 * t50) * t51;
+    const double t54 = 2.0 * (t37 - t52);
+    const double t55 = t36 - t53;
+    const double t56 = t38 * t54;
+    const double t57 = t40 * t55;
+    const double t58 = t54 * (t57 + 0.25 * t56);
+    const double t59 = t55 * (t57 + t56);
+    const double t60 = t51 * (t42 * t59 - t43 * t58);
+    const double t61 = t51 * (t42 * t58 - t44 * t59);
     double u8 = 0.05;
     const double t62 = (u8 < t60 ? u8 : t60);
+    const double t63 = (u8 < t61 ? u8 : t61);
     double u9 = -0.05;
-    const double t63 = (u9 > t62 ? u9 : t62);
-    const double t64 = (u8 < t61 ? u8 : t61);
-    const double t65 = (u9 > t64 ? u9 : t64);
-    const double t66 = t52 + 0.225 + t63;
-    const double t67 = t53 + 0.225 + t65;
-    const double u10 = -2.0 * t66;
+    const double t64 = (u9 > t62 ? u9 : t62);
+    const double t65 = (u9 > t63 ? u9 : t63);
+    const double t66 = t53 - 0.225 - t64;
+    const double t67 = t52 - 0.225 - t65;
+    const double u10 = 2.0 * t66;
     double u11 = 0.0;
     const double t68 = (u11 < u10 ? u11 : u10);
-    double u12 = -1.0;
-    const double t69 = (!(t68 <= u12) ? t68 : u12);
-    const double u13 = -2.0 * t67;
-    const double t70 = (u11 < u13 ? u11 : u13);
-    const double t71 = (!(t70 <= u12) ? t70 : u12);
-    *xi = t69;
+    const double u12 = 2.0 * t67;
+    const double t69 = (u11 < u12 ? u11 : u12);
+    double u13 = -1.0;
+    const double t70 = (!(t68 <= u13) ? t68 : u13);
+    const double t71 = (!(t69 <= u13) ? t69 : u13);
+    *xi = t70;
     *eta = t71;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+FOOTPOINT_FN int footpoint_new_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double loc[2], double *gap)
+{
+    double xi, eta, g = 0.0, u, v, w;
+    const double *x[4];
+    int k, mirror;
+    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
+    x[0] = xA;
+    x[1] = xB;
+    x[2] = xC;
+    x[3] = xD;
+    k = footpoint_detail_nearest_corner(x, xS);
+    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+    footpoint_new_paper_quad4_balanced_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    w = mirror ? v : u;
+    v = mirror ? u : v;
+    u = w;
+    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
+    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
+        status = FOOTPOINT_ERR_DEGENERATE;
+    if (status == FOOTPOINT_OK) {
+        loc[0] = xi;
+        loc[1] = eta;
+        *gap = g;
+    }
+    return status;
+}
+
+/* footpoint_new_paper_quad4_balanced_at for n pairs.
+ * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
+ * Vectorises with -O3 and -fno-trapping-math. */
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_balanced_n(size_t n, const double *const x[15],
+    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
+        const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
+        const double xS[3] = {x[12][i], x[13][i], x[14][i]};
+        footpoint_new_paper_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+    }
+}
+
+#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
+static const double footpoint_new_paper_quad4_balanced_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2427426433252034, 0, 9.4212443004584229e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25446103237644768, -1, 1.1612740041996189e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46008202036866408, 0, 1.2949656684873145e-15, 9.8813129168249309e-324},
+};
+#endif
+
+/* 95 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_new_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
+{
+    const double t1 = xA[2] - xB[2];
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.275 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1;
+    const double u2 = 0.275 * t4;
+    const double t9 = xA[1] - xD[1] - u2;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
+    const double t11 = xA[0] - xD[0] - u3;
+    const double t12 = t5 - u3;
+    const double t13 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t14 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
+    const double t15 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t16 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t17 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t18 = xA[0] - xS[0] - 0.275 * (t5 + t11);
+    const double t19 = t7 * t13 + t9 * t14 + t11 * t18;
+    const double t20 = t8 * t13 + t10 * t14 + t12 * t18;
+    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
+    const double t22 = 1.0 / (t16 * t17 - t15 * t15);
+    const double t23 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t24 = (t16 * t20 - t15 * t19) * t22;
+    const double t25 = (t17 * t19 - t15 * t20) * t22;
+    const double t26 = (t23 * t17 - t21 * t15) * t22;
+    const double t27 = (t21 * t16 - t23 * t15) * t22;
+    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
+    double u4 = 0.225;
+    const double t30 = (u4 < t24 ? u4 : t24);
+    const double t31 = (u4 < t25 ? u4 : t25);
+    double u5 = -0.275;
+    const double t32 = (u5 > t30 ? u5 : t30);
+    const double t33 = (u5 > t31 ? u5 : t31);
+    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    double u6 = 0.5;
+    const double t35 = (u6 > t34 ? u6 : t34);
+    const double t36 = t33 * t32 * t35;
+    const double t37 = t24 + t27 * t36;
+    const double t38 = t25 + t26 * t36;
+    const double t39 = t23 - t28 * t37;
+    const double t40 = t38 * t39;
+    const double t41 = t21 - t28 * t38;
+    const double t42 = t21 * t37 + t40;
+    const double t43 = t29 - 2.0 * t42;
+    const double t44 = t16 - t37 * (t23 + t39);
+    const double t45 = t17 - t38 * (t21 + t41);
+    const double t46 = t44 * t45;
+    const double t47 = t46 - t43 * t43;
+    const double t48 = t19 - t37 * (t40 + t42);
+    const double t49 = t20 - t38 * (t37 * t41 + t42);
+    const double u7 = 0.02 * t46;
+    const double t50 = (t47 > u7 ? t47 : u7);
+    const double t51 = t47 - t50;
+    const double t52 = 1.0 / t50;
+    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
+    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t55 = (u4 < t53 ? u4 : t53);
+    const double t56 = (u5 > t55 ? u5 : t55);
+    const double t57 = (u4 < t54 ? u4 : t54);
+    const double t58 = (u5 > t57 ? u5 : t57);
+    const double t59 = t23 - t28 * t56;
+    const double t60 = t58 * t59;
+    const double t61 = t21 - t28 * t58;
+    const double t62 = t21 * t56 + t60;
+    const double t63 = t29 - 2.0 * t62;
+    const double t64 = t16 - t56 * (t23 + t59);
+    const double t65 = t17 - t58 * (t21 + t61);
+    const double t66 = t64 * t65;
+    const double t67 = t66 - t63 * t63;
+    const double t68 = t19 - t56 * (t60 + t62);
+    const double t69 = t20 - t58 * (t56 * t61 + t62);
+    const double u8 = 0.02 * t66;
+    const double t70 = (t67 > u8 ? t67 : u8);
+    const double t71 = t67 - t70;
+    const double t72 = 2.0 / t70;
+    const double t73 = (t64 * t69 - t63 * t68 - t56 * t71) * t72 - 0.45;
+    const double t74 = (t65 * t68 - t63 * t69 - t58 * t71) * t72 - 0.45;
+    double u9 = 0.0;
+    const double t75 = (u9 < t73 ? u9 : t73);
+    const double t76 = (u9 < t74 ? u9 : t74);
+    double u10 = -1.0;
+    const double t77 = (!(t75 <= u10) ? t75 : u10);
+    const double t78 = (!(t76 <= u10) ? t76 : u10);
+    *xi = t77;
+    *eta = t78;
+}
+
+/* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+FOOTPOINT_FN int footpoint_new_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
@@ -1336,7 +1492,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_balanced_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_fine_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1353,10 +1509,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double
     return status;
 }
 
-/* footpoint_paper_quad4_balanced_at for n pairs.
+/* footpoint_new_paper_quad4_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_fine_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1364,301 +1520,144 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2427426433252034, 0, 9.4917919768790008e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25446103237644768, -1, 1.1343695816325269e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46008202036866408, 0, 1.3361292629195015e-15, 9.8813129168249309e-324},
-};
-#endif
-
-/* 95 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
-{
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.275 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.275 * t10;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t15 = (xA[1] - xS[1]) - 0.275 * (t5 + t7);
-    const double t16 = xA[0] - xS[0] - 0.275 * (t9 + t11);
-    const double t17 = t13 + (t2 * t14 + t6 * t15 + t10 * t16);
-    const double t18 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t19 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t20 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t21 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t22 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t23 = 1.0 / (t20 * t22 - t13 * t13);
-    const double t24 = (t20 * t21 - t13 * t19) * t23;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = (t18 * t20 - t25 * t13) * t23;
-    const double t27 = (t22 * t19 - t13 * t21) * t23;
-    const double t28 = (t25 * t22 - t18 * t13) * t23;
-    const double t29 = t2 * t2 + t6 * t6 + t10 * t10;
-    double u4 = 0.225;
-    const double t30 = (u4 < t27 ? u4 : t27);
-    double u5 = -0.275;
-    const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = (u4 < t24 ? u4 : t24);
-    const double t33 = (u5 > t32 ? u5 : t32);
-    const double t34 = t28 * t33 + 1.0 + t26 * t31;
-    double u6 = 0.5;
-    const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t31 * t33 * t35;
-    const double t37 = t24 + t26 * t36;
-    const double t38 = t27 + t28 * t36;
-    const double t39 = t25 - t29 * t37;
-    const double t40 = t38 * t39;
-    const double t41 = t18 * t37 + t40;
-    const double t42 = t17 - 2.0 * t41;
-    const double t43 = t19 - t37 * (t40 + t41);
-    const double t44 = t20 - t37 * (t25 + t39);
-    const double t45 = t18 - t29 * t38;
-    const double t46 = t21 - t38 * (t37 * t45 + t41);
-    const double t47 = t22 - t38 * (t18 + t45);
-    const double t48 = t44 * t47;
-    const double t49 = t48 - t42 * t42;
-    const double u7 = 0.02 * t48;
-    const double t50 = (t49 > u7 ? t49 : u7);
-    const double t51 = t49 - t50;
-    const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t46 - t42 * t43 - t37 * t51) * t52;
-    const double t54 = (t47 * t43 - t42 * t46 - t38 * t51) * t52;
-    const double t55 = (u4 < t53 ? u4 : t53);
-    const double t56 = (u5 > t55 ? u5 : t55);
-    const double t57 = (u4 < t54 ? u4 : t54);
-    const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t25 - t29 * t56;
-    const double t60 = t58 * t59;
-    const double t61 = t18 * t56 + t60;
-    const double t62 = t17 - 2.0 * t61;
-    const double t63 = t19 - t56 * (t60 + t61);
-    const double t64 = t20 - t56 * (t25 + t59);
-    const double t65 = t18 - t29 * t58;
-    const double t66 = t21 - t58 * (t56 * t65 + t61);
-    const double t67 = t22 - t58 * (t18 + t65);
-    const double t68 = t64 * t67;
-    const double t69 = t68 - t62 * t62;
-    const double u8 = 0.02 * t68;
-    const double t70 = (t69 > u8 ? t69 : u8);
-    const double t71 = t69 - t70;
-    const double t72 = 2.0 / t70;
-    const double t73 = (t64 * t66 - t62 * t63 - t56 * t71) * t72 - 0.45;
-    const double t74 = (t67 * t63 - t62 * t66 - t58 * t71) * t72 - 0.45;
-    double u9 = 0.0;
-    const double t75 = (u9 < t73 ? u9 : t73);
-    double u10 = -1.0;
-    const double t76 = (!(t75 <= u10) ? t75 : u10);
-    const double t77 = (u9 < t74 ? u9 : t74);
-    const double t78 = (!(t77 <= u10) ? t77 : u10);
-    *xi = t76;
-    *eta = t78;
-}
-
-/* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xS[3], double loc[2], double *gap)
-{
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_fine_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
-    }
-    return status;
-}
-
-/* footpoint_paper_quad4_fine_at for n pairs.
- * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
- * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x[15],
-    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
-{
-    size_t i;
-    for (i = 0; i < n; i++) {
-        const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
-        const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
-        const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
-    }
-}
-
-#ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_fine_points[][19] = {
+static const double footpoint_new_paper_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.3447965858256952e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.3447965858257016e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23031147688074693, 0, 1.0147594439024961e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.3487947892354084e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.34879478923541e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30972710140302029, -1, 1.5939857391520777e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30972710140302029, -1, 1.5939857391520789e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
 
 /* 116 mul, 4 div, 111 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                       const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = xA[1] - xB[1];
-    const double t5 = xC[1] - xD[1] + t4;
-    const double u2 = 0.275 * t5;
-    const double t6 = xA[1] - xD[1] - u2;
-    const double t7 = xA[0] - xB[0];
-    const double t8 = xC[0] - xD[0] + t7;
-    const double u3 = 0.275 * t8;
-    const double t9 = xA[0] - xD[0] - u3;
-    const double t10 = t3 * t3 + t6 * t6 + t9 * t9;
-    const double t11 = t1 - u1;
-    const double t12 = t4 - u2;
-    const double t13 = t7 - u3;
-    const double t14 = t3 * t11 + t6 * t12 + t9 * t13;
-    const double t15 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t16 = (xA[1] - xS[1]) - 0.275 * (t4 + t6);
-    const double t17 = (xA[0] - xS[0]) - 0.275 * (t7 + t9);
-    const double t18 = t14 + (t2 * t15 + t5 * t16 + t8 * t17);
-    const double t19 = t2 * t11 + t5 * t12 + t8 * t13;
-    const double t20 = t3 * t15 + t6 * t16 + t9 * t17;
-    const double t21 = t11 * t15 + t12 * t16 + t13 * t17;
-    const double t22 = t11 * t11 + t12 * t12 + t13 * t13;
-    const double t23 = 1.0 / (t10 * t22 - t14 * t14);
-    const double t24 = (t10 * t21 - t14 * t20) * t23;
-    const double t25 = t2 * t3 + t5 * t6 + t8 * t9;
-    const double t26 = (t19 * t10 - t25 * t14) * t23;
-    const double t27 = (t22 * t20 - t14 * t21) * t23;
-    const double t28 = (t25 * t22 - t19 * t14) * t23;
-    const double t29 = t2 * t2 + t5 * t5 + t8 * t8;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.275 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double u2 = 0.275 * t4;
+    const double t8 = xA[1] - xD[1] - u2;
+    const double t9 = t1 - u1;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
+    const double t11 = xA[0] - xD[0] - u3;
+    const double t12 = t5 - u3;
+    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
+    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
+    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
+    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
+    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
+    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
+    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
+    const double t21 = t3 * t9 + t4 * t10 + t6 * t12;
+    const double t22 = 1.0 / (t13 * t15 - t14 * t14);
+    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
+    const double t24 = (t13 * t20 - t14 * t19) * t22;
+    const double t25 = (t15 * t19 - t14 * t20) * t22;
+    const double t26 = (t23 * t15 - t21 * t14) * t22;
+    const double t27 = (t21 * t13 - t23 * t14) * t22;
+    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
     double u4 = 0.225;
-    const double t30 = (u4 < t27 ? u4 : t27);
+    const double t30 = (u4 < t24 ? u4 : t24);
+    const double t31 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = (u4 < t24 ? u4 : t24);
-    const double t33 = (u5 > t32 ? u5 : t32);
-    const double t34 = t28 * t33 + 1.0 + t26 * t31;
+    const double t32 = (u5 > t30 ? u5 : t30);
+    const double t33 = (u5 > t31 ? u5 : t31);
+    const double t34 = t26 * t32 + 1.0 + t27 * t33;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t31 * t33 * t35;
-    const double t37 = t24 + t26 * t36;
-    const double t38 = t27 + t28 * t36;
-    const double t39 = t25 - t29 * t37;
-    const double t40 = t38 * t39;
-    const double t41 = t19 * t37 + t40;
-    const double t42 = t18 - 2.0 * t41;
-    const double t43 = t20 - t37 * (t40 + t41);
-    const double t44 = t10 - t37 * (t25 + t39);
-    const double t45 = t19 - t29 * t38;
-    const double t46 = t21 - t38 * (t37 * t45 + t41);
-    const double t47 = t22 - t38 * (t19 + t45);
-    const double t48 = t44 * t47;
-    const double t49 = t48 - t42 * t42;
-    const double u7 = 0.02 * t48;
-    const double t50 = (t49 > u7 ? t49 : u7);
-    const double t51 = t49 - t50;
+    const double t36 = t33 * t32 * t35;
+    const double t37 = t24 + t27 * t36;
+    const double t38 = t25 + t26 * t36;
+    const double t39 = t23 - t28 * t37;
+    const double t40 = t21 - t28 * t38;
+    const double t41 = t38 * t39;
+    const double t42 = t21 * t37 + t41;
+    const double t43 = t29 - 2.0 * t42;
+    const double t44 = t13 - t37 * (t23 + t39);
+    const double t45 = t15 - t38 * (t21 + t40);
+    const double t46 = t44 * t45;
+    const double t47 = t46 - t43 * t43;
+    const double t48 = t19 - t37 * (t41 + t42);
+    const double t49 = t20 - t38 * (t37 * t40 + t42);
+    const double u7 = 0.02 * t46;
+    const double t50 = (t47 > u7 ? t47 : u7);
+    const double t51 = t47 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t46 - t42 * t43 - t37 * t51) * t52;
-    const double t54 = (t47 * t43 - t42 * t46 - t38 * t51) * t52;
+    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
+    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t25 - t29 * t56;
-    const double t60 = t10 - t56 * (t25 + t59);
-    const double t61 = t19 - t29 * t58;
-    const double t62 = t22 - t58 * (t19 + t61);
-    const double t63 = t60 * t62;
-    const double t64 = t58 * t59;
-    const double t65 = t19 * t56 + t64;
-    const double t66 = t18 - 2.0 * t65;
-    const double t67 = t63 - t66 * t66;
-    const double t68 = t20 - t56 * (t64 + t65);
-    const double t69 = t21 - t58 * (t56 * t61 + t65);
-    const double u8 = 0.02 * t63;
+    const double t59 = t23 - t28 * t56;
+    const double t60 = t21 - t28 * t58;
+    const double t61 = t58 * t59;
+    const double t62 = t21 * t56 + t61;
+    const double t63 = t13 - t56 * (t23 + t59);
+    const double t64 = t15 - t58 * (t21 + t60);
+    const double t65 = t29 - 2.0 * t62;
+    const double t66 = t63 * t64;
+    const double t67 = t66 - t65 * t65;
+    const double t68 = t19 - t56 * (t61 + t62);
+    const double t69 = t20 - t58 * (t56 * t60 + t62);
+    const double u8 = 0.02 * t66;
     const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = 1.0 / t70;
-    const double t72 = t67 - t70;
-    const double t73 = t71 * (t60 * t69 - t66 * t68 - t56 * t72);
-    const double t74 = t71 * (t62 * t68 - t66 * t69 - t58 * t72);
+    const double t71 = t67 - t70;
+    const double t72 = 1.0 / t70;
+    const double t73 = t72 * (t63 * t69 - t65 * t68 - t56 * t71);
+    const double t74 = t72 * (t64 * t68 - t65 * t69 - t58 * t71);
     const double t75 = (u4 < t73 ? u4 : t73);
     const double t76 = (u5 > t75 ? u5 : t75);
     const double t77 = (u4 < t74 ? u4 : t74);
     const double t78 = (u5 > t77 ? u5 : t77);
-    const double t79 = t25 - t29 * t76;
-    const double t80 = t10 - t76 * (t25 + t79);
-    const double t81 = t19 - t29 * t78;
-    const double t82 = t22 - t78 * (t19 + t81);
-    const double t83 = t80 * t82;
-    const double t84 = t78 * t79;
-    const double t85 = t19 * t76 + t84;
-    const double t86 = t18 - 2.0 * t85;
-    const double t87 = t83 - t86 * t86;
-    const double t88 = t20 - t76 * (t84 + t85);
-    const double t89 = t21 - t78 * (t76 * t81 + t85);
-    const double u9 = 0.02 * t83;
+    const double t79 = t23 - t28 * t76;
+    const double t80 = t21 - t28 * t78;
+    const double t81 = t78 * t79;
+    const double t82 = t21 * t76 + t81;
+    const double t83 = t13 - t76 * (t23 + t79);
+    const double t84 = t15 - t78 * (t21 + t80);
+    const double t85 = t29 - 2.0 * t82;
+    const double t86 = t83 * t84;
+    const double t87 = t86 - t85 * t85;
+    const double t88 = t19 - t76 * (t81 + t82);
+    const double t89 = t20 - t78 * (t76 * t80 + t82);
+    const double u9 = 0.02 * t86;
     const double t90 = (t87 > u9 ? t87 : u9);
-    const double t91 = 2.0 / t90;
-    const double t92 = t87 - t90;
-    const double t93 = t91 * (t80 * t89 - t86 * t88 - t76 * t92) - 0.45;
-    const double t94 = t91 * (t82 * t88 - t86 * t89 - t78 * t92) - 0.45;
+    const double t91 = t87 - t90;
+    const double t92 = 2.0 / t90;
+    const double t93 = t92 * (t83 * t89 - t85 * t88 - t76 * t91) - 0.45;
+    const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91) - 0.45;
     double u10 = 0.0;
     const double t95 = (u10 < t93 ? u10 : t93);
+    const double t96 = (u10 < t94 ? u10 : t94);
     double u11 = -1.0;
-    const double t96 = (!(t95 <= u11) ? t95 : u11);
-    const double t97 = (u10 < t94 ? u10 : t94);
-    const double t98 = (!(t97 <= u11) ? t97 : u11);
-    *xi = t96;
+    const double t97 = (!(t95 <= u11) ? t95 : u11);
+    const double t98 = (!(t96 <= u11) ? t96 : u11);
+    *xi = t97;
     *eta = t98;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1671,7 +1670,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double 
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_precise_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_precise_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1688,10 +1687,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double 
     return status;
 }
 
-/* footpoint_paper_quad4_precise_at for n pairs.
+/* footpoint_new_paper_quad4_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_precise_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1699,96 +1698,96 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *cons
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_precise_points[][19] = {
+static const double footpoint_new_paper_quad4_precise_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.89064515330129657, 1.110223024625157e-16, 3.0065550947091239e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23655024120634, 0, 1.0949160783697008e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.2933759578715644, 0, 1.9982793723176121e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23655024120634, 0, 1.0949160783696978e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.2933759578715644, 0, 1.9982793723176125e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27510749914142468, -1, 1.6344325951057734e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27510749914142468, -1, 1.6344325951057708e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.34735492450535199, 0, 3.9377450259408885e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* 133 mul, 3 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.275 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.275 * t10;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.275 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1;
+    const double u2 = 0.275 * t4;
+    const double t9 = xA[1] - xD[1] - u2;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
     const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t15 = (xA[1] - xS[1]) - 0.275 * (t5 + t7);
-    const double t16 = xA[0] - xS[0] - 0.275 * (t9 + t11);
-    const double t17 = t13 + (t2 * t14 + t6 * t15 + t10 * t16);
-    const double t18 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t19 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t20 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t21 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t22 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t23 = 1.0 / (t20 * t22 - t13 * t13);
-    const double t24 = (t20 * t21 - t13 * t19) * t23;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = (t18 * t20 - t25 * t13) * t23;
-    const double t27 = (t22 * t19 - t13 * t21) * t23;
-    const double t28 = (t25 * t22 - t18 * t13) * t23;
-    const double t29 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t12 = t5 - u3;
+    const double t13 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t14 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
+    const double t15 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t16 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t17 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t18 = xA[0] - xS[0] - 0.275 * (t5 + t11);
+    const double t19 = t7 * t13 + t9 * t14 + t11 * t18;
+    const double t20 = t8 * t13 + t10 * t14 + t12 * t18;
+    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
+    const double t22 = 1.0 / (t16 * t17 - t15 * t15);
+    const double t23 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t24 = (t16 * t20 - t15 * t19) * t22;
+    const double t25 = (t17 * t19 - t15 * t20) * t22;
+    const double t26 = (t23 * t17 - t21 * t15) * t22;
+    const double t27 = (t21 * t16 - t23 * t15) * t22;
+    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
     double u4 = 0.225;
-    const double t30 = (u4 < t27 ? u4 : t27);
+    const double t30 = (u4 < t24 ? u4 : t24);
+    const double t31 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = (u4 < t24 ? u4 : t24);
-    const double t33 = (u5 > t32 ? u5 : t32);
-    const double t34 = t28 * t33 + 1.0 + t26 * t31;
+    const double t32 = (u5 > t30 ? u5 : t30);
+    const double t33 = (u5 > t31 ? u5 : t31);
+    const double t34 = t26 * t32 + 1.0 + t27 * t33;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t31 * t33 * t35;
-    const double t37 = t24 + t26 * t36;
-    const double t38 = t27 + t28 * t36;
-    const double t39 = t25 - t29 * t37;
+    const double t36 = t33 * t32 * t35;
+    const double t37 = t24 + t27 * t36;
+    const double t38 = t25 + t26 * t36;
+    const double t39 = t23 - t28 * t37;
     const double t40 = t38 * t39;
-    const double t41 = t18 * t37 + t40;
-    const double t42 = t17 - 2.0 * t41;
-    const double t43 = t19 - t37 * (t40 + t41);
-    const double t44 = t20 - t37 * (t25 + t39);
-    const double t45 = t18 - t29 * t38;
-    const double t46 = t21 - t38 * (t37 * t45 + t41);
-    const double t47 = t22 - t38 * (t18 + t45);
-    const double t48 = t44 * t47;
-    const double t49 = t48 - t42 * t42;
-    const double u7 = 0.02 * t48;
-    const double t50 = (t49 > u7 ? t49 : u7);
-    const double t51 = t49 - t50;
+    const double t41 = t21 - t28 * t38;
+    const double t42 = t21 * t37 + t40;
+    const double t43 = t29 - 2.0 * t42;
+    const double t44 = t16 - t37 * (t23 + t39);
+    const double t45 = t17 - t38 * (t21 + t41);
+    const double t46 = t44 * t45;
+    const double t47 = t46 - t43 * t43;
+    const double t48 = t19 - t37 * (t40 + t42);
+    const double t49 = t20 - t38 * (t37 * t41 + t42);
+    const double u7 = 0.02 * t46;
+    const double t50 = (t47 > u7 ? t47 : u7);
+    const double t51 = t47 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t46 - t42 * t43 - t37 * t51) * t52;
-    const double t54 = (t47 * t43 - t42 * t46 - t38 * t51) * t52;
-    const double t55 = 2.0 * (t38 - t54);
-    const double t56 = t53 - t37;
-    const double t57 = t45 * t56;
-    const double t58 = t39 * t55;
-    const double t59 = t55 * (0.25 * t58 - t57);
-    const double t60 = t56 * (t58 - t57);
-    const double t61 = t52 * (t44 * t59 + t42 * t60);
-    const double t62 = t52 * (t47 * t60 + t42 * t59);
+    const double t53 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t54 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
+    const double t55 = 2.0 * (t38 - t53);
+    const double t56 = t54 - t37;
+    const double t57 = t39 * t55;
+    const double t58 = t41 * t56;
+    const double t59 = t56 * (t57 - t58);
+    const double t60 = t55 * (0.25 * t57 - t58);
+    const double t61 = t52 * (t44 * t60 + t43 * t59);
+    const double t62 = t52 * (t45 * t59 + t43 * t60);
     const double u8 = -t61;
     double u9 = 0.05;
     const double t63 = (u9 < u8 ? u9 : u8);
@@ -1796,77 +1795,77 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t64 = (u10 > t63 ? u10 : t63);
     const double t65 = (u9 < t62 ? u9 : t62);
     const double t66 = (u10 > t65 ? u10 : t65);
-    const double t67 = t53 - t64;
-    const double t68 = t54 - t66;
+    const double t67 = t54 - t64;
+    const double t68 = t53 - t66;
     const double t69 = (u4 < t67 ? u4 : t67);
     const double t70 = (u5 > t69 ? u5 : t69);
     const double t71 = (u4 < t68 ? u4 : t68);
     const double t72 = (u5 > t71 ? u5 : t71);
-    const double t73 = t25 - t29 * t70;
+    const double t73 = t23 - t28 * t70;
     const double t74 = t72 * t73;
-    const double t75 = t18 * t70 + t74;
-    const double t76 = t17 - 2.0 * t75;
-    const double t77 = t70 * (t74 + t75) - t19;
-    const double t78 = t20 - t70 * (t25 + t73);
-    const double t79 = t18 - t29 * t72;
-    const double t80 = t72 * (t70 * t79 + t75) - t21;
-    const double t81 = t22 - t72 * (t18 + t79);
-    const double t82 = t78 * t81;
-    const double t83 = t82 - t76 * t76;
-    const double u11 = 0.02 * t82;
-    const double t84 = (t83 > u11 ? t83 : u11);
-    const double t85 = t84 - t83;
+    const double t75 = t21 - t28 * t72;
+    const double t76 = t21 * t70 + t74;
+    const double t77 = t29 - 2.0 * t76;
+    const double t78 = t16 - t70 * (t23 + t73);
+    const double t79 = t17 - t72 * (t21 + t75);
+    const double t80 = t78 * t79;
+    const double t81 = t80 - t77 * t77;
+    const double t82 = t70 * (t74 + t76) - t19;
+    const double t83 = t72 * (t70 * t75 + t76) - t20;
+    const double u11 = 0.02 * t80;
+    const double t84 = (t81 > u11 ? t81 : u11);
+    const double t85 = t84 - t81;
     const double t86 = 1.0 / t84;
-    const double t87 = (t76 * t77 - t78 * t80 + t70 * t85) * t86;
-    const double t88 = (t76 * t80 - t81 * t77 + t72 * t85) * t86;
-    const double t89 = t70 - t87;
-    const double t90 = t79 * t89;
-    const double t91 = 2.0 * (t72 - t88);
-    const double t92 = t73 * t91;
-    const double t93 = t89 * (t90 + t92);
-    const double t94 = t91 * (t90 + 0.25 * t92);
-    const double t95 = t86 * (t76 * t94 - t81 * t93);
-    const double t96 = t86 * (t76 * t93 - t78 * t94);
+    const double t87 = (t77 * t83 - t79 * t82 + t72 * t85) * t86;
+    const double t88 = (t77 * t82 - t78 * t83 + t70 * t85) * t86;
+    const double t89 = 2.0 * (t72 - t87);
+    const double t90 = t70 - t88;
+    const double t91 = t73 * t89;
+    const double t92 = t75 * t90;
+    const double t93 = t89 * (t92 + 0.25 * t91);
+    const double t94 = t90 * (t92 + t91);
+    const double t95 = t86 * (t77 * t93 - t79 * t94);
+    const double t96 = t86 * (t77 * t94 - t78 * t93);
     const double t97 = (u9 < t95 ? u9 : t95);
     const double t98 = (u10 > t97 ? u10 : t97);
     const double t99 = (u9 < t96 ? u9 : t96);
     const double t100 = (u10 > t99 ? u10 : t99);
-    const double t101 = t88 - t98;
-    const double t102 = t87 - t100;
+    const double t101 = t87 - t98;
+    const double t102 = t88 - t100;
     const double t103 = (u4 < t101 ? u4 : t101);
     const double t104 = (u5 > t103 ? u5 : t103);
     const double t105 = (u4 < t102 ? u4 : t102);
     const double t106 = (u5 > t105 ? u5 : t105);
     const double t107 = 2.0 * (t72 - t104);
     const double t108 = t70 - t106;
-    const double t109 = t79 * t108;
-    const double t110 = t73 * t107;
-    const double t111 = t107 * (t109 + 0.25 * t110);
-    const double t112 = t108 * (t109 + t110);
-    const double t113 = t86 * (t76 * t112 - t78 * t111);
-    const double t114 = t86 * (t76 * t111 - t81 * t112);
+    const double t109 = t73 * t107;
+    const double t110 = t75 * t108;
+    const double t111 = t107 * (t110 + 0.25 * t109);
+    const double t112 = t108 * (t110 + t109);
+    const double t113 = t86 * (t77 * t112 - t78 * t111);
+    const double t114 = t86 * (t77 * t111 - t79 * t112);
     const double t115 = (u9 < t113 ? u9 : t113);
-    const double t116 = (u10 > t115 ? u10 : t115);
-    const double t117 = (u9 < t114 ? u9 : t114);
-    const double t118 = (u10 > t117 ? u10 : t117);
-    const double t119 = t87 - 0.225 - t116;
-    const double t120 = t88 - 0.225 - t118;
+    const double t116 = (u9 < t114 ? u9 : t114);
+    const double t117 = (u10 > t115 ? u10 : t115);
+    const double t118 = (u10 > t116 ? u10 : t116);
+    const double t119 = t88 - 0.225 - t117;
+    const double t120 = t87 - 0.225 - t118;
     const double u12 = 2.0 * t119;
     double u13 = 0.0;
     const double t121 = (u13 < u12 ? u13 : u12);
-    double u14 = -1.0;
-    const double t122 = (!(t121 <= u14) ? t121 : u14);
-    const double u15 = 2.0 * t120;
-    const double t123 = (u13 < u15 ? u13 : u15);
-    const double t124 = (!(t123 <= u14) ? t123 : u14);
-    *xi = t122;
+    const double u14 = 2.0 * t120;
+    const double t122 = (u13 < u14 ? u13 : u14);
+    double u15 = -1.0;
+    const double t123 = (!(t121 <= u15) ? t121 : u15);
+    const double t124 = (!(t122 <= u15) ? t122 : u15);
+    *xi = t123;
     *eta = t124;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1879,7 +1878,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_accurate_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_accurate_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1896,10 +1895,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double
     return status;
 }
 
-/* footpoint_paper_quad4_accurate_at for n pairs.
+/* footpoint_new_paper_quad4_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_accurate_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1907,165 +1906,165 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_accurate_points[][19] = {
+static const double footpoint_new_paper_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.2203575061314646, -1, 9.3034610988493238e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23055453790035557, 0, 1.0445292861151712e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.54979306334095501, 0, 2.3439730626278609e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.2203575061314646, -1, 9.3034610988493317e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23055453790035557, 0, 1.0445292861151736e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.54979306334095501, 0, 2.3439730626278625e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30921221447654929, -1, 1.6351214712028352e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30921221447654929, -1, 1.6351214712028417e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
 
 /* 137 mul, 5 div, 129 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.275 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = xA[1] - xB[1];
-    const double t5 = xC[1] - xD[1] + t4;
-    const double u2 = 0.275 * t5;
-    const double t6 = xA[1] - xD[1] - u2;
-    const double t7 = xA[0] - xB[0];
-    const double t8 = xC[0] - xD[0] + t7;
-    const double u3 = 0.275 * t8;
-    const double t9 = xA[0] - xD[0] - u3;
-    const double t10 = t3 * t3 + t6 * t6 + t9 * t9;
-    const double t11 = t1 - u1;
-    const double t12 = t4 - u2;
-    const double t13 = t7 - u3;
-    const double t14 = t3 * t11 + t6 * t12 + t9 * t13;
-    const double t15 = (xA[2] - xS[2]) - 0.275 * (t1 + t3);
-    const double t16 = (xA[1] - xS[1]) - 0.275 * (t4 + t6);
-    const double t17 = (xA[0] - xS[0]) - 0.275 * (t7 + t9);
-    const double t18 = t14 + (t2 * t15 + t5 * t16 + t8 * t17);
-    const double t19 = t2 * t11 + t5 * t12 + t8 * t13;
-    const double t20 = t3 * t15 + t6 * t16 + t9 * t17;
-    const double t21 = t11 * t15 + t12 * t16 + t13 * t17;
-    const double t22 = t11 * t11 + t12 * t12 + t13 * t13;
-    const double t23 = 1.0 / (t10 * t22 - t14 * t14);
-    const double t24 = (t10 * t21 - t14 * t20) * t23;
-    const double t25 = t2 * t3 + t5 * t6 + t8 * t9;
-    const double t26 = (t19 * t10 - t25 * t14) * t23;
-    const double t27 = (t22 * t20 - t14 * t21) * t23;
-    const double t28 = (t25 * t22 - t19 * t14) * t23;
-    const double t29 = t2 * t2 + t5 * t5 + t8 * t8;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.275 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double u2 = 0.275 * t4;
+    const double t8 = xA[1] - xD[1] - u2;
+    const double t9 = t1 - u1;
+    const double t10 = t2 - u2;
+    const double u3 = 0.275 * t6;
+    const double t11 = xA[0] - xD[0] - u3;
+    const double t12 = t5 - u3;
+    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
+    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
+    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
+    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
+    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
+    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
+    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
+    const double t21 = t3 * t9 + t4 * t10 + t6 * t12;
+    const double t22 = 1.0 / (t13 * t15 - t14 * t14);
+    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
+    const double t24 = (t13 * t20 - t14 * t19) * t22;
+    const double t25 = (t15 * t19 - t14 * t20) * t22;
+    const double t26 = (t23 * t15 - t21 * t14) * t22;
+    const double t27 = (t21 * t13 - t23 * t14) * t22;
+    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
     double u4 = 0.225;
-    const double t30 = (u4 < t27 ? u4 : t27);
+    const double t30 = (u4 < t24 ? u4 : t24);
+    const double t31 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = (u4 < t24 ? u4 : t24);
-    const double t33 = (u5 > t32 ? u5 : t32);
-    const double t34 = t28 * t33 + 1.0 + t26 * t31;
+    const double t32 = (u5 > t30 ? u5 : t30);
+    const double t33 = (u5 > t31 ? u5 : t31);
+    const double t34 = t26 * t32 + 1.0 + t27 * t33;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t31 * t33 * t35;
-    const double t37 = t24 + t26 * t36;
-    const double t38 = t27 + t28 * t36;
-    const double t39 = t25 - t29 * t37;
-    const double t40 = t38 * t39;
-    const double t41 = t19 * t37 + t40;
-    const double t42 = t18 - 2.0 * t41;
-    const double t43 = t20 - t37 * (t40 + t41);
-    const double t44 = t10 - t37 * (t25 + t39);
-    const double t45 = t19 - t29 * t38;
-    const double t46 = t21 - t38 * (t37 * t45 + t41);
-    const double t47 = t22 - t38 * (t19 + t45);
-    const double t48 = t44 * t47;
-    const double t49 = t48 - t42 * t42;
-    const double u7 = 0.02 * t48;
-    const double t50 = (t49 > u7 ? t49 : u7);
-    const double t51 = t49 - t50;
+    const double t36 = t33 * t32 * t35;
+    const double t37 = t24 + t27 * t36;
+    const double t38 = t25 + t26 * t36;
+    const double t39 = t23 - t28 * t37;
+    const double t40 = t21 - t28 * t38;
+    const double t41 = t38 * t39;
+    const double t42 = t21 * t37 + t41;
+    const double t43 = t29 - 2.0 * t42;
+    const double t44 = t13 - t37 * (t23 + t39);
+    const double t45 = t15 - t38 * (t21 + t40);
+    const double t46 = t44 * t45;
+    const double t47 = t46 - t43 * t43;
+    const double t48 = t19 - t37 * (t41 + t42);
+    const double t49 = t20 - t38 * (t37 * t40 + t42);
+    const double u7 = 0.02 * t46;
+    const double t50 = (t47 > u7 ? t47 : u7);
+    const double t51 = t47 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t46 - t42 * t43 - t37 * t51) * t52;
-    const double t54 = (t47 * t43 - t42 * t46 - t38 * t51) * t52;
+    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
+    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t25 - t29 * t56;
-    const double t60 = t10 - t56 * (t25 + t59);
-    const double t61 = t19 - t29 * t58;
-    const double t62 = t22 - t58 * (t19 + t61);
-    const double t63 = t60 * t62;
-    const double t64 = t58 * t59;
-    const double t65 = t19 * t56 + t64;
-    const double t66 = t18 - 2.0 * t65;
-    const double t67 = t63 - t66 * t66;
-    const double t68 = t20 - t56 * (t64 + t65);
-    const double t69 = t21 - t58 * (t56 * t61 + t65);
-    const double u8 = 0.02 * t63;
+    const double t59 = t23 - t28 * t56;
+    const double t60 = t21 - t28 * t58;
+    const double t61 = t58 * t59;
+    const double t62 = t21 * t56 + t61;
+    const double t63 = t13 - t56 * (t23 + t59);
+    const double t64 = t15 - t58 * (t21 + t60);
+    const double t65 = t29 - 2.0 * t62;
+    const double t66 = t63 * t64;
+    const double t67 = t66 - t65 * t65;
+    const double t68 = t19 - t56 * (t61 + t62);
+    const double t69 = t20 - t58 * (t56 * t60 + t62);
+    const double u8 = 0.02 * t66;
     const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = 1.0 / t70;
-    const double t72 = t67 - t70;
-    const double t73 = t71 * (t60 * t69 - t66 * t68 - t56 * t72);
-    const double t74 = t71 * (t62 * t68 - t66 * t69 - t58 * t72);
+    const double t71 = t67 - t70;
+    const double t72 = 1.0 / t70;
+    const double t73 = t72 * (t63 * t69 - t65 * t68 - t56 * t71);
+    const double t74 = t72 * (t64 * t68 - t65 * t69 - t58 * t71);
     const double t75 = (u4 < t73 ? u4 : t73);
     const double t76 = (u5 > t75 ? u5 : t75);
     const double t77 = (u4 < t74 ? u4 : t74);
     const double t78 = (u5 > t77 ? u5 : t77);
-    const double t79 = t25 - t29 * t76;
-    const double t80 = t10 - t76 * (t25 + t79);
-    const double t81 = t19 - t29 * t78;
-    const double t82 = t22 - t78 * (t19 + t81);
-    const double t83 = t80 * t82;
-    const double t84 = t78 * t79;
-    const double t85 = t19 * t76 + t84;
-    const double t86 = t18 - 2.0 * t85;
-    const double t87 = t83 - t86 * t86;
-    const double t88 = t20 - t76 * (t84 + t85);
-    const double t89 = t21 - t78 * (t76 * t81 + t85);
-    const double u9 = 0.02 * t83;
+    const double t79 = t23 - t28 * t76;
+    const double t80 = t21 - t28 * t78;
+    const double t81 = t78 * t79;
+    const double t82 = t21 * t76 + t81;
+    const double t83 = t13 - t76 * (t23 + t79);
+    const double t84 = t15 - t78 * (t21 + t80);
+    const double t85 = t29 - 2.0 * t82;
+    const double t86 = t83 * t84;
+    const double t87 = t86 - t85 * t85;
+    const double t88 = t19 - t76 * (t81 + t82);
+    const double t89 = t20 - t78 * (t76 * t80 + t82);
+    const double u9 = 0.02 * t86;
     const double t90 = (t87 > u9 ? t87 : u9);
-    const double t91 = 1.0 / t90;
-    const double t92 = t87 - t90;
-    const double t93 = t91 * (t80 * t89 - t86 * t88 - t76 * t92);
-    const double t94 = t91 * (t82 * t88 - t86 * t89 - t78 * t92);
+    const double t91 = t87 - t90;
+    const double t92 = 1.0 / t90;
+    const double t93 = t92 * (t83 * t89 - t85 * t88 - t76 * t91);
+    const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91);
     const double t95 = (u4 < t93 ? u4 : t93);
     const double t96 = (u5 > t95 ? u5 : t95);
     const double t97 = (u4 < t94 ? u4 : t94);
     const double t98 = (u5 > t97 ? u5 : t97);
-    const double t99 = t25 - t29 * t96;
-    const double t100 = t10 - t96 * (t25 + t99);
-    const double t101 = t19 - t29 * t98;
-    const double t102 = t22 - t98 * (t19 + t101);
-    const double t103 = t100 * t102;
-    const double t104 = t98 * t99;
-    const double t105 = t19 * t96 + t104;
-    const double t106 = t18 - 2.0 * t105;
-    const double t107 = t103 - t106 * t106;
-    const double t108 = t20 - t96 * (t104 + t105);
-    const double t109 = t21 - t98 * (t96 * t101 + t105);
-    const double u10 = 0.02 * t103;
+    const double t99 = t23 - t28 * t96;
+    const double t100 = t21 - t28 * t98;
+    const double t101 = t98 * t99;
+    const double t102 = t21 * t96 + t101;
+    const double t103 = t13 - t96 * (t23 + t99);
+    const double t104 = t15 - t98 * (t21 + t100);
+    const double t105 = t29 - 2.0 * t102;
+    const double t106 = t103 * t104;
+    const double t107 = t106 - t105 * t105;
+    const double t108 = t19 - t96 * (t101 + t102);
+    const double t109 = t20 - t98 * (t96 * t100 + t102);
+    const double u10 = 0.02 * t106;
     const double t110 = (t107 > u10 ? t107 : u10);
-    const double t111 = 2.0 / t110;
-    const double t112 = t107 - t110;
-    const double t113 = t111 * (t100 * t109 - t106 * t108 - t96 * t112) - 0.45;
-    const double t114 = t111 * (t102 * t108 - t106 * t109 - t98 * t112) - 0.45;
+    const double t111 = t107 - t110;
+    const double t112 = 2.0 / t110;
+    const double t113 = t112 * (t103 * t109 - t105 * t108 - t96 * t111) - 0.45;
+    const double t114 = t112 * (t104 * t108 - t105 * t109 - t98 * t111) - 0.45;
     double u11 = 0.0;
     const double t115 = (u11 < t113 ? u11 : t113);
+    const double t116 = (u11 < t114 ? u11 : t114);
     double u12 = -1.0;
-    const double t116 = (!(t115 <= u12) ? t115 : u12);
-    const double t117 = (u11 < t114 ? u11 : t114);
-    const double t118 = (!(t117 <= u12) ? t117 : u12);
-    *xi = t116;
+    const double t117 = (!(t115 <= u12) ? t115 : u12);
+    const double t118 = (!(t116 <= u12) ? t116 : u12);
+    *xi = t117;
     *eta = t118;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2078,7 +2077,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_full_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_full_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2095,10 +2094,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_paper_quad4_full_at for n pairs.
+/* footpoint_new_paper_quad4_full_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_full_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2106,110 +2105,110 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_full_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.91295984948060971, 1.110223024625157e-16, 2.8829543987939256e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.3447965858257079e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23353818633828166, 0, 1.1039096731030994e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.37980178011557497, 0, 2.0481028310638951e-15, 9.8813129168249309e-324},
+static const double footpoint_new_paper_quad4_full_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.91295984948060971, 1.110223024625157e-16, 2.882954398793926e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.344796585825711e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23353818633828166, 0, 1.103909673103099e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.37980178011557497, 0, 2.0481028310638943e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29624750487957296, -1, 1.8829233279255917e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29624750487957296, -1, 1.8829233279255779e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
 
 /* 92 mul, 5 div, 94 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[1] - xB[1];
-    const double t2 = xC[1] - xD[1] + t1;
-    const double u1 = 0.25 * t2;
-    const double t3 = xA[1] - xD[1] - u1;
-    const double t4 = xA[1] - xS[1] - 0.25 * (t1 + t3);
-    const double t5 = xA[0] - xB[0];
-    const double t6 = xC[0] - xD[0] + t5;
-    const double u2 = 0.25 * t6;
-    const double t7 = xA[0] - xD[0] - u2;
-    const double t8 = xA[0] - xS[0] - 0.25 * (t5 + t7);
-    const double t9 = xA[2] - xB[2];
-    const double t10 = xC[2] - xD[2] + t9;
-    const double u3 = 0.25 * t10;
-    const double t11 = xA[2] - xD[2] - u3;
-    const double t12 = (xA[2] - xS[2]) - 0.25 * (t9 + t11);
-    const double t13 = t9 - u3;
-    const double t14 = t1 - u1;
-    const double t15 = t5 - u2;
-    const double t16 = t11 * t13 + t3 * t14 + t7 * t15;
-    const double t17 = (t2 * t4 + t6 * t8) + (t10 * t12 + t16);
-    const double t18 = t10 * t13 + t2 * t14 + t6 * t15;
-    const double t19 = t11 * t12 + t3 * t4 + t7 * t8;
-    const double t20 = t11 * t11 + t3 * t3 + t7 * t7;
-    const double t21 = t13 * t12 + t14 * t4 + t15 * t8;
-    const double t22 = t13 * t13 + t14 * t14 + t15 * t15;
-    const double t23 = 1.0 / (t20 * t22 - t16 * t16);
-    const double t24 = (t20 * t21 - t16 * t19) * t23;
-    const double t25 = t10 * t11 + t2 * t3 + t6 * t7;
-    const double t26 = (t18 * t20 - t25 * t16) * t23 * (t22 * t19 - t16 * t21) * t23;
-    const double t27 = (t25 * t22 - t18 * t16) * t23 * t24 + 1.0 + t26;
-    const double t28 = t10 * t10 + t2 * t2 + t6 * t6;
+    const double t2 = xA[2] - xB[2];
+    const double t3 = xC[1] - xD[1] + t1;
+    const double t4 = xA[0] - xB[0];
+    const double t5 = xC[2] - xD[2] + t2;
+    const double t6 = xC[0] - xD[0] + t4;
+    const double u1 = 0.25 * t3;
+    const double t7 = xA[1] - xD[1] - u1;
+    const double u2 = 0.25 * t5;
+    const double t8 = xA[2] - xD[2] - u2;
+    const double t9 = t2 - u2;
+    const double t10 = t1 - u1;
+    const double u3 = 0.25 * t6;
+    const double t11 = xA[0] - xD[0] - u3;
+    const double t12 = t4 - u3;
+    const double t13 = (xA[2] - xS[2]) - 0.25 * (t2 + t8);
+    const double t14 = t8 * t9 + t7 * t10 + t11 * t12;
+    const double t15 = t8 * t8 + t7 * t7 + t11 * t11;
+    const double t16 = t9 * t9 + t10 * t10 + t12 * t12;
+    const double t17 = xA[1] - xS[1] - 0.25 * (t1 + t7);
+    const double t18 = xA[0] - xS[0] - 0.25 * (t4 + t11);
+    const double t19 = t5 * t9 + t3 * t10 + t6 * t12;
+    const double t20 = t8 * t13 + t7 * t17 + t11 * t18;
+    const double t21 = t9 * t13 + t10 * t17 + t12 * t18;
+    const double t22 = t5 * t8 + t3 * t7 + t6 * t11;
+    const double t23 = 1.0 / (t15 * t16 - t14 * t14);
+    const double t24 = (t15 * t21 - t14 * t20) * t23;
+    const double t25 = (t19 * t15 - t22 * t14) * t23 * (t16 * t20 - t14 * t21) * t23;
+    const double t26 = (t22 * t16 - t19 * t14) * t23 * t24 + 1.0 + t25;
+    const double t27 = t5 * t5 + t3 * t3 + t6 * t6;
+    const double t28 = (t3 * t17 + t6 * t18) + (t5 * t13 + t14);
     double u4 = 0.6;
-    const double t29 = (u4 > t27 ? u4 : t27);
-    const double t30 = t24 * (t26 * t29 + 1.0);
+    const double t29 = (u4 > t26 ? u4 : t26);
+    const double t30 = t24 * (t25 * t29 + 1.0);
     double u5 = 0.25;
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.25;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t18 * t32;
-    const double t34 = t25 - t28 * t32;
-    const double t35 = t20 - t32 * (t25 + t34);
-    const double t36 = (t19 - t32 * (t17 - t33)) / t35;
-    const double t37 = t34 * t36;
-    const double t38 = t33 + t37;
-    const double t39 = t17 - 2.0 * t38;
-    const double t40 = t18 - t28 * t36;
-    const double t41 = t35 * (t22 - t36 * (t18 + t40));
-    const double t42 = t41 - t39 * t39;
+    const double t33 = t22 - t27 * t32;
+    const double t34 = t15 - t32 * (t22 + t33);
+    const double t35 = t19 * t32;
+    const double t36 = (t20 - t32 * (t28 - t35)) / t34;
+    const double t37 = t33 * t36;
+    const double t38 = t19 - t27 * t36;
+    const double t39 = t35 + t37;
+    const double t40 = t28 - 2.0 * t39;
+    const double t41 = t34 * (t16 - t36 * (t19 + t38));
+    const double t42 = t41 - t40 * t40;
     const double u7 = 0.02 * t41;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t35 * (t21 - t36 * (t38 + t32 * t40)) - t19 * t39 - t32 * ((t42 - t43) - (t37 + t38) * t39);
+    const double t44 = t34 * (t21 - t36 * (t39 + t32 * t38)) - t20 * t40 - t32 * ((t42 - t43) - (t37 + t39) * t40);
     const double t45 = t44 / t43;
-    const double t46 = t18 * t45;
-    const double t47 = t25 - t28 * t45;
-    const double t48 = t20 - t45 * (t25 + t47);
-    const double t49 = (t19 - t45 * (t17 - t46)) / t48;
-    const double t50 = t47 * t49;
-    const double t51 = t46 + t50;
-    const double t52 = t17 - 2.0 * t51;
-    const double t53 = t19 - t45 * (t50 + t51);
-    const double t54 = t18 - t28 * t49;
-    const double t55 = t21 - t49 * (t51 + t45 * t54);
-    const double t56 = t22 - t49 * (t18 + t54);
-    const double t57 = t48 * t56;
-    const double t58 = t57 - t52 * t52;
-    const double u8 = 0.02 * t57;
-    const double t59 = (t58 > u8 ? t58 : u8);
-    const double t60 = t58 - t59;
+    const double t46 = t22 - t27 * t45;
+    const double t47 = t15 - t45 * (t22 + t46);
+    const double t48 = t19 * t45;
+    const double t49 = (t20 - t45 * (t28 - t48)) / t47;
+    const double t50 = t46 * t49;
+    const double t51 = t19 - t27 * t49;
+    const double t52 = t48 + t50;
+    const double t53 = t28 - 2.0 * t52;
+    const double t54 = t16 - t49 * (t19 + t51);
+    const double t55 = t47 * t54;
+    const double t56 = t55 - t53 * t53;
+    const double t57 = t20 - t45 * (t50 + t52);
+    const double t58 = t21 - t49 * (t52 + t45 * t51);
+    const double u8 = 0.02 * t55;
+    const double t59 = (t56 > u8 ? t56 : u8);
+    const double t60 = t56 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t48 * t55 - t52 * t53 - t45 * t60) * t61;
-    const double t63 = (t53 * t56 - t52 * t55 - t49 * t60) * t61;
+    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
+    const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
     const double t64 = (u5 < t62 ? u5 : t62);
-    const double t65 = (!(t64 <= u6) ? t64 : u6);
-    const double t66 = (u5 < t63 ? u5 : t63);
-    const double t67 = (!(t66 <= u6) ? t66 : u6);
-    *xi = 2.0 * (t65 - 0.25);
+    const double t65 = (u5 < t63 ? u5 : t63);
+    const double t66 = (!(t64 <= u6) ? t64 : u6);
+    const double t67 = (!(t65 <= u6) ? t65 : u6);
+    *xi = 2.0 * (t66 - 0.25);
     *eta = 2.0 * (t67 - 0.25);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2222,7 +2221,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_program1_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_program1_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2239,10 +2238,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double
     return status;
 }
 
-/* footpoint_paper_quad4_program1_at for n pairs.
+/* footpoint_new_paper_quad4_program1_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_program1_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2250,127 +2249,127 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_program1_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_program1_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_program1_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87287477747581543, 2.2204460492503772e-16, 2.2194158536925479e-15},
+static const double footpoint_new_paper_quad4_program1_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87287477747581543, 2.2204460492503772e-16, 2.2194158536925507e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293334217829662, 0, 8.2372982354486975e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293334217829662, 0, 8.2372982354486896e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, 0, -1, 9.8813129168249309e-324, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443938323548282, -1, 1.0681508065408665e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46040015327553985, 0, 1.1600623567544775e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443938323548282, -1, 1.0681508065408663e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46040015327553985, 0, 1.1600623567544794e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* 113 mul, 6 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.25 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = (xA[2] - xS[2]) - 0.25 * (t1 + t3);
-    const double t5 = xA[0] - xB[0];
-    const double t6 = xC[0] - xD[0] + t5;
-    const double u2 = 0.25 * t6;
-    const double t7 = xA[0] - xD[0] - u2;
-    const double t8 = xA[0] - xS[0] - 0.25 * (t5 + t7);
-    const double t9 = xA[1] - xB[1];
-    const double t10 = xC[1] - xD[1] + t9;
-    const double u3 = 0.25 * t10;
-    const double t11 = xA[1] - xD[1] - u3;
-    const double t12 = (xA[1] - xS[1]) - 0.25 * (t9 + t11);
-    const double t13 = t1 - u1;
-    const double t14 = t9 - u3;
-    const double t15 = t5 - u2;
-    const double t16 = t3 * t13 + t11 * t14 + t7 * t15;
-    const double t17 = (t2 * t4 + t6 * t8) + (t10 * t12 + t16);
-    const double t18 = t2 * t13 + t10 * t14 + t6 * t15;
-    const double t19 = t3 * t4 + t11 * t12 + t7 * t8;
-    const double t20 = t3 * t3 + t11 * t11 + t7 * t7;
-    const double t21 = t13 * t4 + t14 * t12 + t15 * t8;
-    const double t22 = t13 * t13 + t14 * t14 + t15 * t15;
-    const double t23 = 1.0 / (t20 * t22 - t16 * t16);
-    const double t24 = (t20 * t21 - t16 * t19) * t23;
-    const double t25 = t2 * t3 + t10 * t11 + t6 * t7;
-    const double t26 = (t22 * t19 - t16 * t21) * (t18 * t20 - t25 * t16) * t23;
-    const double t27 = t23 * ((t25 * t22 - t18 * t16) * t24 + t26) + 1.0;
-    const double t28 = t2 * t2 + t10 * t10 + t6 * t6;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xA[0] - xB[0];
+    const double t5 = xC[1] - xD[1] + t2;
+    const double t6 = xC[0] - xD[0] + t4;
+    const double u1 = 0.25 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double u2 = 0.25 * t5;
+    const double t8 = xA[1] - xD[1] - u2;
+    const double t9 = t1 - u1;
+    const double t10 = t2 - u2;
+    const double u3 = 0.25 * t6;
+    const double t11 = xA[0] - xD[0] - u3;
+    const double t12 = t4 - u3;
+    const double t13 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
+    const double t14 = (xA[1] - xS[1]) - 0.25 * (t2 + t8);
+    const double t15 = t7 * t9 + t8 * t10 + t11 * t12;
+    const double t16 = t7 * t7 + t8 * t8 + t11 * t11;
+    const double t17 = t9 * t9 + t10 * t10 + t12 * t12;
+    const double t18 = xA[0] - xS[0] - 0.25 * (t4 + t11);
+    const double t19 = t3 * t9 + t5 * t10 + t6 * t12;
+    const double t20 = t7 * t13 + t8 * t14 + t11 * t18;
+    const double t21 = t9 * t13 + t10 * t14 + t12 * t18;
+    const double t22 = t3 * t7 + t5 * t8 + t6 * t11;
+    const double t23 = 1.0 / (t16 * t17 - t15 * t15);
+    const double t24 = (t16 * t21 - t15 * t20) * t23;
+    const double t25 = (t17 * t20 - t15 * t21) * (t19 * t16 - t22 * t15) * t23;
+    const double t26 = t23 * ((t22 * t17 - t19 * t15) * t24 + t25) + 1.0;
+    const double t27 = t3 * t3 + t5 * t5 + t6 * t6;
+    const double t28 = (t3 * t13 + t6 * t18) + (t5 * t14 + t15);
     double u4 = 0.6;
-    const double t29 = (u4 > t27 ? u4 : t27);
-    const double t30 = t24 * (t23 * t26 * t29 + 1.0);
+    const double t29 = (u4 > t26 ? u4 : t26);
+    const double t30 = t24 * (t23 * t25 * t29 + 1.0);
     double u5 = 0.25;
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.25;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t18 * t32;
-    const double t34 = t25 - t28 * t32;
-    const double t35 = t20 - t32 * (t25 + t34);
-    const double t36 = (t19 - t32 * (t17 - t33)) / t35;
-    const double t37 = t34 * t36;
-    const double t38 = t33 + t37;
-    const double t39 = t17 - 2.0 * t38;
-    const double t40 = t18 - t28 * t36;
-    const double t41 = t35 * (t22 - t36 * (t18 + t40));
-    const double t42 = t41 - t39 * t39;
+    const double t33 = t22 - t27 * t32;
+    const double t34 = t16 - t32 * (t22 + t33);
+    const double t35 = t19 * t32;
+    const double t36 = (t20 - t32 * (t28 - t35)) / t34;
+    const double t37 = t33 * t36;
+    const double t38 = t19 - t27 * t36;
+    const double t39 = t35 + t37;
+    const double t40 = t28 - 2.0 * t39;
+    const double t41 = t34 * (t17 - t36 * (t19 + t38));
+    const double t42 = t41 - t40 * t40;
     const double u7 = 0.02 * t41;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t35 * (t21 - t36 * (t38 + t32 * t40)) - t39 * (t19 - t32 * (t37 + t38)) - t32 * (t42 - t43);
+    const double t44 = t34 * (t21 - t36 * (t39 + t32 * t38)) - t40 * (t20 - t32 * (t37 + t39)) - t32 * (t42 - t43);
     const double t45 = t44 / t43;
-    const double t46 = t18 * t45;
-    const double t47 = t25 - t28 * t45;
-    const double t48 = t20 - t45 * (t25 + t47);
-    const double t49 = (t19 - t45 * (t17 - t46)) / t48;
-    const double t50 = t47 * t49;
-    const double t51 = t46 + t50;
-    const double t52 = t17 - 2.0 * t51;
-    const double t53 = t19 - t45 * (t50 + t51);
-    const double t54 = t18 - t28 * t49;
-    const double t55 = t21 - t49 * (t51 + t45 * t54);
-    const double t56 = t22 - t49 * (t18 + t54);
-    const double t57 = t48 * t56;
-    const double t58 = t57 - t52 * t52;
-    const double u8 = 0.02 * t57;
-    const double t59 = (t58 > u8 ? t58 : u8);
-    const double t60 = t58 - t59;
+    const double t46 = t22 - t27 * t45;
+    const double t47 = t16 - t45 * (t22 + t46);
+    const double t48 = t19 * t45;
+    const double t49 = (t20 - t45 * (t28 - t48)) / t47;
+    const double t50 = t46 * t49;
+    const double t51 = t19 - t27 * t49;
+    const double t52 = t48 + t50;
+    const double t53 = t28 - 2.0 * t52;
+    const double t54 = t17 - t49 * (t19 + t51);
+    const double t55 = t47 * t54;
+    const double t56 = t55 - t53 * t53;
+    const double t57 = t20 - t45 * (t50 + t52);
+    const double t58 = t21 - t49 * (t52 + t45 * t51);
+    const double u8 = 0.02 * t55;
+    const double t59 = (t56 > u8 ? t56 : u8);
+    const double t60 = t56 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t48 * t55 - t52 * t53 - t45 * t60) * t61;
-    const double t63 = (t53 * t56 - t52 * t55 - t49 * t60) * t61;
-    const double t64 = t25 - t28 * t62;
+    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
+    const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
+    const double t64 = t22 - t27 * t62;
     const double t65 = t63 * t64;
-    const double t66 = t18 * t62 + t65;
-    const double t67 = t17 - 2.0 * t66;
-    const double t68 = t19 - t62 * (t65 + t66);
-    const double t69 = t20 - t62 * (t25 + t64);
-    const double t70 = t18 - t28 * t63;
-    const double t71 = t21 - t63 * (t62 * t70 + t66);
-    const double t72 = t22 - t63 * (t18 + t70);
-    const double t73 = t72 * t69;
-    const double t74 = t73 - t67 * t67;
-    const double u9 = 0.02 * t73;
-    const double t75 = (t74 > u9 ? t74 : u9);
-    const double t76 = t74 - t75;
+    const double t66 = t19 - t27 * t63;
+    const double t67 = t19 * t62 + t65;
+    const double t68 = t28 - 2.0 * t67;
+    const double t69 = t16 - t62 * (t22 + t64);
+    const double t70 = t17 - t63 * (t19 + t66);
+    const double t71 = t70 * t69;
+    const double t72 = t71 - t68 * t68;
+    const double t73 = t20 - t62 * (t65 + t67);
+    const double t74 = t21 - t63 * (t62 * t66 + t67);
+    const double u9 = 0.02 * t71;
+    const double t75 = (t72 > u9 ? t72 : u9);
+    const double t76 = t72 - t75;
     const double t77 = 1.0 / t75;
-    const double t78 = (t69 * t71 - t67 * t68 - t62 * t76) * t77;
-    const double t79 = (t72 * t68 - t67 * t71 - t63 * t76) * t77;
+    const double t78 = (t69 * t74 - t68 * t73 - t62 * t76) * t77;
+    const double t79 = (t70 * t73 - t68 * t74 - t63 * t76) * t77;
     const double t80 = (u5 < t78 ? u5 : t78);
-    const double t81 = (!(t80 <= u6) ? t80 : u6);
-    const double t82 = (u5 < t79 ? u5 : t79);
-    const double t83 = (!(t82 <= u6) ? t82 : u6);
-    *xi = 2.0 * (t81 - 0.25);
+    const double t81 = (u5 < t79 ? u5 : t79);
+    const double t82 = (!(t80 <= u6) ? t80 : u6);
+    const double t83 = (!(t81 <= u6) ? t81 : u6);
+    *xi = 2.0 * (t82 - 0.25);
     *eta = 2.0 * (t83 - 0.25);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2383,7 +2382,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_program2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_program2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2400,10 +2399,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double
     return status;
 }
 
-/* footpoint_paper_quad4_program2_at for n pairs.
+/* footpoint_new_paper_quad4_program2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_program2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2411,144 +2410,144 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_program2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_program2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_program2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404905836945, 2.2204460492503772e-16, 2.2894233061088921e-15},
+static const double footpoint_new_paper_quad4_program2_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404905836945, 2.2204460492503772e-16, 2.2894233061089253e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136019, 0, 8.8372752827172519e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.2544393301211651, -1, 1.1578703938343736e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007633043615082, 0, 1.2929123308278627e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.2544393301211651, -1, 1.157870393834372e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007633043615082, 0, 1.2929123308279402e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* 134 mul, 7 div, 128 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xD[2] - xC[2] - t1;
-    const double u1 = 0.25 * t2;
-    const double t3 = t1 + u1;
-    const double t4 = xA[2] - xD[2] + u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xD[1] - xC[1] - t5;
-    const double u2 = 0.25 * t6;
-    const double t7 = t5 + u2;
-    const double t8 = xA[1] - xD[1] + u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xD[0] - xC[0] - t9;
-    const double u3 = 0.25 * t10;
-    const double t11 = t9 + u3;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xD[2] - xC[2] - t1;
+    const double t4 = xD[1] - xC[1] - t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xD[0] - xC[0] - t5;
+    const double u1 = 0.25 * t3;
+    const double t7 = t1 + u1;
+    const double t8 = xA[2] - xD[2] + u1;
+    const double u2 = 0.25 * t4;
+    const double t9 = t2 + u2;
+    const double t10 = xA[1] - xD[1] + u2;
+    const double u3 = 0.25 * t6;
+    const double t11 = t5 + u3;
     const double t12 = xD[0] - xA[0] - u3;
-    const double t13 = t3 * t4 + t7 * t8 - t11 * t12;
-    const double t14 = (xA[2] - xS[2]) - 0.25 * (t1 + t4);
-    const double t15 = (xA[1] - xS[1]) - 0.25 * (t5 + t8);
-    const double t16 = xA[0] - xS[0] - 0.25 * (t9 - t12);
-    const double t17 = t13 - (t2 * t14 + t6 * t15 + t10 * t16);
-    const double t18 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t19 = t12 * t16 - t4 * t14 - t8 * t15;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t22 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t23 = 1.0 / (t22 * t20 - t13 * t13);
-    const double t24 = (t13 * t19 + t20 * t21) * t23;
-    const double t25 = t10 * t12 - t2 * t4 - t6 * t8;
-    const double t26 = (t13 * t25 + t18 * t20) * t23 * (t13 * t21 + t22 * t19) * t23;
-    const double t27 = (t18 * t13 + t22 * t25) * t23 * t24 + 1.0 + t26;
-    const double t28 = t2 * t2 + t6 * t6 + t10 * t10;
+    const double t13 = (xA[2] - xS[2]) - 0.25 * (t1 + t8);
+    const double t14 = (xA[1] - xS[1]) - 0.25 * (t2 + t10);
+    const double t15 = t7 * t8 + t9 * t10 - t11 * t12;
+    const double t16 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t18 = xA[0] - xS[0] - 0.25 * (t5 - t12);
+    const double t19 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t20 = t12 * t18 - t8 * t13 - t10 * t14;
+    const double t21 = t7 * t13 + t9 * t14 + t11 * t18;
+    const double t22 = t6 * t12 - t3 * t8 - t4 * t10;
+    const double t23 = 1.0 / (t17 * t16 - t15 * t15);
+    const double t24 = (t15 * t20 + t16 * t21) * t23;
+    const double t25 = (t15 * t22 + t19 * t16) * t23 * (t15 * t21 + t17 * t20) * t23;
+    const double t26 = (t19 * t15 + t17 * t22) * t23 * t24 + 1.0 + t25;
+    const double t27 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t28 = t15 - (t3 * t13 + t4 * t14 + t6 * t18);
     double u4 = 0.6;
-    const double t29 = (u4 > t27 ? u4 : t27);
-    const double t30 = t24 * (t26 * t29 + 1.0);
+    const double t29 = (u4 > t26 ? u4 : t26);
+    const double t30 = t24 * (t25 * t29 + 1.0);
     double u5 = 0.25;
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.25;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t18 * t32;
-    const double t34 = t19 + t32 * (t17 + t33);
-    const double t35 = t28 * t32 - t25;
-    const double t36 = t20 + t32 * (t35 - t25);
-    const double t37 = t34 / t36;
-    const double t38 = t33 - t35 * t37;
-    const double t39 = t17 + 2.0 * t38;
-    const double t40 = t18 - t28 * t37;
-    const double t41 = t36 * (t22 - t37 * (t18 + t40));
-    const double t42 = t41 - t39 * t39;
+    const double t33 = t27 * t32 - t22;
+    const double t34 = t16 + t32 * (t33 - t22);
+    const double t35 = t19 * t32;
+    const double t36 = t20 + t32 * (t28 + t35);
+    const double t37 = t36 / t34;
+    const double t38 = t19 - t27 * t37;
+    const double t39 = t35 - t33 * t37;
+    const double t40 = t28 + 2.0 * t39;
+    const double t41 = t34 * (t17 - t37 * (t19 + t38));
+    const double t42 = t41 - t40 * t40;
     const double u7 = 0.02 * t41;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t34 * t39 + t36 * (t21 - t37 * (t38 + t32 * t40)) - t32 * (t41 - t43);
+    const double t44 = t36 * t40 + t34 * (t21 - t37 * (t39 + t32 * t38)) - t32 * (t41 - t43);
     const double t45 = t44 / t43;
-    const double t46 = t18 * t45;
-    const double t47 = t28 * t45 - t25;
-    const double t48 = t20 + t45 * (t47 - t25);
-    const double t49 = (t19 + t45 * (t17 + t46)) / t48;
-    const double t50 = t47 * t49;
-    const double t51 = t46 - t50;
-    const double t52 = t17 + 2.0 * t51;
-    const double t53 = t45 * (t51 - t50) - t19;
-    const double t54 = t18 - t28 * t49;
-    const double t55 = t21 - t49 * (t51 + t45 * t54);
-    const double t56 = t22 - t49 * (t18 + t54);
-    const double t57 = t48 * t56;
-    const double t58 = t57 - t52 * t52;
-    const double u8 = 0.02 * t57;
-    const double t59 = (t58 > u8 ? t58 : u8);
-    const double t60 = t58 - t59;
+    const double t46 = t27 * t45 - t22;
+    const double t47 = t16 + t45 * (t46 - t22);
+    const double t48 = t19 * t45;
+    const double t49 = (t20 + t45 * (t28 + t48)) / t47;
+    const double t50 = t46 * t49;
+    const double t51 = t19 - t27 * t49;
+    const double t52 = t48 - t50;
+    const double t53 = t28 + 2.0 * t52;
+    const double t54 = t17 - t49 * (t19 + t51);
+    const double t55 = t47 * t54;
+    const double t56 = t55 - t53 * t53;
+    const double t57 = t45 * (t52 - t50) - t20;
+    const double t58 = t21 - t49 * (t52 + t45 * t51);
+    const double u8 = 0.02 * t55;
+    const double t59 = (t56 > u8 ? t56 : u8);
+    const double t60 = t56 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t48 * t55 - t52 * t53 - t45 * t60) * t61;
-    const double t63 = (t53 * t56 - t52 * t55 + t49 * t60) * t61;
-    const double t64 = t28 * t62 - t25;
+    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
+    const double t63 = (t57 * t54 - t53 * t58 + t49 * t60) * t61;
+    const double t64 = t27 * t62 - t22;
     const double t65 = t63 * t64;
-    const double t66 = t18 * t62 + t65;
-    const double t67 = t17 + 2.0 * t66;
-    const double t68 = t62 * (t65 + t66) - t19;
-    const double t69 = t20 + t62 * (t64 - t25);
-    const double t70 = t18 + t28 * t63;
-    const double t71 = t21 + t63 * (t62 * t70 + t66);
-    const double t72 = t22 + t63 * (t18 + t70);
-    const double t73 = t72 * t69;
-    const double t74 = t73 - t67 * t67;
-    const double u9 = 0.02 * t73;
-    const double t75 = (t74 > u9 ? t74 : u9);
-    const double t76 = t74 - t75;
+    const double t66 = t19 + t27 * t63;
+    const double t67 = t19 * t62 + t65;
+    const double t68 = t28 + 2.0 * t67;
+    const double t69 = t16 + t62 * (t64 - t22);
+    const double t70 = t17 + t63 * (t19 + t66);
+    const double t71 = t70 * t69;
+    const double t72 = t71 - t68 * t68;
+    const double t73 = t62 * (t65 + t67) - t20;
+    const double t74 = t21 + t63 * (t62 * t66 + t67);
+    const double u9 = 0.02 * t71;
+    const double t75 = (t72 > u9 ? t72 : u9);
+    const double t76 = t72 - t75;
     const double t77 = 1.0 / t75;
-    const double t78 = (t69 * t71 - t67 * t68 - t62 * t76) * t77;
-    const double t79 = t18 * t78;
-    const double t80 = (t72 * t68 - t67 * t71 - t63 * t76) * t77;
-    const double t81 = t28 * t78 - t25;
-    const double t82 = t80 * t81;
-    const double t83 = t17 + 2.0 * (t79 + t82);
-    const double t84 = t78 * (t79 + 2.0 * t82) - t19;
-    const double t85 = t20 + t78 * (t81 - t25);
-    const double t86 = t18 + (t18 + t28 * t80);
-    const double t87 = t21 + t80 * (t82 + t78 * t86);
-    const double t88 = t22 + t80 * t86;
-    const double t89 = t88 * t85;
-    const double t90 = t89 - t83 * t83;
-    const double u10 = 0.02 * t89;
-    const double t91 = (t90 > u10 ? t90 : u10);
-    const double t92 = t90 - t91;
+    const double t78 = (t69 * t74 - t68 * t73 - t62 * t76) * t77;
+    const double t79 = (t70 * t73 - t68 * t74 - t63 * t76) * t77;
+    const double t80 = t19 * t78;
+    const double t81 = t27 * t78 - t22;
+    const double t82 = t79 * t81;
+    const double t83 = t19 + (t19 + t27 * t79);
+    const double t84 = t28 + 2.0 * (t80 + t82);
+    const double t85 = t16 + t78 * (t81 - t22);
+    const double t86 = t17 + t79 * t83;
+    const double t87 = t86 * t85;
+    const double t88 = t87 - t84 * t84;
+    const double t89 = t78 * (t80 + 2.0 * t82) - t20;
+    const double t90 = t21 + t79 * (t82 + t78 * t83);
+    const double u10 = 0.02 * t87;
+    const double t91 = (t88 > u10 ? t88 : u10);
+    const double t92 = t88 - t91;
     const double t93 = 1.0 / t91;
-    const double t94 = (t85 * t87 - t83 * t84 - t78 * t92) * t93;
-    const double t95 = (t88 * t84 - t83 * t87 - t80 * t92) * t93;
+    const double t94 = (t85 * t90 - t84 * t89 - t78 * t92) * t93;
+    const double t95 = (t86 * t89 - t84 * t90 - t79 * t92) * t93;
     const double t96 = (u5 < t94 ? u5 : t94);
-    const double t97 = (!(t96 <= u6) ? t96 : u6);
-    const double t98 = (u5 < t95 ? u5 : t95);
-    const double t99 = (!(t98 <= u6) ? t98 : u6);
-    *xi = 2.0 * (t97 - 0.25);
+    const double t97 = (u5 < t95 ? u5 : t95);
+    const double t98 = (!(t96 <= u6) ? t96 : u6);
+    const double t99 = (!(t97 <= u6) ? t97 : u6);
+    *xi = 2.0 * (t98 - 0.25);
     *eta = 2.0 * (t99 - 0.25);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2561,7 +2560,7 @@ FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_program3_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_new_paper_quad4_program3_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2578,10 +2577,10 @@ FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double
     return status;
 }
 
-/* footpoint_paper_quad4_program3_at for n pairs.
+/* footpoint_new_paper_quad4_program3_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_paper_quad4_program3_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_paper_quad4_program3_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2589,20 +2588,20 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program3_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_paper_quad4_program3_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_paper_quad4_program3_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_paper_quad4_program3_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404912731608, 2.2204460492503772e-16, 2.3953964212662701e-15},
+static const double footpoint_new_paper_quad4_program3_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404912731608, 2.2204460492503772e-16, 2.3953964212666882e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136008, 0, 8.9837644481023267e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933012115755, -1, 1.1127050903297117e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007608115386767, 0, 1.3534214200822809e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933012115755, -1, 1.1127050903297093e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007608115386767, 0, 1.3534214200821133e-15, 9.8813129168249309e-324},
 };
 #endif
 

@@ -12,16 +12,16 @@
  * reference: xi -1 eta -1
  * corners: any (as the mesh has them)
  *
- * footpoint_parallelogram_quad4_exact
+ * footpoint_new_parallelogram_quad4_exact
  *   genome_sha256: 8a945912a2ea7a53c9adcfe21443857a753ad5ea824195a6ad486fdb814ce6fb
  *   operations: 23 mul, 1 div, 24 add, 0 sqrt, 0 compare; 15 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.53, 4.53],
  *     yC in [0.14, 5.00], zC in [-0.01, 0.01], xD in [-3.53, 3.53], yD in [0.14, 5.00], zD = 0.00,
  *     xS in [-3.67, 4.48], yS in [-0.50, 5.48], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t13 * t14 - t11 * t11: proved free of zeros, |...| >= 0.018 (rounding error <= 2.4e-14)
- *   rounding error of xi: <= 1.5e-10 proved (with or without FMA), 4.7e-12 worst of 10000 points
- *   rounding error of eta: <= 4.1e-11 proved (with or without FMA), 1.4e-12 worst of 10000 points
+ *   poles: t8 * t9 - t7 * t7: proved free of zeros, |...| >= 0.018 (rounding error <= 2.4e-14)
+ *   rounding error of xi: <= 1.5e-10 proved (with or without FMA), 4.3e-12 worst of 10000 points
+ *   rounding error of eta: <= 4.1e-11 proved (with or without FMA), 1.9e-12 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding
  *   exact_eta: nothing evolved, the frame's value is right to rounding
  *   training_xi: genes 1 mean 2.691e-16
@@ -31,8 +31,8 @@
  *   heldout_random_xi: n 200000 mean 2.669e-16 p99 1.554e-15 max 6.606e-15
  *   heldout_random_eta: n 200000 mean 2.668e-16 p99 1.610e-15 max 6.439e-15
  */
-#ifndef FOOTPOINT_PARALLELOGRAM_QUAD4_H
-#define FOOTPOINT_PARALLELOGRAM_QUAD4_H
+#ifndef FOOTPOINT_NEW_PARALLELOGRAM_QUAD4_H
+#define FOOTPOINT_NEW_PARALLELOGRAM_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -137,37 +137,37 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 23 mul, 1 div, 24 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_parallelogram_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                         const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_parallelogram_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                             const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xS[2];
-    const double t2 = xA[2] - xD[2];
-    const double t3 = xA[1] - xS[1];
-    const double t4 = xA[1] - xD[1];
-    const double t5 = xA[0] - xS[0];
-    const double t6 = xA[0] - xD[0];
-    const double t7 = t1 * t2 + t3 * t4 + t5 * t6;
-    const double t8 = xA[2] - xB[2];
-    const double t9 = xA[1] - xB[1];
-    const double t10 = xA[0] - xB[0];
-    const double t11 = t2 * t8 + t4 * t9 + t6 * t10;
-    const double t12 = t1 * t8 + t3 * t9 + t5 * t10;
-    const double t13 = t2 * t2 + t4 * t4 + t6 * t6;
-    const double t14 = t8 * t8 + t9 * t9 + t10 * t10;
-    const double t15 = 2.0 / (t13 * t14 - t11 * t11);
-    *xi = (t12 * t13 - t7 * t11) * t15 - 1.0;
-    *eta = (t7 * t14 - t12 * t11) * t15 - 1.0;
+    const double t1 = xA[2] - xD[2];
+    const double t2 = xA[1] - xD[1];
+    const double t3 = xA[2] - xB[2];
+    const double t4 = xA[1] - xB[1];
+    const double t5 = xA[0] - xD[0];
+    const double t6 = xA[0] - xB[0];
+    const double t7 = t1 * t3 + t2 * t4 + t5 * t6;
+    const double t8 = t1 * t1 + t2 * t2 + t5 * t5;
+    const double t9 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t10 = xA[2] - xS[2];
+    const double t11 = xA[1] - xS[1];
+    const double t12 = xA[0] - xS[0];
+    const double t13 = t10 * t1 + t11 * t2 + t12 * t5;
+    const double t14 = t10 * t3 + t11 * t4 + t12 * t6;
+    const double t15 = 2.0 / (t8 * t9 - t7 * t7);
+    *xi = (t14 * t8 - t13 * t7) * t15 - 1.0;
+    *eta = (t13 * t9 - t14 * t7) * t15 - 1.0;
     (void)xC;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_parallelogram_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_parallelogram_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                         const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_new_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -179,10 +179,10 @@ FOOTPOINT_FN int footpoint_parallelogram_quad4_exact(const double xA[3], const d
     return status;
 }
 
-/* footpoint_parallelogram_quad4_exact_at for n pairs.
+/* footpoint_new_parallelogram_quad4_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_parallelogram_quad4_exact_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -190,19 +190,19 @@ FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_n(size_t n, const double
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_parallelogram_quad4_exact_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.46875, 4.84375, -0.01, -0.40625, 4.40625, 0, -1.3125, 1.90625, -0.017578125, -3.2734929078014185, -0.13475177304964539, 3.0760030057347846e-15, 1.0340426999547216e-15},
-    {0, 0, 0, 1, 0, 0, -2.21875, 3.03125, -0.01, -0.71875, 1.375, 0, 0.75, 4.40625, 0.14453125, 5.1065340909090908, 5.4090909090909092, 9.8090151639819477e-15, 9.867500743660766e-15},
-    {0, 0, 0, 1, 0, 0, -0.875, 4.375, -0.01, -1.25, 4.5, 0, -1.1875, 1.4375, -0.04296875, -2.5763888888888888, -0.3611111111111111, 2.8307569884490537e-15, 9.0889991849120516e-16},
+static const double footpoint_new_parallelogram_quad4_exact_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 1.46875, 4.84375, -0.01, -0.40625, 4.40625, 0, -1.3125, 1.90625, -0.017578125, -3.2734929078014185, -0.13475177304964539, 3.0760030057347846e-15, 1.0340426999547214e-15},
+    {0, 0, 0, 1, 0, 0, -2.21875, 3.03125, -0.01, -0.71875, 1.375, 0, 0.75, 4.40625, 0.14453125, 5.1065340909090908, 5.4090909090909092, 9.8090151639819477e-15, 9.8675007436607644e-15},
+    {0, 0, 0, 1, 0, 0, -0.875, 4.375, -0.01, -1.25, 4.5, 0, -1.1875, 1.4375, -0.04296875, -2.5763888888888888, -0.3611111111111111, 2.8307569884490541e-15, 9.0889991849120536e-16},
     {0, 0, 0, 1, 0, 0, 1.75, 4.8125, -0.01, 0.1875, 3.78125, 0, 2.1875, -0.28125, 0.02734375, 3.4028925619834709, -1.1487603305785123, 4.6845597732698235e-15, 4.3962653673667732e-16},
     {0, 0, 0, 1, 0, 0, 2.3125, 3.78125, -0.01, -2.28125, 3.9375, 0, -2.875, 3.0625, 0.142578125, -3.2013888888888888, 0.55555555555555558, 7.450083910527609e-15, 2.6098757132455616e-15},
-    {0, 0, 0, 1, 0, 0, 1.96875, 1.03125, -0.01, 3.4375, 2.4375, 0, 2, 5.3125, -0.11328125, -11.983974358974359, 3.358974358974359, 4.4890120333865829e-14, 1.3093425986473821e-14},
-    {0, 0, 0, 1, 0, 0, 2.0625, 3, -0.01, 2.875, 4.15625, 0, 3.125, 0.96875, -0.11328125, 3.9097744360902253, -0.53383458646616544, 8.8962479994030742e-15, 1.469240268730673e-15},
+    {0, 0, 0, 1, 0, 0, 1.96875, 1.03125, -0.01, 3.4375, 2.4375, 0, 2, 5.3125, -0.11328125, -11.983974358974359, 3.358974358974359, 4.4890120333865829e-14, 1.3093425986473823e-14},
+    {0, 0, 0, 1, 0, 0, 2.0625, 3, -0.01, 2.875, 4.15625, 0, 3.125, 0.96875, -0.11328125, 3.9097744360902253, -0.53383458646616544, 8.8962479994030726e-15, 1.4692402687306726e-15},
     {0, 0, 0, 1, 0, 0, -0.90625, 4.4375, -0.01, -2.40625, 0.15625, 0, 2.1875, 1.21875, 0.142578125, 40.912500000000001, 14.6, 8.0016054412590573e-12, 3.2239846348211009e-12},
 };
 #endif

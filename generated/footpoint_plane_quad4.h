@@ -12,14 +12,14 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_plane_quad4_fast
+ * footpoint_new_plane_quad4_fast
  *   genome_sha256: ae26e5d61a1afe0da03cbb2063885d6be828acdbf04c652fc6c041f82711878f
  *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.94, 6.02],
  *     yC in [0.08, 10.21], zC in [-0.01, 0.01], xD in [-5.06, 6.04], yD in [0.08, 10.20], zD = 0.00,
  *     xS in [-4.91, 5.42], yS in [-0.78, 9.32], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t18 * t20 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.2e-12)
+ *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.2e-12)
  *   rounding error of xi: <= 0.0003 proved (with or without FMA), 2.2e-08 worst of 10000 points
  *   rounding error of eta: <= 0.00021 proved (with or without FMA), 1.4e-08 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -31,7 +31,7 @@
  *   heldout_random_xi: n 200000 mean 5.402e-02 p99 2.800e-01 max 4.257e-01
  *   heldout_random_eta: n 200000 mean 5.403e-02 p99 2.797e-01 max 4.125e-01
  *
- * footpoint_plane_quad4_coarse
+ * footpoint_new_plane_quad4_coarse
  *   genome_sha256: 7ac505cb4dfe5151fd48c38ca0285aaab8b61d1853de694e8c9f4db67f3d2c53
  *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -50,7 +50,7 @@
  *   heldout_random_xi: n 200000 mean 1.134e-03 p99 1.611e-02 max 7.317e-02
  *   heldout_random_eta: n 200000 mean 1.135e-03 p99 1.586e-02 max 7.271e-02
  *
- * footpoint_plane_quad4_exact
+ * footpoint_new_plane_quad4_exact
  *   genome_sha256: 986d428163def05444ca82440235a12090d0338ac0408b740d902cf8235c6dda
  *   operations: 50 mul, 1 div, 52 add, 1 sqrt, 1 compare; 38 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -69,8 +69,8 @@
  *   heldout_random_xi: n 200000 mean 1.593e-16 p99 8.882e-16 max 4.774e-15
  *   heldout_random_eta: n 200000 mean 1.593e-16 p99 8.882e-16 max 5.107e-15
  */
-#ifndef FOOTPOINT_PLANE_QUAD4_H
-#define FOOTPOINT_PLANE_QUAD4_H
+#ifndef FOOTPOINT_NEW_PLANE_QUAD4_H
+#define FOOTPOINT_NEW_PLANE_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -175,45 +175,45 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_plane_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_plane_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xC[2] - xD[2] + t1;
-    const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] - u1;
-    const double t4 = t1 - u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xC[1] - xD[1] + t5;
-    const double u2 = 0.5 * t6;
-    const double t7 = xA[1] - xD[1] - u2;
-    const double t8 = t5 - u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xC[0] - xD[0] + t9;
-    const double u3 = 0.5 * t10;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xC[2] - xD[2] + t1;
+    const double t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xC[0] - xD[0] + t5;
+    const double u1 = 0.5 * t3;
+    const double t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1;
+    const double u2 = 0.5 * t4;
+    const double t9 = xA[1] - xD[1] - u2;
+    const double t10 = t2 - u2;
+    const double u3 = 0.5 * t6;
     const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t9 - u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t1 - 2.0 * (xA[2] - xS[2]) + t3;
-    const double t15 = t5 - 2.0 * (xA[1] - xS[1]) + t7;
-    const double t16 = t9 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t21 = 1.0 / (t18 * t20 - t13 * t13);
-    *xi = -(t18 * t19 - t13 * t17) * t21;
-    *eta = -(t20 * t17 - t13 * t19) * t21;
+    const double t12 = t5 - u3;
+    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t16 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
+    const double t17 = t2 - 2.0 * (xA[1] - xS[1]) + t9;
+    const double t18 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
+    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
+    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
+    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
+    *xi = (t13 * t19 - t14 * t20) * t21;
+    *eta = (t13 * t20 - t15 * t19) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_plane_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_plane_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_new_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -225,10 +225,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_fast(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_plane_quad4_fast_at for n pairs.
+/* footpoint_new_plane_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_plane_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_plane_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -236,69 +236,69 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_fast_n(size_t n, const double *const x
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_plane_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.026699113265816456, -1.1143276835521505, 1.8538341201911821e-14, 1.0855035165954723e-14},
-    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 1.5468542463663288, 1.4622772531953452, 4.0483515769632083e-15, 3.1618997562587893e-15},
-    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.75736485117801111, 1.8139812687614916, 1.0279146461785567e-14, 1.3619775927632956e-14},
-    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -3.736834987654245, 1.8569426280601136, 7.155426412257388e-15, 4.2762985406757982e-15},
-    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 4.9307163860800225, 2.456853524521514, 2.3520826554538728e-14, 1.4683164363700674e-14},
-    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -2.335448196471781, 3.3930080497980621, 1.1080903404030718e-14, 1.2380270270433061e-14},
-    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 7.4521703281044767, -1.5727383404484181, 2.8324001699683372e-14, 4.602127071777094e-15},
-    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -2.3902603094055879, -1.1446148441745787, 5.2318391162594523e-15, 1.9846746625071391e-15},
+static const double footpoint_new_plane_quad4_fast_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.026699113265816456, -1.1143276835521505, 1.8538341201911799e-14, 1.0855035165954716e-14},
+    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 1.5468542463663288, 1.4622772531953452, 4.0483515769632067e-15, 3.1618997562587869e-15},
+    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.75736485117801111, 1.8139812687614916, 1.0279146461785562e-14, 1.3619775927632952e-14},
+    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -3.736834987654245, 1.8569426280601136, 7.1554264122573849e-15, 4.2762985406757966e-15},
+    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 4.9307163860800225, 2.456853524521514, 2.3520826554538719e-14, 1.4683164363700671e-14},
+    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -2.335448196471781, 3.3930080497980621, 1.1080903404030716e-14, 1.2380270270433053e-14},
+    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 7.4521703281044767, -1.5727383404484181, 2.8324001699683365e-14, 4.602127071777094e-15},
+    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -2.3902603094055879, -1.1446148441745787, 5.2318391162594476e-15, 1.9846746625071379e-15},
 };
 #endif
 
 /* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_plane_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_plane_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = 0.5 * (xD[2] - xC[2] - t1);
-    const double t3 = xA[2] - xD[2] + t2;
-    const double t4 = t1 + t2;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = 0.5 * (xD[1] - xC[1] - t5);
-    const double t7 = xA[1] - xD[1] + t6;
-    const double t8 = t5 + t6;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = 0.5 * (xD[0] - xC[0] - t9);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t9 + t10;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = (t1 - 2.0 * (xA[2] - xS[2])) + t3;
-    const double t15 = (t5 - 2.0 * (xA[1] - xS[1])) + t7;
-    const double t16 = t11 - (2.0 * (xA[0] - xS[0]) - t9);
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t13 * t17 - t18 * t19;
-    const double t21 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t22 = t18 * t21 - t13 * t13;
-    const double t23 = t22 * t22;
-    const double t24 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t25 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t26 = t23 + (t25 * t21 - t24 * t13) * t20;
-    const double t27 = t13 * t19 - t21 * t17;
-    const double t28 = (t24 * t18 - t25 * t13) * t27;
-    const double t29 = t22 * (t28 + t26);
+    const double t2 = xA[1] - xB[1];
+    const double t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2);
+    const double t5 = xA[0] - xB[0];
+    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t7 = xA[2] - xD[2] + t3;
+    const double t8 = t1 + t3;
+    const double t9 = xA[1] - xD[1] + t4;
+    const double t10 = t2 + t4;
+    const double t11 = xA[0] - xD[0] + t6;
+    const double t12 = t5 + t6;
+    const double t13 = (t1 - 2.0 * (xA[2] - xS[2])) + t7;
+    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t9;
+    const double t15 = t11 - (2.0 * (xA[0] - xS[0]) - t5);
+    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t19 = t7 * t13 + t9 * t14 + t11 * t15;
+    const double t20 = t8 * t13 + t10 * t14 + t12 * t15;
+    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t23 = t17 * t18 - t16 * t16;
+    const double t24 = t16 * t19 - t17 * t20;
+    const double t25 = t23 * t23;
+    const double t26 = t16 * t20 - t18 * t19;
+    const double t27 = t25 + (t22 * t18 - t21 * t16) * t24;
+    const double t28 = (t21 * t17 - t22 * t16) * t26;
+    const double t29 = t23 * (t28 + t27);
     const double t30 = 1.0 / t29;
-    *xi = t20 * t26 * t30;
-    *eta = t27 * (t23 + t28) * t30;
+    *xi = t24 * t27 * t30;
+    *eta = t26 * (t25 + t28) * t30;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_plane_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_plane_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_new_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -310,10 +310,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_coarse(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_plane_quad4_coarse_at for n pairs.
+/* footpoint_new_plane_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_plane_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -321,77 +321,77 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_n(size_t n, const double *const
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_plane_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642484862867824, -1.1264003889950702, 1.9413815642207082e-14, 6.2715765158747299e-15},
-    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.68827457392475266, 1.5640347703108071, 2.3325582677379363e-15, 4.7962887906839652e-15},
-    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.2944454744074062, 2.0266809738707239, 2.9980131649202014e-15, 2.1325392703684399e-14},
-    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -2.0991597801617154, 1.3831847629241441, 6.7257234845783816e-15, 4.8631764157318272e-15},
-    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, -5.4644177314247617, 9.9387815349361972, 3.3692676905792845e-13, 3.5993954845812865e-13},
-    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.47575571127423399, 3.7965911690725953, 3.1882471188599321e-15, 1.9419839968614167e-14},
-    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3643676946584051, -0.71031377956956088, 3.8988182824940795e-14, 2.4472251017021558e-15},
-    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -5.1535332580416018, -0.69396579238648282, 2.7045342118411583e-14, 2.6927248172808639e-15},
+static const double footpoint_new_plane_quad4_coarse_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642484862867824, -1.1264003889950702, 1.9413815642207088e-14, 6.2715765158747291e-15},
+    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.68827457392475266, 1.5640347703108071, 2.3325582677379359e-15, 4.7962887906839644e-15},
+    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.2944454744074062, 2.0266809738707239, 2.9980131649202022e-15, 2.1325392703684399e-14},
+    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -2.0991597801617154, 1.3831847629241441, 6.7257234845783832e-15, 4.8631764157318272e-15},
+    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, -5.4644177314247617, 9.9387815349361972, 3.3692676905792834e-13, 3.5993954845812865e-13},
+    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.47575571127423399, 3.7965911690725953, 3.1882471188599329e-15, 1.9419839968614164e-14},
+    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3643676946584051, -0.71031377956956088, 3.8988182824940789e-14, 2.447225101702155e-15},
+    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -5.1535332580416018, -0.69396579238648282, 2.7045342118411573e-14, 2.6927248172808624e-15},
 };
 #endif
 
 /* 50 mul, 1 div, 52 add, 1 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_plane_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_plane_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
-    const double t2 = xD[2] - xC[2] - t1;
-    const double u1 = 0.5 * t2;
-    const double t3 = xA[2] - xD[2] + u1;
-    const double t4 = t1 + u1;
-    const double t5 = xA[1] - xB[1];
-    const double t6 = xD[1] - xC[1] - t5;
-    const double u2 = 0.5 * t6;
-    const double t7 = xA[1] - xD[1] + u2;
-    const double t8 = t5 + u2;
-    const double t9 = xA[0] - xB[0];
-    const double t10 = xD[0] - xC[0] - t9;
-    const double u3 = 0.5 * t10;
+    const double t2 = xA[1] - xB[1];
+    const double t3 = xD[2] - xC[2] - t1;
+    const double t4 = xD[1] - xC[1] - t2;
+    const double t5 = xA[0] - xB[0];
+    const double t6 = xD[0] - xC[0] - t5;
+    const double u1 = 0.5 * t3;
+    const double t7 = xA[2] - xD[2] + u1;
+    const double t8 = t1 + u1;
+    const double u2 = 0.5 * t4;
+    const double t9 = xA[1] - xD[1] + u2;
+    const double t10 = t2 + u2;
+    const double u3 = 0.5 * t6;
     const double t11 = xA[0] - xD[0] + u3;
-    const double t12 = t9 + u3;
-    const double t13 = t3 * t4 + t7 * t8 + t11 * t12;
-    const double t14 = t1 - 2.0 * (xA[2] - xS[2]) + t3;
-    const double t15 = t5 - 2.0 * (xA[1] - xS[1]) + t7;
-    const double t16 = t9 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t17 = t3 * t14 + t7 * t15 + t11 * t16;
-    const double t18 = t3 * t3 + t7 * t7 + t11 * t11;
-    const double t19 = t4 * t14 + t8 * t15 + t12 * t16;
-    const double t20 = t13 * t17 - t18 * t19;
-    const double t21 = t2 * t3 + t6 * t7 + t10 * t11;
-    const double t22 = t2 * t4 + t6 * t8 + t10 * t12;
-    const double t23 = t4 * t4 + t8 * t8 + t12 * t12;
-    const double t24 = t23 * t17 - t13 * t19;
-    const double t25 = (t22 * t18 - t21 * t13) * t24;
-    const double t26 = t18 * t23 - t13 * t13;
-    const double t27 = (t21 * t23 - t22 * t13) * t20;
-    const double t28 = t26 * t26 + 0.5 * (t27 - t25);
-    const double t29 = t25 * t27 + t28 * t28;
+    const double t12 = t5 + u3;
+    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
+    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t9;
+    const double t15 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
+    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
+    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
+    const double t19 = t7 * t13 + t9 * t14 + t11 * t15;
+    const double t20 = t8 * t13 + t10 * t14 + t12 * t15;
+    const double t21 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t22 = t3 * t8 + t4 * t10 + t6 * t12;
+    const double t23 = t17 * t18 - t16 * t16;
+    const double t24 = t16 * t19 - t17 * t20;
+    const double t25 = t18 * t19 - t16 * t20;
+    const double t26 = (t21 * t18 - t22 * t16) * t24;
+    const double t27 = (t22 * t17 - t21 * t16) * t25;
+    const double t28 = t23 * t23 + 0.5 * (t26 - t27);
+    const double t29 = t27 * t26 + t28 * t28;
     const double u4 = 65536.0 * t29;
     double u5 = 0.0;
     const double t30 = (u5 > u4 ? u5 : u4);
     const double t31 = t28 + 0.00390625 * sqrt(t30);
-    const double t32 = t26 * t31;
+    const double t32 = t23 * t31;
     const double t33 = 1.0 / t32;
-    *xi = t20 * (t25 + t31) * t33;
-    *eta = t24 * (t27 - t31) * t33;
+    *xi = t24 * (t27 + t31) * t33;
+    *eta = t25 * (t26 - t31) * t33;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_plane_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_plane_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_new_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -403,10 +403,10 @@ FOOTPOINT_FN int footpoint_plane_quad4_exact(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_plane_quad4_exact_at for n pairs.
+/* footpoint_new_plane_quad4_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-math-errno -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_plane_quad4_exact_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_new_plane_quad4_exact_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -414,20 +414,20 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_exact_n(size_t n, const double *const 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_new_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_plane_quad4_exact_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642846267014288, -1.126405014029171, 1.9414694308400687e-14, 5.754657381702686e-15},
-    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.71909875350520558, 1.5603815368580416, 2.7058203626246816e-15, 4.2028987579897788e-15},
-    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.32357821137700865, 2.013295220598335, 3.9407070599008534e-15, 1.9928802011069177e-14},
+static const double footpoint_new_plane_quad4_exact_points[][19] = {
+    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642846267014288, -1.126405014029171, 1.9414694308400693e-14, 5.7546573817026829e-15},
+    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.71909875350520558, 1.5603815368580416, 2.7058203626246816e-15, 4.2028987579897773e-15},
+    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.32357821137700865, 2.013295220598335, 3.9407070599008558e-15, 1.9928802011069174e-14},
     {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -1.858204267951312, 1.3134795072450716, 7.2147432356537499e-15, 4.6553947811401162e-15},
-    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 1.558617480812712, 4.8839315177455456, 7.3110394066354813e-15, 5.6146857090199319e-14},
-    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.62479530434588149, 3.764247185136524, 3.4223846937417974e-15, 1.7608360125985276e-14},
-    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3101948912085835, -0.76153071785484372, 3.8280137686506022e-14, 2.0735275126537104e-15},
-    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -4.4528136547797565, -0.80824282207157183, 1.8275139148235916e-14, 1.8500498481954394e-15},
+    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 1.558617480812712, 4.8839315177455456, 7.3110394066354829e-15, 5.6146857090199319e-14},
+    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.62479530434588149, 3.764247185136524, 3.422384693741799e-15, 1.7608360125985276e-14},
+    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3101948912085835, -0.76153071785484372, 3.8280137686506016e-14, 2.0735275126537104e-15},
+    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -4.4528136547797565, -0.80824282207157183, 1.8275139148235907e-14, 1.8500498481954387e-15},
 };
 #endif
 

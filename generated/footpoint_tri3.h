@@ -12,15 +12,15 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_tri3_exact
+ * footpoint_new_tri3_exact
  *   genome_sha256: 9ce6bbbb4c7fef6085ef7f9ade210b9aa43daa71b97ce8eb5a88b192f384e55d
  *   operations: 23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-3.52, 3.53],
  *     yC in [0.14, 5.00], zC = 0.00, xS in [-3.46, 3.77], yS in [-0.50, 5.38], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t13 * t14 - t11 * t11: proved free of zeros, |...| >= 0.018 (rounding error <= 2.4e-14)
- *   rounding error of xi: <= 7e-11 proved (with or without FMA), 5e-12 worst of 10000 points
- *   rounding error of eta: <= 2e-11 proved (with or without FMA), 1.6e-12 worst of 10000 points
+ *   poles: t8 * t9 - t7 * t7: proved free of zeros, |...| >= 0.018 (rounding error <= 2.4e-14)
+ *   rounding error of xi: <= 7e-11 proved (with or without FMA), 5.3e-12 worst of 10000 points
+ *   rounding error of eta: <= 2e-11 proved (with or without FMA), 1.7e-12 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding
  *   exact_eta: nothing evolved, the frame's value is right to rounding
  *   training_xi: genes 1 mean 7.782e-17
@@ -30,8 +30,8 @@
  *   heldout_random_xi: n 200000 mean 7.719e-17 p99 4.580e-16 max 2.245e-15
  *   heldout_random_eta: n 200000 mean 7.682e-17 p99 4.510e-16 max 3.053e-15
  */
-#ifndef FOOTPOINT_TRI3_H
-#define FOOTPOINT_TRI3_H
+#ifndef FOOTPOINT_NEW_TRI3_H
+#define FOOTPOINT_NEW_TRI3_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -131,37 +131,37 @@ FOOTPOINT_FN int footpoint_detail_tri3_gap(const double *const x[4], double xi, 
 #endif
 
 /* 23 mul, 1 div, 22 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
-                                          double *xi, double *eta)
+FOOTPOINT_FN void footpoint_new_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                                              double *xi, double *eta)
 {
-    const double t1 = xA[2] - xS[2];
-    const double t2 = xA[2] - xC[2];
-    const double t3 = xA[1] - xS[1];
-    const double t4 = xA[1] - xC[1];
-    const double t5 = xA[0] - xS[0];
-    const double t6 = xA[0] - xC[0];
-    const double t7 = t1 * t2 + t3 * t4 + t5 * t6;
-    const double t8 = xA[2] - xB[2];
-    const double t9 = xA[1] - xB[1];
-    const double t10 = xA[0] - xB[0];
-    const double t11 = t2 * t8 + t4 * t9 + t6 * t10;
-    const double t12 = t1 * t8 + t3 * t9 + t5 * t10;
-    const double t13 = t2 * t2 + t4 * t4 + t6 * t6;
-    const double t14 = t8 * t8 + t9 * t9 + t10 * t10;
-    const double t15 = 1.0 / (t13 * t14 - t11 * t11);
-    *xi = (t12 * t13 - t7 * t11) * t15;
-    *eta = (t7 * t14 - t12 * t11) * t15;
+    const double t1 = xA[2] - xC[2];
+    const double t2 = xA[1] - xC[1];
+    const double t3 = xA[2] - xB[2];
+    const double t4 = xA[1] - xB[1];
+    const double t5 = xA[0] - xC[0];
+    const double t6 = xA[0] - xB[0];
+    const double t7 = t1 * t3 + t2 * t4 + t5 * t6;
+    const double t8 = t1 * t1 + t2 * t2 + t5 * t5;
+    const double t9 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t10 = xA[2] - xS[2];
+    const double t11 = xA[1] - xS[1];
+    const double t12 = xA[0] - xS[0];
+    const double t13 = t10 * t1 + t11 * t2 + t12 * t5;
+    const double t14 = t10 * t3 + t11 * t4 + t12 * t6;
+    const double t15 = 1.0 / (t8 * t9 - t7 * t7);
+    *xi = (t14 * t8 - t13 * t7) * t15;
+    *eta = (t13 * t9 - t14 * t7) * t15;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
-                                      double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_new_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                                          double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[4] = {xA, xB, xC, xS};
     int area, status = footpoint_detail_tri3_inspect(x);
-    footpoint_tri3_exact_at(xA, xB, xC, xS, &xi, &eta);
+    footpoint_new_tri3_exact_at(xA, xB, xC, xS, &xi, &eta);
     area = footpoint_detail_tri3_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -173,26 +173,26 @@ FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], co
     return status;
 }
 
-/* footpoint_tri3_exact_at for n pairs.
+/* footpoint_new_tri3_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_tri3_exact_n(size_t n, const double *const x[12],
+FOOTPOINT_LOOP void footpoint_new_tri3_exact_n(size_t n, const double *const x[12],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
     for (i = 0; i < n; i++) {
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xS[3] = {x[9][i], x[10][i], x[11][i]};
-        footpoint_tri3_exact_at(xA, xB, xC, xS, &xi[i], &eta[i]);
+        footpoint_new_tri3_exact_at(xA, xB, xC, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_tri3_exact_points[][16] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, -0.25, 4.65625, -0.0859375, -0.70060483870967738, 0.96129032258064517, 9.0473291495946623e-16, 1.1826314351443751e-15},
+static const double footpoint_new_tri3_exact_points[][16] = {
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, -0.25, 4.65625, -0.0859375, -0.70060483870967738, 0.96129032258064517, 9.0473291495946623e-16, 1.1826314351443749e-15},
     {0, 0, 0, 1, 0, 0, -0.65625, 2.34375, 0, -0.3125, 3.28125, 0.072265625, 0.60624999999999996, 1.3999999999999999, 1.2112488789740926e-15, 1.8074786127651998e-15},
-    {0, 0, 0, 1, 0, 0, -3.0625, 2.5625, 0, -1.375, 2.53125, -0.181640625, 1.6501524390243902, 0.98780487804878048, 7.1789288303853675e-15, 2.5164308880638028e-15},
-    {0, 0, 0, 1, 0, 0, 0.6875, 2.0625, 0, -1.625, 2.6875, 0.126953125, -2.5208333333333335, 1.303030303030303, 3.0942326916227951e-15, 1.791309339582026e-15},
+    {0, 0, 0, 1, 0, 0, -3.0625, 2.5625, 0, -1.375, 2.53125, -0.181640625, 1.6501524390243902, 0.98780487804878048, 7.1789288303853675e-15, 2.5164308880638032e-15},
+    {0, 0, 0, 1, 0, 0, 0.6875, 2.0625, 0, -1.625, 2.6875, 0.126953125, -2.5208333333333335, 1.303030303030303, 3.0942326916227958e-15, 1.791309339582026e-15},
     {0, 0, 0, 1, 0, 0, 2.5625, 1.28125, 0, 2.8125, 1.40625, 0.158203125, 0, 1.0975609756097562, 1.249000902703501e-14, 6.2145410825400154e-15},
     {0, 0, 0, 1, 0, 0, -1.40625, 1.71875, 0, -0.625, 3.0625, 0.18359375, 1.8806818181818181, 1.7818181818181817, 4.6194995403854243e-15, 3.2021134248664909e-15},
     {0, 0, 0, 1, 0, 0, 0.1875, 3.78125, 0, 1.75, -0.28125, 0.02734375, 1.7639462809917354, -0.0743801652892562, 1.7711450786540125e-15, 9.8622199530722818e-17},
