@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_blocks_quad4_fast
+ * footpoint_blocks_quad4_fast
  *   genome_sha256: 39b3b71fa915f660c92db1abf7c81b1f04adcdc979d15bfb058f6e3f82952a73
  *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,7 +31,7 @@
  *   heldout_random_xi: n 200000 mean 2.053e-02 p99 1.270e-01 max 2.670e-01
  *   heldout_random_eta: n 200000 mean 2.033e-02 p99 1.289e-01 max 2.504e-01
  *
- * footpoint_new_blocks_quad4_coarse
+ * footpoint_blocks_quad4_coarse
  *   genome_sha256: bc9dd6227f30510fc0f71e9c2bb49d033e1c04cd6179a63f2f229e6906547a4b
  *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -48,7 +48,7 @@
  *   heldout_random_xi: n 200000 mean 2.586e-04 p99 1.483e-03 max 8.373e-03
  *   heldout_random_eta: n 200000 mean 2.590e-04 p99 1.524e-03 max 9.862e-03
  *
- * footpoint_new_blocks_quad4_gauss2
+ * footpoint_blocks_quad4_gauss2
  *   genome_sha256: 44cb7db1b15c188d7a3a2c1f143eac0128dc1d7318cdec1aca6fce8be16f51a3
  *   operations: 58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -68,7 +68,7 @@
  *   heldout_random_xi: n 200000 mean 6.865e-05 p99 1.067e-03 max 8.635e-03
  *   heldout_random_eta: n 200000 mean 7.057e-05 p99 1.130e-03 max 9.856e-03
  *
- * footpoint_new_blocks_quad4_medium
+ * footpoint_blocks_quad4_medium
  *   genome_sha256: 5c0886755ec009465706b22fd082124c781c82e2f31e707cd97225627f82906f
  *   operations: 66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -88,7 +88,7 @@
  *   heldout_random_xi: n 200000 mean 1.711e-06 p99 2.706e-05 max 8.783e-04
  *   heldout_random_eta: n 200000 mean 1.900e-06 p99 2.905e-05 max 1.042e-03
  *
- * footpoint_new_blocks_quad4_balanced
+ * footpoint_blocks_quad4_balanced
  *   genome_sha256: 62607ba5b2e90e7b0930a1c7d1d86b3561967ad1d416037afdc3e60ba216f66e
  *   operations: 76 mul, 2 div, 71 add, 0 sqrt, 0 compare; 48 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -108,7 +108,7 @@
  *   heldout_random_xi: n 200000 mean 1.413e-08 p99 1.932e-07 max 2.061e-06
  *   heldout_random_eta: n 200000 mean 1.350e-08 p99 1.858e-07 max 2.282e-06
  *
- * footpoint_new_blocks_quad4_fine
+ * footpoint_blocks_quad4_fine
  *   genome_sha256: 8323db73fae42d0c3f3b8db20fbd37f39955b13706ae2c55e37677dc55f2cbc4
  *   operations: 90 mul, 2 div, 79 add, 0 sqrt, 0 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -128,7 +128,7 @@
  *   heldout_random_xi: n 200000 mean 4.184e-12 p99 7.388e-11 max 3.537e-09
  *   heldout_random_eta: n 200000 mean 3.822e-12 p99 6.733e-11 max 4.316e-09
  *
- * footpoint_new_blocks_quad4_accurate
+ * footpoint_blocks_quad4_accurate
  *   genome_sha256: adf0981710d440cf8f3e8ec1b2342bf0ce0334877974f49b8e30d952fd21d47c
  *   operations: 97 mul, 3 div, 86 add, 0 sqrt, 0 compare; 61 temporaries
  *   equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-162
@@ -149,8 +149,8 @@
  *   heldout_random_xi: n 200000 mean 7.791e-16 p99 8.660e-15 max 2.143e-12
  *   heldout_random_eta: n 200000 mean 7.574e-16 p99 8.549e-15 max 2.571e-12
  */
-#ifndef FOOTPOINT_NEW_BLOCKS_QUAD4_H
-#define FOOTPOINT_NEW_BLOCKS_QUAD4_H
+#ifndef FOOTPOINT_BLOCKS_QUAD4_H
+#define FOOTPOINT_BLOCKS_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -255,8 +255,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_blocks_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_blocks_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -288,12 +288,12 @@ FOOTPOINT_FN void footpoint_new_blocks_quad4_fast_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_blocks_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_blocks_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_blocks_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_blocks_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -305,10 +305,10 @@ FOOTPOINT_FN int footpoint_new_blocks_quad4_fast(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_blocks_quad4_fast_at for n pairs.
+/* footpoint_blocks_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_blocks_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -316,12 +316,12 @@ FOOTPOINT_LOOP void footpoint_new_blocks_quad4_fast_n(size_t n, const double *co
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_blocks_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_blocks_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_blocks_quad4_fast_points[][19] = {
+static const double footpoint_blocks_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.81758855139833952, 0.33957713071406587, 1.7120807975524575e-15, 1.0230875998407898e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0032329439017755616, -1.131412701835657, 3.6298852938430992e-16, 1.8556991515829748e-15},
     {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.4167024218747386, 0.66312708028693734, 2.5579316771158636e-15, 1.3541301994500154e-15},
@@ -334,8 +334,8 @@ static const double footpoint_new_blocks_quad4_fast_points[][19] = {
 #endif
 
 /* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_blocks_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                       const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_blocks_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -373,12 +373,12 @@ FOOTPOINT_FN void footpoint_new_blocks_quad4_coarse_at(const double xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_blocks_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_blocks_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_blocks_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_blocks_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -390,10 +390,10 @@ FOOTPOINT_FN int footpoint_new_blocks_quad4_coarse(const double xA[3], const dou
     return status;
 }
 
-/* footpoint_new_blocks_quad4_coarse_at for n pairs.
+/* footpoint_blocks_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_blocks_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -401,12 +401,12 @@ FOOTPOINT_LOOP void footpoint_new_blocks_quad4_coarse_n(size_t n, const double *
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_blocks_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_blocks_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_blocks_quad4_coarse_points[][19] = {
+static const double footpoint_blocks_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89627262456131385, 0.45969434561809663, 2.7039108803162638e-15, 2.3909455469337252e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0035021046623617009, -1.1307917370644485, 3.9540149675452724e-16, 2.7362460874376636e-15},
     {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389772231864731, 0.72914548167288518, 2.8864160675119102e-15, 2.2299885094427751e-15},
@@ -419,8 +419,8 @@ static const double footpoint_new_blocks_quad4_coarse_points[][19] = {
 #endif
 
 /* 58 mul, 2 div, 63 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_blocks_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                       const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_blocks_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[0] - xB[0];
     const double t2 = xA[1] - xB[1];
@@ -464,12 +464,12 @@ FOOTPOINT_FN void footpoint_new_blocks_quad4_gauss2_at(const double xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_blocks_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_blocks_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_blocks_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_blocks_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -481,10 +481,10 @@ FOOTPOINT_FN int footpoint_new_blocks_quad4_gauss2(const double xA[3], const dou
     return status;
 }
 
-/* footpoint_new_blocks_quad4_gauss2_at for n pairs.
+/* footpoint_blocks_quad4_gauss2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_blocks_quad4_gauss2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -492,12 +492,12 @@ FOOTPOINT_LOOP void footpoint_new_blocks_quad4_gauss2_n(size_t n, const double *
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_blocks_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_blocks_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_blocks_quad4_gauss2_points[][19] = {
+static const double footpoint_blocks_quad4_gauss2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89597101362104714, 0.45936258870144758, 3.8456084687108712e-15, 3.4241827163264521e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042188985207413706, -1.130796749250482, 5.7809676660592946e-16, 2.0297517203323451e-15},
     {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389513253276601, 0.72758575566985861, 3.2376803985940524e-15, 3.2612309026614149e-15},
@@ -510,8 +510,8 @@ static const double footpoint_new_blocks_quad4_gauss2_points[][19] = {
 #endif
 
 /* 66 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_blocks_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                       const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_blocks_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2];
     const double t2 = xA[1] - xB[1];
@@ -558,12 +558,12 @@ FOOTPOINT_FN void footpoint_new_blocks_quad4_medium_at(const double xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_blocks_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_blocks_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_blocks_quad4_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_blocks_quad4_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -575,10 +575,10 @@ FOOTPOINT_FN int footpoint_new_blocks_quad4_medium(const double xA[3], const dou
     return status;
 }
 
-/* footpoint_new_blocks_quad4_medium_at for n pairs.
+/* footpoint_blocks_quad4_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_blocks_quad4_medium_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -586,12 +586,12 @@ FOOTPOINT_LOOP void footpoint_new_blocks_quad4_medium_n(size_t n, const double *
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_blocks_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_blocks_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_blocks_quad4_medium_points[][19] = {
+static const double footpoint_blocks_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89843213586113602, 0.46316273353833431, 4.1928756829005118e-15, 3.7243749049355107e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184636339102173, -1.1307969881409743, 5.2000208383855534e-16, 2.0292800065743381e-15},
     {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409802743299578, 0.72703067979153124, 3.1885525112285089e-15, 2.9751525311453343e-15},
@@ -604,8 +604,8 @@ static const double footpoint_new_blocks_quad4_medium_points[][19] = {
 #endif
 
 /* 76 mul, 2 div, 71 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_blocks_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                         const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_blocks_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -661,12 +661,12 @@ FOOTPOINT_FN void footpoint_new_blocks_quad4_balanced_at(const double xA[3], con
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_blocks_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_blocks_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_blocks_quad4_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_blocks_quad4_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -678,10 +678,10 @@ FOOTPOINT_FN int footpoint_new_blocks_quad4_balanced(const double xA[3], const d
     return status;
 }
 
-/* footpoint_new_blocks_quad4_balanced_at for n pairs.
+/* footpoint_blocks_quad4_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_blocks_quad4_balanced_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -689,12 +689,12 @@ FOOTPOINT_LOOP void footpoint_new_blocks_quad4_balanced_n(size_t n, const double
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_blocks_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_blocks_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_blocks_quad4_balanced_points[][19] = {
+static const double footpoint_blocks_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89872620455047114, 0.4636346952787494, 4.5510306669712829e-15, 4.1568150578106141e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184343322118926, -1.1307973862337484, 6.0160890338666539e-16, 2.0304047246237827e-15},
     {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409889205479498, 0.72702032604769296, 3.1759151238398304e-15, 3.1441549306966264e-15},
@@ -707,8 +707,8 @@ static const double footpoint_new_blocks_quad4_balanced_points[][19] = {
 #endif
 
 /* 90 mul, 2 div, 79 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_blocks_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_blocks_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[1] - xB[1];
     const double t2 = xA[2] - xB[2];
@@ -774,12 +774,12 @@ FOOTPOINT_FN void footpoint_new_blocks_quad4_fine_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_blocks_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_blocks_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_blocks_quad4_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_blocks_quad4_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -791,10 +791,10 @@ FOOTPOINT_FN int footpoint_new_blocks_quad4_fine(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_blocks_quad4_fine_at for n pairs.
+/* footpoint_blocks_quad4_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_blocks_quad4_fine_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -802,12 +802,12 @@ FOOTPOINT_LOOP void footpoint_new_blocks_quad4_fine_n(size_t n, const double *co
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_blocks_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_blocks_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_blocks_quad4_fine_points[][19] = {
+static const double footpoint_blocks_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89872630436641965, 0.46363480783513145, 4.9288907885681861e-15, 4.3464140866907668e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184351175915558, -1.1307974169121091, 6.1261584286671949e-16, 2.2813807765094931e-15},
     {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334436392, 0.7270203475143826, 3.7417161943983873e-15, 3.440362402252002e-15},
@@ -820,8 +820,8 @@ static const double footpoint_new_blocks_quad4_fine_points[][19] = {
 #endif
 
 /* 97 mul, 3 div, 86 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_blocks_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                         const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_blocks_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -890,12 +890,12 @@ FOOTPOINT_FN void footpoint_new_blocks_quad4_accurate_at(const double xA[3], con
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_blocks_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_blocks_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_blocks_quad4_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_blocks_quad4_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -907,10 +907,10 @@ FOOTPOINT_FN int footpoint_new_blocks_quad4_accurate(const double xA[3], const d
     return status;
 }
 
-/* footpoint_new_blocks_quad4_accurate_at for n pairs.
+/* footpoint_blocks_quad4_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_blocks_quad4_accurate_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -918,12 +918,12 @@ FOOTPOINT_LOOP void footpoint_new_blocks_quad4_accurate_n(size_t n, const double
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_blocks_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_blocks_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_blocks_quad4_accurate_points[][19] = {
+static const double footpoint_blocks_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.8987263043044037, 0.46363480776487748, 4.4618025803653968e-15, 4.0670178947728183e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.004218435120746951, -1.1307974169046231, 6.3181679652196785e-16, 2.0305416951918468e-15},
     {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334152088, 0.72702034751689693, 3.1647861290047232e-15, 3.0697927284173542e-15},

@@ -12,7 +12,7 @@
  * reference: xi -1 eta -1
  * corners: any (as the mesh has them)
  *
- * footpoint_new_bricks_quad4_exact
+ * footpoint_bricks_quad4_exact
  *   genome_sha256: 3fe15b6dfaf48855705ab06d1185220ae6fc365d0e274c693eed0cff16e88c88
  *   operations: 17 mul, 1 div, 19 add, 0 sqrt, 0 compare; 13 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,8 +31,8 @@
  *   heldout_random_xi: n 200000 mean 7.095e-17 p99 3.331e-16 max 6.661e-16
  *   heldout_random_eta: n 200000 mean 8.078e-17 p99 4.441e-16 max 6.661e-16
  */
-#ifndef FOOTPOINT_NEW_BRICKS_QUAD4_H
-#define FOOTPOINT_NEW_BRICKS_QUAD4_H
+#ifndef FOOTPOINT_BRICKS_QUAD4_H
+#define FOOTPOINT_BRICKS_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -137,8 +137,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 17 mul, 1 div, 19 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_bricks_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_bricks_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -160,12 +160,12 @@ FOOTPOINT_FN void footpoint_new_bricks_quad4_exact_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_bricks_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_bricks_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_bricks_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_bricks_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -177,10 +177,10 @@ FOOTPOINT_FN int footpoint_new_bricks_quad4_exact(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_bricks_quad4_exact_at for n pairs.
+/* footpoint_bricks_quad4_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_bricks_quad4_exact_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_bricks_quad4_exact_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -188,12 +188,12 @@ FOOTPOINT_LOOP void footpoint_new_bricks_quad4_exact_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_bricks_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_bricks_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_bricks_quad4_exact_points[][19] = {
+static const double footpoint_bricks_quad4_exact_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1, 0.82568359375, 0, 0, 0.8297119140625, 0, 0.4296875, 0.7890625, -0.09375, -0.140625, 0.90201559511549212, 6.0368377018763687e-16, 1.4672846018629436e-15},
     {0, 0, 0, 1, 0, 0, 1, 0.82403564453125, 0, 0, 0.82452392578125, 0, 0.421875, 0.5546875, 0.080078125, -0.15625, 0.34547338811162931, 5.9674487627565131e-16, 9.7297582354699971e-16},
     {0, 0, 0, 1, 0, 0, 1, 0.8206787109375, 0, 0, 0.824951171875, 0, 0.2421875, 0.421875, -0.201171875, -0.515625, 0.022787807043503996, 4.3715031629998376e-16, 6.8637345386033129e-16},

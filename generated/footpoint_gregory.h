@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_gregory_facet
+ * footpoint_gregory_facet
  *   genome_sha256: 177fa85e2931a52047d05ceb13c51dd3d31188293dfc94f5747c698e58a769d2
  *   operations: 49 mul, 1 div, 50 add, 0 sqrt, 13 compare; 53 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -34,7 +34,7 @@
  *   heldout_random_xi: n 20000 mean 9.247e-03 p99 5.968e-02 max 1.330e-01
  *   heldout_random_eta: n 20000 mean 1.337e-02 p99 8.652e-02 max 2.251e-01
  *
- * footpoint_new_gregory_normals
+ * footpoint_gregory_normals
  *   genome_sha256: 3d16f12498c16aa81e146e803ce3ff3268d4ba7184dd558f2605bd2bc1b7e91c
  *   operations: 108 mul, 3 div, 112 add, 0 sqrt, 13 compare; 93 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -58,7 +58,7 @@
  *   heldout_random_xi: n 20000 mean 2.932e-03 p99 2.353e-02 max 6.462e-02
  *   heldout_random_eta: n 20000 mean 3.739e-03 p99 2.847e-02 max 1.016e-01
  *
- * footpoint_new_gregory_smooth
+ * footpoint_gregory_smooth
  *   genome_sha256: adae572e8d18c3e9bb8f4d89a8897362067964639e9ff8221ebbd0ed1ac5f787
  *   operations: 202 mul, 2 div, 157 add, 0 sqrt, 13 compare; 135 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -81,7 +81,7 @@
  *   heldout_random_xi: n 20000 mean 9.841e-04 p99 8.105e-03 max 4.850e-02
  *   heldout_random_eta: n 20000 mean 1.649e-03 p99 1.705e-02 max 6.060e-02
  *
- * footpoint_new_gregory_corrected
+ * footpoint_gregory_corrected
  *   genome_sha256: 57dfce286ea377d19bafe4eb57c3ffc3a0b5591eac467d3dedc738f332d643f7
  *   operations: 367 mul, 2 div, 263 add, 0 sqrt, 14 compare; 182 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -104,7 +104,7 @@
  *   heldout_random_xi: n 20000 mean 5.530e-04 p99 4.846e-03 max 2.064e-02
  *   heldout_random_eta: n 20000 mean 1.027e-03 p99 1.235e-02 max 4.510e-02
  *
- * footpoint_new_gregory_precise
+ * footpoint_gregory_precise
  *   genome_sha256: bd65b157917a9c5a8c5c427c00704bf1e3f600ce0f3ed26c5aaec863d30e6074
  *   operations: 631 mul, 14 div, 457 add, 0 sqrt, 18 compare; 336 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-147
@@ -138,7 +138,7 @@
  *   heldout_random_xi: n 20000 mean 1.166e-04 p99 1.910e-03 max 1.570e-02
  *   heldout_random_eta: n 20000 mean 1.792e-04 p99 3.200e-03 max 3.180e-02
  *
- * footpoint_new_gregory_exact
+ * footpoint_gregory_exact
  *   genome_sha256: 1c95627c9d60fee82f7b151983fb790375db16d23eb883dfbefb4ab7edc147d1
  *   operations: 915 mul, 19 div, 633 add, 0 sqrt, 27 compare; 499 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-132
@@ -172,7 +172,7 @@
  *   heldout_random_xi: n 20000 mean 3.165e-06 p99 5.375e-05 max 1.782e-03
  *   heldout_random_eta: n 20000 mean 5.527e-06 p99 9.666e-05 max 3.543e-03
  *
- * footpoint_new_gregory_full
+ * footpoint_gregory_full
  *   genome_sha256: 32cc7049e33628d7d5dcb1007912ec7b55372642b7fe1d0ca13dbb7ecc188c6c
  *   operations: 1282 mul, 24 div, 877 add, 0 sqrt, 36 compare; 679 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-114
@@ -206,8 +206,8 @@
  *   heldout_random_xi: n 20000 mean 3.093e-08 p99 1.381e-07 max 7.679e-05
  *   heldout_random_eta: n 20000 mean 8.627e-08 p99 2.374e-07 max 3.377e-04
  */
-#ifndef FOOTPOINT_NEW_GREGORY_H
-#define FOOTPOINT_NEW_GREGORY_H
+#ifndef FOOTPOINT_GREGORY_H
+#define FOOTPOINT_GREGORY_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -352,9 +352,9 @@ FOOTPOINT_FN int footpoint_detail_gregory_gap(const double *const x[9], double x
 #endif
 
 /* 49 mul, 1 div, 50 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                 const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                             const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -419,14 +419,14 @@ FOOTPOINT_FN void footpoint_new_gregory_facet_at(const double xA[3], const doubl
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                             const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                         const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -438,10 +438,10 @@ FOOTPOINT_FN int footpoint_new_gregory_facet(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_new_gregory_facet_at for n pairs.
+/* footpoint_gregory_facet_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_gregory_facet_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_gregory_facet_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -451,12 +451,12 @@ FOOTPOINT_LOOP void footpoint_new_gregory_facet_n(size_t n, const double *const 
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_gregory_facet_points[][31] = {
+static const double footpoint_gregory_facet_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.02554038836780018, 1, 6.8058441650117647e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -469,9 +469,9 @@ static const double footpoint_new_gregory_facet_points[][31] = {
 #endif
 
 /* 108 mul, 3 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_gregory_normals_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                   const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                               const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -573,14 +573,14 @@ FOOTPOINT_FN void footpoint_new_gregory_normals_at(const double xA[3], const dou
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_gregory_normals(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                               const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_gregory_normals(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                           const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_gregory_normals_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_gregory_normals_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -592,10 +592,10 @@ FOOTPOINT_FN int footpoint_new_gregory_normals(const double xA[3], const double 
     return status;
 }
 
-/* footpoint_new_gregory_normals_at for n pairs.
+/* footpoint_gregory_normals_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_gregory_normals_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_gregory_normals_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -605,12 +605,12 @@ FOOTPOINT_LOOP void footpoint_new_gregory_normals_n(size_t n, const double *cons
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_gregory_normals_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_gregory_normals_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_gregory_normals_points[][31] = {
+static const double footpoint_gregory_normals_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.059046809638656786, 1, 5.0171398921715859e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -623,9 +623,9 @@ static const double footpoint_new_gregory_normals_points[][31] = {
 #endif
 
 /* 202 mul, 2 div, 157 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xD[2] - xC[2];
@@ -771,14 +771,14 @@ FOOTPOINT_FN void footpoint_new_gregory_smooth_at(const double xA[3], const doub
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                          const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -790,10 +790,10 @@ FOOTPOINT_FN int footpoint_new_gregory_smooth(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_new_gregory_smooth_at for n pairs.
+/* footpoint_gregory_smooth_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_gregory_smooth_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_gregory_smooth_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -803,12 +803,12 @@ FOOTPOINT_LOOP void footpoint_new_gregory_smooth_n(size_t n, const double *const
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_gregory_smooth_points[][31] = {
+static const double footpoint_gregory_smooth_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0010265810967062671, 1, 6.8662963273676452e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -821,9 +821,9 @@ static const double footpoint_new_gregory_smooth_points[][31] = {
 #endif
 
 /* 367 mul, 2 div, 263 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_gregory_corrected_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -1021,14 +1021,14 @@ FOOTPOINT_FN void footpoint_new_gregory_corrected_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_gregory_corrected(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_gregory_corrected(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_gregory_corrected_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_gregory_corrected_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1040,10 +1040,10 @@ FOOTPOINT_FN int footpoint_new_gregory_corrected(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_gregory_corrected_at for n pairs.
+/* footpoint_gregory_corrected_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_gregory_corrected_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_gregory_corrected_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1053,12 +1053,12 @@ FOOTPOINT_LOOP void footpoint_new_gregory_corrected_n(size_t n, const double *co
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_gregory_corrected_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_gregory_corrected_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_gregory_corrected_points[][31] = {
+static const double footpoint_gregory_corrected_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.77178557862136943, 0.73935032332923478, 1.9129963466446555e-15, 9.4182307573989164e-15},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.019201854509944515, 0.98553544881167354, 6.6466585529162173e-16, 1.9526315503647054e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.47161139585019385, 1, 5.2848511980924938e-15, 1.110223024625157e-16},
@@ -1071,9 +1071,9 @@ static const double footpoint_new_gregory_corrected_points[][31] = {
 #endif
 
 /* 631 mul, 14 div, 457 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                   const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                               const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] - xC[2];
     const double t2 = xB[2] - xA[2];
@@ -1430,14 +1430,14 @@ FOOTPOINT_FN void footpoint_new_gregory_precise_at(const double xA[3], const dou
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                               const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                           const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1449,10 +1449,10 @@ FOOTPOINT_FN int footpoint_new_gregory_precise(const double xA[3], const double 
     return status;
 }
 
-/* footpoint_new_gregory_precise_at for n pairs.
+/* footpoint_gregory_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_gregory_precise_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_gregory_precise_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1462,12 +1462,12 @@ FOOTPOINT_LOOP void footpoint_new_gregory_precise_n(size_t n, const double *cons
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_gregory_precise_points[][31] = {
+static const double footpoint_gregory_precise_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.70330359587385927, 0.46971091170412205, 3.4747068811831795e-11, 1.2044951898378366e-10},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.027144457095993335, 0.94975910880679404, 7.8005586139381867e-16, 2.3955488751753214e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -1480,9 +1480,9 @@ static const double footpoint_new_gregory_precise_points[][31] = {
 #endif
 
 /* 915 mul, 19 div, 633 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                 const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                             const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -2009,14 +2009,14 @@ FOOTPOINT_FN void footpoint_new_gregory_exact_at(const double xA[3], const doubl
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                             const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                         const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -2028,10 +2028,10 @@ FOOTPOINT_FN int footpoint_new_gregory_exact(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_new_gregory_exact_at for n pairs.
+/* footpoint_gregory_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_gregory_exact_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_gregory_exact_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2041,12 +2041,12 @@ FOOTPOINT_LOOP void footpoint_new_gregory_exact_n(size_t n, const double *const 
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_gregory_exact_points[][31] = {
+static const double footpoint_gregory_exact_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.68280763932319577, 0.77053496507781161, 1.757808615500076e-11, 2.4692176979784424e-11},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.024934341335560974, 0.9591506839384879, 7.1684406164922553e-16, 2.1476657918173135e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -2059,9 +2059,9 @@ static const double footpoint_new_gregory_exact_points[][31] = {
 #endif
 
 /* 1282 mul, 24 div, 877 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -2781,14 +2781,14 @@ FOOTPOINT_FN void footpoint_new_gregory_full_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -2800,10 +2800,10 @@ FOOTPOINT_FN int footpoint_new_gregory_full(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_gregory_full_at for n pairs.
+/* footpoint_gregory_full_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_gregory_full_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_gregory_full_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2813,12 +2813,12 @@ FOOTPOINT_LOOP void footpoint_new_gregory_full_n(size_t n, const double *const x
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_gregory_full_points[][31] = {
+static const double footpoint_gregory_full_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.66414163759873224, 0.68822155738341251, 6.0260163826823795e-12, 1.257458024248106e-11},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.025165952705014302, 0.95807291349858859, 7.0537915408545609e-16, 2.1182600303746957e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},

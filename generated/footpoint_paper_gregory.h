@@ -13,7 +13,7 @@
  * reference: xi -0.45 eta -0.45
  * corners: any (as the mesh has them)
  *
- * footpoint_new_paper_gregory_facet
+ * footpoint_paper_gregory_facet
  *   genome_sha256: fbca4099e17d0cfaa6daa131145686d0bc3cf87e5c5ee9eafdb2eb4d38eeda30
  *   operations: 49 mul, 1 div, 52 add, 0 sqrt, 13 compare; 56 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -35,7 +35,7 @@
  *   heldout_random_xi: n 28409 mean 2.268e-02 p99 1.881e-01 max 8.570e-01
  *   heldout_random_eta: n 28409 mean 3.014e-02 p99 2.822e-01 max 9.080e-01
  *
- * footpoint_new_paper_gregory_smooth
+ * footpoint_paper_gregory_smooth
  *   genome_sha256: 6eea43d5d270de11a4155f9c644bd5ac45e190829ed61c2df23fc278cefb890a
  *   operations: 202 mul, 2 div, 159 add, 0 sqrt, 13 compare; 136 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -58,7 +58,7 @@
  *   heldout_random_xi: n 28409 mean 1.645e-02 p99 2.162e-01 max 9.243e-01
  *   heldout_random_eta: n 28409 mean 2.082e-02 p99 2.870e-01 max 9.061e-01
  *
- * footpoint_new_paper_gregory_weighted
+ * footpoint_paper_gregory_weighted
  *   genome_sha256: cbce21e37a75e5e72b29f9cb825e3914e34d99f9966108c720314e025f0a9a80
  *   operations: 405 mul, 3 div, 295 add, 0 sqrt, 18 compare; 238 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -82,7 +82,7 @@
  *   heldout_random_xi: n 28409 mean 5.000e-03 p99 7.813e-02 max 9.419e-01
  *   heldout_random_eta: n 28409 mean 5.893e-03 p99 1.027e-01 max 9.080e-01
  *
- * footpoint_new_paper_gregory_precise
+ * footpoint_paper_gregory_precise
  *   genome_sha256: 8ab26c4ba96b06b33ec1909a3d5661fa9eca50ef5d2e33cf6933477ee5f880d9
  *   operations: 631 mul, 14 div, 459 add, 0 sqrt, 18 compare; 337 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-146
@@ -116,7 +116,7 @@
  *   heldout_random_xi: n 28409 mean 3.583e-03 p99 7.213e-02 max 6.545e-01
  *   heldout_random_eta: n 28409 mean 4.659e-03 p99 9.355e-02 max 9.080e-01
  *
- * footpoint_new_paper_gregory_exact
+ * footpoint_paper_gregory_exact
  *   genome_sha256: 585ea9882fb87afa401c6827bf539ca1be5164038480f9be380cc4fb72b028df
  *   operations: 915 mul, 19 div, 635 add, 0 sqrt, 27 compare; 500 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-132
@@ -150,7 +150,7 @@
  *   heldout_random_xi: n 28409 mean 1.908e-03 p99 3.340e-02 max 7.335e-01
  *   heldout_random_eta: n 28409 mean 2.680e-03 p99 4.786e-02 max 9.202e-01
  *
- * footpoint_new_paper_gregory_full
+ * footpoint_paper_gregory_full
  *   genome_sha256: df6694cf98722c6f015ac3c94f3c6a62fc7c597e2f4e690aef6890cc8ad352cf
  *   operations: 1282 mul, 24 div, 879 add, 0 sqrt, 36 compare; 680 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-114
@@ -184,8 +184,8 @@
  *   heldout_random_xi: n 28409 mean 8.173e-04 p99 7.454e-03 max 9.419e-01
  *   heldout_random_eta: n 28409 mean 1.106e-03 p99 8.673e-03 max 9.080e-01
  */
-#ifndef FOOTPOINT_NEW_PAPER_GREGORY_H
-#define FOOTPOINT_NEW_PAPER_GREGORY_H
+#ifndef FOOTPOINT_PAPER_GREGORY_H
+#define FOOTPOINT_PAPER_GREGORY_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -340,9 +340,9 @@ FOOTPOINT_FN int footpoint_detail_gregory_gap(const double *const x[9], double x
 #endif
 
 /* 49 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                       const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                   const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -410,14 +410,14 @@ FOOTPOINT_FN void footpoint_new_paper_gregory_facet_at(const double xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                   const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                               const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -429,10 +429,10 @@ FOOTPOINT_FN int footpoint_new_paper_gregory_facet(const double xA[3], const dou
     return status;
 }
 
-/* footpoint_new_paper_gregory_facet_at for n pairs.
+/* footpoint_paper_gregory_facet_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_gregory_facet_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -442,12 +442,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_gregory_facet_n(size_t n, const double *
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_paper_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_gregory_facet_points[][31] = {
+static const double footpoint_paper_gregory_facet_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.4916860292907736, 0, 7.8507253987026205e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, 0, 2.7755575615631226e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.066823031042004266, 0, 2.0508569934188539e-15, 2.2204460492506938e-17},
@@ -460,9 +460,9 @@ static const double footpoint_new_paper_gregory_facet_points[][31] = {
 #endif
 
 /* 202 mul, 2 div, 159 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xD[2] - xC[2];
@@ -609,14 +609,14 @@ FOOTPOINT_FN void footpoint_new_paper_gregory_smooth_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -628,10 +628,10 @@ FOOTPOINT_FN int footpoint_new_paper_gregory_smooth(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_paper_gregory_smooth_at for n pairs.
+/* footpoint_paper_gregory_smooth_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_gregory_smooth_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -641,12 +641,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_gregory_smooth_n(size_t n, const double 
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_paper_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_gregory_smooth_points[][31] = {
+static const double footpoint_paper_gregory_smooth_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.53019974971100492, 0, 8.5455627690693418e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.46828030485248345, 0, 2.6904614972309997e-15, 9.8813129168249309e-324},
@@ -658,8 +658,8 @@ static const double footpoint_new_paper_gregory_smooth_points[][31] = {
 };
 #endif
 
-/* xi and eta of footpoint_new_paper_gregory_weighted_at, and whether its denominators are far enough from 0. */
-FOOTPOINT_FN int footpoint_detail_footpoint_new_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+/* xi and eta of footpoint_paper_gregory_weighted_at, and whether its denominators are far enough from 0. */
+FOOTPOINT_FN int footpoint_detail_footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                                                        const double xS[3], double *xi, double *eta)
 {
@@ -916,24 +916,24 @@ FOOTPOINT_FN int footpoint_detail_footpoint_new_paper_gregory_weighted(const dou
 }
 
 /* 405 mul, 3 div, 295 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_gregory_weighted_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                          const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_gregory_weighted_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                      const double xS[3], double *xi, double *eta)
 {
-    (void)footpoint_detail_footpoint_new_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
+    (void)footpoint_detail_footpoint_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                      const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_gregory_weighted(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                  const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
     int flaw;
-    flaw = footpoint_detail_footpoint_new_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    flaw = footpoint_detail_footpoint_paper_gregory_weighted(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && flaw == FOOTPOINT_OK && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -945,10 +945,10 @@ FOOTPOINT_FN int footpoint_new_paper_gregory_weighted(const double xA[3], const 
     return status;
 }
 
-/* footpoint_new_paper_gregory_weighted_at for n pairs.
+/* footpoint_paper_gregory_weighted_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_gregory_weighted_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -958,12 +958,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_gregory_weighted_n(size_t n, const doubl
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_paper_gregory_weighted_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_paper_gregory_weighted_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_gregory_weighted_points[][31] = {
+static const double footpoint_paper_gregory_weighted_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.49227572468180081, 0, 1.2332742544617537e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28104577666521452, 0, 4.5167704003455228e-15, 9.8813129168249309e-324},
@@ -976,9 +976,9 @@ static const double footpoint_new_paper_gregory_weighted_points[][31] = {
 #endif
 
 /* 631 mul, 14 div, 459 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                         const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] - xC[2];
     const double t2 = xB[2] - xA[2];
@@ -1336,14 +1336,14 @@ FOOTPOINT_FN void footpoint_new_paper_gregory_precise_at(const double xA[3], con
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                     const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1355,10 +1355,10 @@ FOOTPOINT_FN int footpoint_new_paper_gregory_precise(const double xA[3], const d
     return status;
 }
 
-/* footpoint_new_paper_gregory_precise_at for n pairs.
+/* footpoint_paper_gregory_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_gregory_precise_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1368,12 +1368,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_gregory_precise_n(size_t n, const double
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_paper_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_gregory_precise_points[][31] = {
+static const double footpoint_paper_gregory_precise_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54824424794263771, 0, 1.8289132859432751e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28001844213714977, 0, 7.2261652274818618e-15, 9.8813129168249309e-324},
@@ -1386,9 +1386,9 @@ static const double footpoint_new_paper_gregory_precise_points[][31] = {
 #endif
 
 /* 915 mul, 19 div, 635 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                       const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                   const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -1916,14 +1916,14 @@ FOOTPOINT_FN void footpoint_new_paper_gregory_exact_at(const double xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                   const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                               const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1935,10 +1935,10 @@ FOOTPOINT_FN int footpoint_new_paper_gregory_exact(const double xA[3], const dou
     return status;
 }
 
-/* footpoint_new_paper_gregory_exact_at for n pairs.
+/* footpoint_paper_gregory_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_gregory_exact_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1948,12 +1948,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_gregory_exact_n(size_t n, const double *
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_paper_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_gregory_exact_points[][31] = {
+static const double footpoint_paper_gregory_exact_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.5454186915404331, 0, 1.5832485998562673e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.12475213832385891, 0, 7.375493640165774e-15, 9.8813129168249309e-324},
@@ -1966,9 +1966,9 @@ static const double footpoint_new_paper_gregory_exact_points[][31] = {
 #endif
 
 /* 1282 mul, 24 div, 879 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -2689,14 +2689,14 @@ FOOTPOINT_FN void footpoint_new_paper_gregory_full_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
     int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_new_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+    footpoint_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
     area = footpoint_detail_gregory_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -2708,10 +2708,10 @@ FOOTPOINT_FN int footpoint_new_paper_gregory_full(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_paper_gregory_full_at for n pairs.
+/* footpoint_paper_gregory_full_at for n pairs.
  * x[3 k + i] is the column of coordinate i of vector k (xA, xB, xC, xD, nA, nB, nC, nD, xS); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_gregory_full_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_paper_gregory_full_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2721,12 +2721,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_gregory_full_n(size_t n, const double *c
         const double nA[3] = {x[12][i], x[13][i], x[14][i]}, nB[3] = {x[15][i], x[16][i], x[17][i]};
         const double nC[3] = {x[18][i], x[19][i], x[20][i]}, nD[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
+        footpoint_paper_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_gregory_full_points[][31] = {
+static const double footpoint_paper_gregory_full_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54249111767951608, 0, 1.6111229126986672e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -0.66303589267549012, 1.110223024625157e-16, 3.4093194462433467e-12},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.23916456777681763, 0, 7.2903795365034853e-15, 9.8813129168249309e-324},

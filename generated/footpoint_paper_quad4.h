@@ -12,7 +12,7 @@
  * reference: xi -0.5 eta -0.5
  * corners: nearest-shorter (NAME_at assumes it; NAME arranges it)
  *
- * footpoint_new_paper_quad4_gauss
+ * footpoint_paper_quad4_gauss
  *   genome_sha256: 42a5aa63cd885c79dc3538959d52f432d6459ced06a4d135cdce6f84cfec9cdf
  *   operations: 29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,7 +31,7 @@
  *   heldout_random_xi: n 200000 mean 2.677e-02 p99 1.392e-01 max 1.057e+02
  *   heldout_random_eta: n 200000 mean 3.970e-02 p99 2.121e-01 max 1.217e+02
  *
- * footpoint_new_paper_quad4_fast
+ * footpoint_paper_quad4_fast
  *   genome_sha256: 0fbabea7002556053fb66f48c56dc258fb8e390abad4f06c9170eba4fae97af7
  *   operations: 32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -50,7 +50,7 @@
  *   heldout_random_xi: n 200000 mean 1.835e-02 p99 1.177e-01 max 9.844e-01
  *   heldout_random_eta: n 200000 mean 2.424e-02 p99 1.623e-01 max 1.067e+00
  *
- * footpoint_new_paper_quad4_taper
+ * footpoint_paper_quad4_taper
  *   genome_sha256: 3c83954750c8954ab0a2fd5dd006e1d45b73eaa1b60d3e11cf19b1c33a417594
  *   operations: 49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 40 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -69,7 +69,7 @@
  *   heldout_random_xi: n 200000 mean 8.398e-03 p99 9.140e-02 max 9.793e-01
  *   heldout_random_eta: n 200000 mean 1.224e-02 p99 1.389e-01 max 9.829e-01
  *
- * footpoint_new_paper_quad4_gauss2
+ * footpoint_paper_quad4_gauss2
  *   genome_sha256: 46b1887c3ccfeab71df8fd5db0f706f927ead3735719d3f62445f45af4c5f63b
  *   operations: 59 mul, 2 div, 65 add, 0 sqrt, 0 compare; 38 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -89,7 +89,7 @@
  *   heldout_random_xi: n 200000 mean 1.230e-02 p99 6.036e-02 max 1.258e+02
  *   heldout_random_eta: n 200000 mean 1.802e-02 p99 8.296e-02 max 1.852e+02
  *
- * footpoint_new_paper_quad4_coarse
+ * footpoint_paper_quad4_coarse
  *   genome_sha256: 8fb636fed0f2a46fce8a08eea3d2067c1b53baceed885ab6c8211035de16379b
  *   operations: 60 mul, 1 div, 59 add, 0 sqrt, 13 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -108,7 +108,7 @@
  *   heldout_random_xi: n 200000 mean 5.091e-03 p99 5.877e-02 max 9.985e-01
  *   heldout_random_eta: n 200000 mean 5.984e-03 p99 7.429e-02 max 9.424e-01
  *
- * footpoint_new_paper_quad4_newton
+ * footpoint_paper_quad4_newton
  *   genome_sha256: 9dfe823ae152e99c4058f8493d72f21c08cf45f20b1dc422859d7086518766eb
  *   operations: 62 mul, 2 div, 69 add, 0 sqrt, 9 compare; 59 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -128,7 +128,7 @@
  *   heldout_random_xi: n 200000 mean 4.345e-03 p99 6.055e-02 max 9.992e-01
  *   heldout_random_eta: n 200000 mean 4.357e-03 p99 6.479e-02 max 9.992e-01
  *
- * footpoint_new_paper_quad4_medium
+ * footpoint_paper_quad4_medium
  *   genome_sha256: a68827da308bcfd421424d022e02173857e2e842cbc08e2128ef9e10fabc8f2e
  *   operations: 70 mul, 2 div, 73 add, 0 sqrt, 9 compare; 63 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -148,7 +148,7 @@
  *   heldout_random_xi: n 200000 mean 1.380e-03 p99 1.988e-02 max 9.992e-01
  *   heldout_random_eta: n 200000 mean 1.610e-03 p99 2.388e-02 max 9.902e-01
  *
- * footpoint_new_paper_quad4_balanced
+ * footpoint_paper_quad4_balanced
  *   genome_sha256: b77008a78a632ae4d785e3261838b414bf4b05b6f84cc4481d0b4e753ba861b3
  *   operations: 88 mul, 2 div, 83 add, 0 sqrt, 14 compare; 84 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -168,7 +168,7 @@
  *   heldout_random_xi: n 200000 mean 6.837e-04 p99 3.709e-03 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 8.886e-04 p99 5.494e-03 max 9.902e-01
  *
- * footpoint_new_paper_quad4_fine
+ * footpoint_paper_quad4_fine
  *   genome_sha256: 8b809011b3f459ed977370879a9297bfcc44c298e0787c3dce6db10fc625f9cc
  *   operations: 95 mul, 3 div, 93 add, 0 sqrt, 15 compare; 88 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -189,7 +189,7 @@
  *   heldout_random_xi: n 200000 mean 5.548e-04 p99 6.620e-04 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 5.955e-04 p99 9.535e-04 max 9.892e-01
  *
- * footpoint_new_paper_quad4_precise
+ * footpoint_paper_quad4_precise
  *   genome_sha256: 3d616d70d5d13109e4cd08844702cc4783009cf0b452cae33f9d62238b0a9b16
  *   operations: 116 mul, 4 div, 111 add, 0 sqrt, 20 compare; 109 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -211,7 +211,7 @@
  *   heldout_random_xi: n 200000 mean 3.727e-04 p99 1.157e-06 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 3.727e-04 p99 1.599e-06 max 9.937e-01
  *
- * footpoint_new_paper_quad4_accurate
+ * footpoint_paper_quad4_accurate
  *   genome_sha256: a5f179d137fb7f1cb1f8350bd6d04d4bec1094a9d7233abd93332753f852ab10
  *   operations: 133 mul, 3 div, 117 add, 0 sqrt, 31 compare; 139 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -232,7 +232,7 @@
  *   heldout_random_xi: n 200000 mean 3.990e-04 p99 2.423e-07 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 4.089e-04 p99 3.101e-07 max 9.892e-01
  *
- * footpoint_new_paper_quad4_full
+ * footpoint_paper_quad4_full
  *   genome_sha256: f9c7b6066bbd2747a51977c08873833405f89cefd022093070a155e5c2ddf260
  *   operations: 137 mul, 5 div, 129 add, 0 sqrt, 25 compare; 130 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -255,7 +255,7 @@
  *   heldout_random_xi: n 200000 mean 3.518e-04 p99 4.942e-12 max 9.980e-01
  *   heldout_random_eta: n 200000 mean 3.443e-04 p99 6.930e-12 max 9.937e-01
  *
- * footpoint_new_paper_quad4_program1
+ * footpoint_paper_quad4_program1
  *   genome_sha256: ceb0408a4bc3cd941e226720ae7422c35f1bd86865340b92d24a52d5a58d3147
  *   operations: 92 mul, 5 div, 94 add, 0 sqrt, 9 compare; 75 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -277,7 +277,7 @@
  *   heldout_random_xi: n 200000 mean 9.973e-05 p99 6.345e-05 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 1.240e-04 p99 7.587e-05 max 9.929e-01
  *
- * footpoint_new_paper_quad4_program2
+ * footpoint_paper_quad4_program2
  *   genome_sha256: 8e8c05d5bf7e6cf238d3536c7312d4a24982d857f90c110115c03c1d022724ea
  *   operations: 113 mul, 6 div, 112 add, 0 sqrt, 10 compare; 92 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -300,7 +300,7 @@
  *   heldout_random_xi: n 200000 mean 7.622e-05 p99 1.269e-08 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 8.441e-05 p99 1.643e-08 max 9.929e-01
  *
- * footpoint_new_paper_quad4_program3
+ * footpoint_paper_quad4_program3
  *   genome_sha256: 9f3ccdc912f600487fed9abca0d118245efb9f2b64b147c96ea97aef76ca8e8b
  *   operations: 134 mul, 7 div, 128 add, 0 sqrt, 11 compare; 109 temporaries
  *   equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-139
@@ -324,8 +324,8 @@
  *   heldout_random_xi: n 200000 mean 7.005e-05 p99 1.998e-15 max 9.695e-01
  *   heldout_random_eta: n 200000 mean 7.282e-05 p99 2.442e-15 max 9.929e-01
  */
-#ifndef FOOTPOINT_NEW_PAPER_QUAD4_H
-#define FOOTPOINT_NEW_PAPER_QUAD4_H
+#ifndef FOOTPOINT_PAPER_QUAD4_H
+#define FOOTPOINT_PAPER_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -430,8 +430,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 42 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -463,8 +463,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_gauss_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -477,7 +477,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_gauss(const double xA[3], const doubl
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_gauss_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_gauss_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -494,10 +494,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_gauss(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_paper_quad4_gauss_at for n pairs.
+/* footpoint_paper_quad4_gauss_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_gauss_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -505,12 +505,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_gauss_n(size_t n, const double *co
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_gauss_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_gauss_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_gauss_points[][19] = {
+static const double footpoint_paper_quad4_gauss_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1771482223347733e-14, 1.8939922442953568e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.3579394204165431, -3.407148023461624, 2.5361254954378672e-15, 6.5366396292127591e-15},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 8.0598055834504351e-16, 2.2366032492270136e-15},
@@ -523,8 +523,8 @@ static const double footpoint_new_paper_quad4_gauss_points[][19] = {
 #endif
 
 /* 32 mul, 1 div, 44 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -565,8 +565,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_fast_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -579,7 +579,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_fast(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_fast_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_fast_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -596,10 +596,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_fast(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_paper_quad4_fast_at for n pairs.
+/* footpoint_paper_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -607,12 +607,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_fast_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_fast_points[][19] = {
+static const double footpoint_paper_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.0625, -1.09018967775, 2.9837243786802477e-16, 5.3769229091804807e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983415e-16, 2.8116269970307505e-16},
@@ -625,8 +625,8 @@ static const double footpoint_new_paper_quad4_fast_points[][19] = {
 #endif
 
 /* 49 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -674,8 +674,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_taper_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -688,7 +688,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_taper(const double xA[3], const doubl
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_taper_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_taper_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -705,10 +705,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_taper(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_paper_quad4_taper_at for n pairs.
+/* footpoint_paper_quad4_taper_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_taper_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -716,12 +716,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_taper_n(size_t n, const double *co
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_taper_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_taper_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_taper_points[][19] = {
+static const double footpoint_paper_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.99724850253418829, -1, 3.2364179887609064e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 8.6308089413715267e-16, 9.8813129168249309e-324},
@@ -734,8 +734,8 @@ static const double footpoint_new_paper_quad4_taper_points[][19] = {
 #endif
 
 /* 59 mul, 2 div, 65 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -781,8 +781,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_gauss2_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -795,7 +795,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_gauss2(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_gauss2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_gauss2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -812,10 +812,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_gauss2(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_paper_quad4_gauss2_at for n pairs.
+/* footpoint_paper_quad4_gauss2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_gauss2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -823,12 +823,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_gauss2_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_gauss2_points[][19] = {
+static const double footpoint_paper_quad4_gauss2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0625153934621076e-14, 2.6254175202621922e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.0738968755647275e-14, 5.0387511470448467e-13},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 1.0731430858126105e-15, 3.1085171392542456e-15},
@@ -841,8 +841,8 @@ static const double footpoint_new_paper_quad4_gauss2_points[][19] = {
 #endif
 
 /* 60 mul, 1 div, 59 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -908,8 +908,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_coarse_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -922,7 +922,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_coarse(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_coarse_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_coarse_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -939,10 +939,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_coarse(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_paper_quad4_coarse_at for n pairs.
+/* footpoint_paper_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -950,12 +950,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_coarse_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_coarse_points[][19] = {
+static const double footpoint_paper_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.99454269876060708, -0.009419332158369256, 3.0058461595480357e-14, 5.1460221577980949e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98947297499683495, -1, 2.4386106997067239e-15, 2.2204460492503772e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22593361298873954, -0.012488609683776452, 7.6086191393702112e-16, 3.3889385967150305e-16},
@@ -968,8 +968,8 @@ static const double footpoint_new_paper_quad4_coarse_points[][19] = {
 #endif
 
 /* 62 mul, 2 div, 69 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1036,8 +1036,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_newton_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1050,7 +1050,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_newton(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_newton_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_newton_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1067,10 +1067,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_newton(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_paper_quad4_newton_at for n pairs.
+/* footpoint_paper_quad4_newton_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_newton_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1078,12 +1078,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_newton_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_newton_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_newton_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_newton_points[][19] = {
+static const double footpoint_paper_quad4_newton_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.27967919232952992, 0, 1.0074539991644323e-15, 9.8813129168249309e-324},
@@ -1096,8 +1096,8 @@ static const double footpoint_new_paper_quad4_newton_points[][19] = {
 #endif
 
 /* 70 mul, 2 div, 73 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[1] - xA[1];
     const double t2 = xB[0] - xA[0];
@@ -1168,8 +1168,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_medium_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1182,7 +1182,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_medium(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_medium_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_medium_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1199,10 +1199,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_medium(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_paper_quad4_medium_at for n pairs.
+/* footpoint_paper_quad4_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_medium_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1210,12 +1210,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_medium_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_medium_points[][19] = {
+static const double footpoint_paper_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24315494811501914, 0, 9.2076279998714284e-16, 9.8813129168249309e-324},
@@ -1228,8 +1228,8 @@ static const double footpoint_new_paper_quad4_medium_points[][19] = {
 #endif
 
 /* 88 mul, 2 div, 83 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1321,8 +1321,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_balanced_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1335,7 +1335,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_balanced(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_balanced_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_balanced_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1352,10 +1352,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_balanced(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_paper_quad4_balanced_at for n pairs.
+/* footpoint_paper_quad4_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_balanced_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1363,12 +1363,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_balanced_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_balanced_points[][19] = {
+static const double footpoint_paper_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2427426433252034, 0, 9.4212443004584229e-16, 9.8813129168249309e-324},
@@ -1381,8 +1381,8 @@ static const double footpoint_new_paper_quad4_balanced_points[][19] = {
 #endif
 
 /* 95 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1478,8 +1478,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_fine_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1492,7 +1492,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_fine(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_fine_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_fine_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1509,10 +1509,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_fine(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_paper_quad4_fine_at for n pairs.
+/* footpoint_paper_quad4_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_fine_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1520,12 +1520,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_fine_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_fine_points[][19] = {
+static const double footpoint_paper_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.3447965858257016e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23031147688074693, 0, 1.0147594439024961e-15, 9.8813129168249309e-324},
@@ -1538,8 +1538,8 @@ static const double footpoint_new_paper_quad4_fine_points[][19] = {
 #endif
 
 /* 116 mul, 4 div, 111 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                       const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1656,8 +1656,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_precise_at(const double xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1670,7 +1670,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_precise(const double xA[3], const dou
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_precise_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_precise_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1687,10 +1687,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_precise(const double xA[3], const dou
     return status;
 }
 
-/* footpoint_new_paper_quad4_precise_at for n pairs.
+/* footpoint_paper_quad4_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_precise_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1698,12 +1698,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_precise_n(size_t n, const double *
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_precise_points[][19] = {
+static const double footpoint_paper_quad4_precise_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.89064515330129657, 1.110223024625157e-16, 3.0065550947091239e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23655024120634, 0, 1.0949160783696978e-15, 9.8813129168249309e-324},
@@ -1716,8 +1716,8 @@ static const double footpoint_new_paper_quad4_precise_points[][19] = {
 #endif
 
 /* 133 mul, 3 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1864,8 +1864,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_accurate_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1878,7 +1878,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_accurate(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_accurate_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_accurate_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1895,10 +1895,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_accurate(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_paper_quad4_accurate_at for n pairs.
+/* footpoint_paper_quad4_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_accurate_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1906,12 +1906,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_accurate_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_accurate_points[][19] = {
+static const double footpoint_paper_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.2203575061314646, -1, 9.3034610988493317e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23055453790035557, 0, 1.0445292861151736e-15, 9.8813129168249309e-324},
@@ -1924,8 +1924,8 @@ static const double footpoint_new_paper_quad4_accurate_points[][19] = {
 #endif
 
 /* 137 mul, 5 div, 129 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2063,8 +2063,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_full_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2077,7 +2077,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_full(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_full_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_full_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2094,10 +2094,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_full(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_paper_quad4_full_at for n pairs.
+/* footpoint_paper_quad4_full_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_full_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2105,12 +2105,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_full_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_full_points[][19] = {
+static const double footpoint_paper_quad4_full_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.91295984948060971, 1.110223024625157e-16, 2.882954398793926e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.344796585825711e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23353818633828166, 0, 1.103909673103099e-15, 9.8813129168249309e-324},
@@ -2123,8 +2123,8 @@ static const double footpoint_new_paper_quad4_full_points[][19] = {
 #endif
 
 /* 92 mul, 5 div, 94 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[1] - xB[1];
     const double t2 = xA[2] - xB[2];
@@ -2207,8 +2207,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_program1_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2221,7 +2221,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_program1(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_program1_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_program1_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2238,10 +2238,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_program1(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_paper_quad4_program1_at for n pairs.
+/* footpoint_paper_quad4_program1_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_program1_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2249,12 +2249,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_program1_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_program1_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_program1_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_program1_points[][19] = {
+static const double footpoint_paper_quad4_program1_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87287477747581543, 2.2204460492503772e-16, 2.2194158536925507e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293334217829662, 0, 8.2372982354486896e-16, 9.8813129168249309e-324},
@@ -2267,8 +2267,8 @@ static const double footpoint_new_paper_quad4_program1_points[][19] = {
 #endif
 
 /* 113 mul, 6 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2368,8 +2368,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_program2_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2382,7 +2382,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_program2(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_program2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_program2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2399,10 +2399,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_program2(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_paper_quad4_program2_at for n pairs.
+/* footpoint_paper_quad4_program2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_program2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2410,12 +2410,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_program2_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_program2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_program2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_program2_points[][19] = {
+static const double footpoint_paper_quad4_program2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404905836945, 2.2204460492503772e-16, 2.2894233061089253e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136019, 0, 8.8372752827172519e-16, 9.8813129168249309e-324},
@@ -2428,8 +2428,8 @@ static const double footpoint_new_paper_quad4_program2_points[][19] = {
 #endif
 
 /* 134 mul, 7 div, 128 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2546,8 +2546,8 @@ FOOTPOINT_FN void footpoint_new_paper_quad4_program3_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2560,7 +2560,7 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_program3(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_paper_quad4_program3_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_paper_quad4_program3_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2577,10 +2577,10 @@ FOOTPOINT_FN int footpoint_new_paper_quad4_program3(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_paper_quad4_program3_at for n pairs.
+/* footpoint_paper_quad4_program3_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_paper_quad4_program3_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_paper_quad4_program3_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2588,12 +2588,12 @@ FOOTPOINT_LOOP void footpoint_new_paper_quad4_program3_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_paper_quad4_program3_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_paper_quad4_program3_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_paper_quad4_program3_points[][19] = {
+static const double footpoint_paper_quad4_program3_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404912731608, 2.2204460492503772e-16, 2.3953964212666882e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136008, 0, 8.9837644481023267e-16, 9.8813129168249309e-324},

@@ -12,7 +12,7 @@
  * reference: xi -1 eta -1
  * corners: any (as the mesh has them)
  *
- * footpoint_new_parallelogram_quad4_exact
+ * footpoint_parallelogram_quad4_exact
  *   genome_sha256: 8a945912a2ea7a53c9adcfe21443857a753ad5ea824195a6ad486fdb814ce6fb
  *   operations: 23 mul, 1 div, 24 add, 0 sqrt, 0 compare; 15 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,8 +31,8 @@
  *   heldout_random_xi: n 200000 mean 2.669e-16 p99 1.554e-15 max 6.606e-15
  *   heldout_random_eta: n 200000 mean 2.668e-16 p99 1.610e-15 max 6.439e-15
  */
-#ifndef FOOTPOINT_NEW_PARALLELOGRAM_QUAD4_H
-#define FOOTPOINT_NEW_PARALLELOGRAM_QUAD4_H
+#ifndef FOOTPOINT_PARALLELOGRAM_QUAD4_H
+#define FOOTPOINT_PARALLELOGRAM_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -137,8 +137,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 23 mul, 1 div, 24 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_parallelogram_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                             const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_parallelogram_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                         const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xD[2];
     const double t2 = xA[1] - xD[1];
@@ -162,12 +162,12 @@ FOOTPOINT_FN void footpoint_new_parallelogram_quad4_exact_at(const double xA[3],
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_parallelogram_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                         const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_parallelogram_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -179,10 +179,10 @@ FOOTPOINT_FN int footpoint_new_parallelogram_quad4_exact(const double xA[3], con
     return status;
 }
 
-/* footpoint_new_parallelogram_quad4_exact_at for n pairs.
+/* footpoint_parallelogram_quad4_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_parallelogram_quad4_exact_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_parallelogram_quad4_exact_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -190,12 +190,12 @@ FOOTPOINT_LOOP void footpoint_new_parallelogram_quad4_exact_n(size_t n, const do
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_parallelogram_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_parallelogram_quad4_exact_points[][19] = {
+static const double footpoint_parallelogram_quad4_exact_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.46875, 4.84375, -0.01, -0.40625, 4.40625, 0, -1.3125, 1.90625, -0.017578125, -3.2734929078014185, -0.13475177304964539, 3.0760030057347846e-15, 1.0340426999547214e-15},
     {0, 0, 0, 1, 0, 0, -2.21875, 3.03125, -0.01, -0.71875, 1.375, 0, 0.75, 4.40625, 0.14453125, 5.1065340909090908, 5.4090909090909092, 9.8090151639819477e-15, 9.8675007436607644e-15},
     {0, 0, 0, 1, 0, 0, -0.875, 4.375, -0.01, -1.25, 4.5, 0, -1.1875, 1.4375, -0.04296875, -2.5763888888888888, -0.3611111111111111, 2.8307569884490541e-15, 9.0889991849120536e-16},

@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_plane_quad4_fast
+ * footpoint_plane_quad4_fast
  *   genome_sha256: ae26e5d61a1afe0da03cbb2063885d6be828acdbf04c652fc6c041f82711878f
  *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,7 +31,7 @@
  *   heldout_random_xi: n 200000 mean 5.402e-02 p99 2.800e-01 max 4.257e-01
  *   heldout_random_eta: n 200000 mean 5.403e-02 p99 2.797e-01 max 4.125e-01
  *
- * footpoint_new_plane_quad4_coarse
+ * footpoint_plane_quad4_coarse
  *   genome_sha256: 7ac505cb4dfe5151fd48c38ca0285aaab8b61d1853de694e8c9f4db67f3d2c53
  *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -50,7 +50,7 @@
  *   heldout_random_xi: n 200000 mean 1.134e-03 p99 1.611e-02 max 7.317e-02
  *   heldout_random_eta: n 200000 mean 1.135e-03 p99 1.586e-02 max 7.271e-02
  *
- * footpoint_new_plane_quad4_exact
+ * footpoint_plane_quad4_exact
  *   genome_sha256: 986d428163def05444ca82440235a12090d0338ac0408b740d902cf8235c6dda
  *   operations: 50 mul, 1 div, 52 add, 1 sqrt, 1 compare; 38 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -69,8 +69,8 @@
  *   heldout_random_xi: n 200000 mean 1.593e-16 p99 8.882e-16 max 4.774e-15
  *   heldout_random_eta: n 200000 mean 1.593e-16 p99 8.882e-16 max 5.107e-15
  */
-#ifndef FOOTPOINT_NEW_PLANE_QUAD4_H
-#define FOOTPOINT_NEW_PLANE_QUAD4_H
+#ifndef FOOTPOINT_PLANE_QUAD4_H
+#define FOOTPOINT_PLANE_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -175,8 +175,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_plane_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_plane_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -208,12 +208,12 @@ FOOTPOINT_FN void footpoint_new_plane_quad4_fast_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_plane_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_plane_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -225,10 +225,10 @@ FOOTPOINT_FN int footpoint_new_plane_quad4_fast(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_plane_quad4_fast_at for n pairs.
+/* footpoint_plane_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_plane_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_plane_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -236,12 +236,12 @@ FOOTPOINT_LOOP void footpoint_new_plane_quad4_fast_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_plane_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_plane_quad4_fast_points[][19] = {
+static const double footpoint_plane_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.026699113265816456, -1.1143276835521505, 1.8538341201911799e-14, 1.0855035165954716e-14},
     {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 1.5468542463663288, 1.4622772531953452, 4.0483515769632067e-15, 3.1618997562587869e-15},
     {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.75736485117801111, 1.8139812687614916, 1.0279146461785562e-14, 1.3619775927632952e-14},
@@ -254,8 +254,8 @@ static const double footpoint_new_plane_quad4_fast_points[][19] = {
 #endif
 
 /* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_plane_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_plane_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -293,12 +293,12 @@ FOOTPOINT_FN void footpoint_new_plane_quad4_coarse_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_plane_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_plane_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -310,10 +310,10 @@ FOOTPOINT_FN int footpoint_new_plane_quad4_coarse(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_plane_quad4_coarse_at for n pairs.
+/* footpoint_plane_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_plane_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -321,12 +321,12 @@ FOOTPOINT_LOOP void footpoint_new_plane_quad4_coarse_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_plane_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_plane_quad4_coarse_points[][19] = {
+static const double footpoint_plane_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642484862867824, -1.1264003889950702, 1.9413815642207088e-14, 6.2715765158747291e-15},
     {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.68827457392475266, 1.5640347703108071, 2.3325582677379359e-15, 4.7962887906839644e-15},
     {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.2944454744074062, 2.0266809738707239, 2.9980131649202022e-15, 2.1325392703684399e-14},
@@ -339,8 +339,8 @@ static const double footpoint_new_plane_quad4_coarse_points[][19] = {
 #endif
 
 /* 50 mul, 1 div, 52 add, 1 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_plane_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_plane_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -386,12 +386,12 @@ FOOTPOINT_FN void footpoint_new_plane_quad4_exact_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_plane_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_plane_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -403,10 +403,10 @@ FOOTPOINT_FN int footpoint_new_plane_quad4_exact(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_plane_quad4_exact_at for n pairs.
+/* footpoint_plane_quad4_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-math-errno -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_plane_quad4_exact_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_plane_quad4_exact_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -414,12 +414,12 @@ FOOTPOINT_LOOP void footpoint_new_plane_quad4_exact_n(size_t n, const double *co
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_plane_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_plane_quad4_exact_points[][19] = {
+static const double footpoint_plane_quad4_exact_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642846267014288, -1.126405014029171, 1.9414694308400693e-14, 5.7546573817026829e-15},
     {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.71909875350520558, 1.5603815368580416, 2.7058203626246816e-15, 4.2028987579897773e-15},
     {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.32357821137700865, 2.013295220598335, 3.9407070599008558e-15, 1.9928802011069174e-14},

@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_punch_quad4_fast
+ * footpoint_punch_quad4_fast
  *   genome_sha256: ee5fa91f0501e914af212ce40e951e8a2af8c6940ca9842d00eb889f7b810fd6
  *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,7 +31,7 @@
  *   heldout_random_xi: n 200000 mean 1.475e-02 p99 1.180e-01 max 2.934e-01
  *   heldout_random_eta: n 200000 mean 1.422e-02 p99 1.132e-01 max 2.994e-01
  *
- * footpoint_new_punch_quad4_coarse
+ * footpoint_punch_quad4_coarse
  *   genome_sha256: 0f559b21dc69e8e1f4235894387df58972f39cf0cc7fdcca9300c4a5f57502df
  *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -48,7 +48,7 @@
  *   heldout_random_xi: n 200000 mean 4.126e-04 p99 2.562e-03 max 1.062e-02
  *   heldout_random_eta: n 200000 mean 4.154e-04 p99 2.575e-03 max 1.865e-02
  *
- * footpoint_new_punch_quad4_gauss2
+ * footpoint_punch_quad4_gauss2
  *   genome_sha256: dd8671b4d46cc030b7d8d01524da5d2656a5279f9871234aee7620757fae4470
  *   operations: 58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -68,7 +68,7 @@
  *   heldout_random_xi: n 200000 mean 5.078e-05 p99 9.017e-04 max 1.027e-02
  *   heldout_random_eta: n 200000 mean 4.995e-05 p99 9.005e-04 max 1.518e-02
  *
- * footpoint_new_punch_quad4_medium
+ * footpoint_punch_quad4_medium
  *   genome_sha256: fc0e44ff5c4cb6ca0d0ee894fdf5603d0ef5a7d3103d5871d40833ed69821977
  *   operations: 66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -88,7 +88,7 @@
  *   heldout_random_xi: n 200000 mean 1.839e-06 p99 2.620e-05 max 1.453e-03
  *   heldout_random_eta: n 200000 mean 1.916e-06 p99 2.688e-05 max 2.543e-03
  *
- * footpoint_new_punch_quad4_balanced
+ * footpoint_punch_quad4_balanced
  *   genome_sha256: dcf401599b8c412d0962b5592617e9576b912232e55bfbb6b63d8eb33ed70c00
  *   operations: 76 mul, 2 div, 71 add, 0 sqrt, 0 compare; 48 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -108,7 +108,7 @@
  *   heldout_random_xi: n 200000 mean 3.757e-08 p99 5.898e-07 max 4.365e-05
  *   heldout_random_eta: n 200000 mean 3.703e-08 p99 5.888e-07 max 4.244e-05
  *
- * footpoint_new_punch_quad4_fine
+ * footpoint_punch_quad4_fine
  *   genome_sha256: 56fab13aa6c69c888a125cc92d56ae2be9ab964b520adb76c0f150f0103cd7ec
  *   operations: 90 mul, 2 div, 79 add, 0 sqrt, 0 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -128,7 +128,7 @@
  *   heldout_random_xi: n 200000 mean 3.357e-11 p99 3.635e-10 max 4.082e-07
  *   heldout_random_eta: n 200000 mean 3.257e-11 p99 3.573e-10 max 3.970e-07
  *
- * footpoint_new_punch_quad4_accurate
+ * footpoint_punch_quad4_accurate
  *   genome_sha256: 1bdf5f3e652861faf80da4894674741aa2ea23764bb168cf1248a79632e77b3a
  *   operations: 97 mul, 3 div, 86 add, 0 sqrt, 0 compare; 61 temporaries
  *   equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-162
@@ -149,8 +149,8 @@
  *   heldout_random_xi: n 200000 mean 3.037e-14 p99 7.816e-14 max 1.203e-09
  *   heldout_random_eta: n 200000 mean 3.037e-14 p99 7.716e-14 max 1.164e-09
  */
-#ifndef FOOTPOINT_NEW_PUNCH_QUAD4_H
-#define FOOTPOINT_NEW_PUNCH_QUAD4_H
+#ifndef FOOTPOINT_PUNCH_QUAD4_H
+#define FOOTPOINT_PUNCH_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -255,8 +255,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_punch_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_punch_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -288,12 +288,12 @@ FOOTPOINT_FN void footpoint_new_punch_quad4_fast_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_punch_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_punch_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_punch_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_punch_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -305,10 +305,10 @@ FOOTPOINT_FN int footpoint_new_punch_quad4_fast(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_punch_quad4_fast_at for n pairs.
+/* footpoint_punch_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_punch_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_punch_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -316,12 +316,12 @@ FOOTPOINT_LOOP void footpoint_new_punch_quad4_fast_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_punch_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_punch_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_punch_quad4_fast_points[][19] = {
+static const double footpoint_punch_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.5037144558747837, 0.35820945116711916, 1.9509747029362067e-15, 1.4036336615306836e-15},
     {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.81883776619281357, -1.2887123971400731, 2.0818710143720311e-15, 2.6605106562893807e-15},
     {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.5751645516604091, 1.0077337735135128, 3.5133307272233561e-15, 2.692723457782717e-15},
@@ -334,8 +334,8 @@ static const double footpoint_new_punch_quad4_fast_points[][19] = {
 #endif
 
 /* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_punch_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_punch_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -373,12 +373,12 @@ FOOTPOINT_FN void footpoint_new_punch_quad4_coarse_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_punch_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_punch_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_punch_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_punch_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -390,10 +390,10 @@ FOOTPOINT_FN int footpoint_new_punch_quad4_coarse(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_punch_quad4_coarse_at for n pairs.
+/* footpoint_punch_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_punch_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -401,12 +401,12 @@ FOOTPOINT_LOOP void footpoint_new_punch_quad4_coarse_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_punch_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_punch_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_punch_quad4_coarse_points[][19] = {
+static const double footpoint_punch_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61171617863643613, 0.46163347421768564, 3.6820697757789318e-15, 3.2041942224841925e-15},
     {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.86965899224683951, -1.1286699529257, 2.6588232088679435e-15, 3.0063370137109472e-15},
     {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1410697747148886, 1.2032734138056824, 3.4461402755784322e-15, 4.431084104566948e-15},
@@ -419,8 +419,8 @@ static const double footpoint_new_punch_quad4_coarse_points[][19] = {
 #endif
 
 /* 58 mul, 2 div, 63 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_punch_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_punch_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[0] - xB[0];
     const double t2 = xA[1] - xB[1];
@@ -464,12 +464,12 @@ FOOTPOINT_FN void footpoint_new_punch_quad4_gauss2_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_punch_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_punch_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_punch_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_punch_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -481,10 +481,10 @@ FOOTPOINT_FN int footpoint_new_punch_quad4_gauss2(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_punch_quad4_gauss2_at for n pairs.
+/* footpoint_punch_quad4_gauss2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_punch_quad4_gauss2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -492,12 +492,12 @@ FOOTPOINT_LOOP void footpoint_new_punch_quad4_gauss2_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_punch_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_punch_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_punch_quad4_gauss2_points[][19] = {
+static const double footpoint_punch_quad4_gauss2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61123985350050158, 0.46126395127435615, 6.3710014250270312e-15, 5.030378962975206e-15},
     {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87166703779646848, -1.1297006538348009, 3.2658888044465937e-15, 2.8596939880031657e-15},
     {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1414343177142752, 1.20136388380109, 5.6944409999876931e-15, 7.9103482081369882e-15},
@@ -510,8 +510,8 @@ static const double footpoint_new_punch_quad4_gauss2_points[][19] = {
 #endif
 
 /* 66 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_punch_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_punch_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2];
     const double t2 = xA[1] - xB[1];
@@ -558,12 +558,12 @@ FOOTPOINT_FN void footpoint_new_punch_quad4_medium_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_punch_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_punch_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_punch_quad4_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_punch_quad4_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -575,10 +575,10 @@ FOOTPOINT_FN int footpoint_new_punch_quad4_medium(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_punch_quad4_medium_at for n pairs.
+/* footpoint_punch_quad4_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_punch_quad4_medium_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_punch_quad4_medium_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -586,12 +586,12 @@ FOOTPOINT_LOOP void footpoint_new_punch_quad4_medium_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_punch_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_punch_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_punch_quad4_medium_points[][19] = {
+static const double footpoint_punch_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61752875295775134, 0.46731264947972601, 7.1148216660370377e-15, 5.6578743002548689e-15},
     {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87107277200211852, -1.1309388544349215, 2.9980583510509362e-15, 2.7088311416162435e-15},
     {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1614781865959203, 1.1929353522759791, 4.4599106055900311e-15, 6.0320497893291471e-15},
@@ -604,8 +604,8 @@ static const double footpoint_new_punch_quad4_medium_points[][19] = {
 #endif
 
 /* 76 mul, 2 div, 71 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_punch_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_punch_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -661,12 +661,12 @@ FOOTPOINT_FN void footpoint_new_punch_quad4_balanced_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_punch_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_punch_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_punch_quad4_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_punch_quad4_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -678,10 +678,10 @@ FOOTPOINT_FN int footpoint_new_punch_quad4_balanced(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_punch_quad4_balanced_at for n pairs.
+/* footpoint_punch_quad4_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_punch_quad4_balanced_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -689,12 +689,12 @@ FOOTPOINT_LOOP void footpoint_new_punch_quad4_balanced_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_punch_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_punch_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_punch_quad4_balanced_points[][19] = {
+static const double footpoint_punch_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859056181191385, 0.46834767351453227, 8.5609698810943907e-15, 6.8382617596863226e-15},
     {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108705877704928, -1.130945572116075, 3.2015550382719899e-15, 2.8464120805540305e-15},
     {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619251127149748, 1.1926662984829064, 4.6568677058913843e-15, 6.5587178522524154e-15},
@@ -707,8 +707,8 @@ static const double footpoint_new_punch_quad4_balanced_points[][19] = {
 #endif
 
 /* 90 mul, 2 div, 79 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_punch_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_punch_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[1] - xB[1];
     const double t2 = xA[2] - xB[2];
@@ -774,12 +774,12 @@ FOOTPOINT_FN void footpoint_new_punch_quad4_fine_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_punch_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_punch_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_punch_quad4_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_punch_quad4_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -791,10 +791,10 @@ FOOTPOINT_FN int footpoint_new_punch_quad4_fine(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_punch_quad4_fine_at for n pairs.
+/* footpoint_punch_quad4_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_punch_quad4_fine_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_punch_quad4_fine_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -802,12 +802,12 @@ FOOTPOINT_LOOP void footpoint_new_punch_quad4_fine_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_punch_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_punch_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_punch_quad4_fine_points[][19] = {
+static const double footpoint_punch_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859060622437667, 0.46834771255788454, 8.6136606486914134e-15, 6.8558487486769049e-15},
     {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699824761548, -1.1309451542650371, 3.5865296248013337e-15, 3.1731531520437269e-15},
     {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619250197188316, 1.1926655553625478, 5.4191683254806967e-15, 7.3569189165063045e-15},
@@ -820,8 +820,8 @@ static const double footpoint_new_punch_quad4_fine_points[][19] = {
 #endif
 
 /* 97 mul, 3 div, 86 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_punch_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_punch_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -890,12 +890,12 @@ FOOTPOINT_FN void footpoint_new_punch_quad4_accurate_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_punch_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_punch_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_punch_quad4_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_punch_quad4_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -907,10 +907,10 @@ FOOTPOINT_FN int footpoint_new_punch_quad4_accurate(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_punch_quad4_accurate_at for n pairs.
+/* footpoint_punch_quad4_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_punch_quad4_accurate_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -918,12 +918,12 @@ FOOTPOINT_LOOP void footpoint_new_punch_quad4_accurate_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_punch_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_punch_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_punch_quad4_accurate_points[][19] = {
+static const double footpoint_punch_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859060620199013, 0.46834771253834467, 8.406661009333541e-15, 6.7210869360083507e-15},
     {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699828535818, -1.1309451544309548, 3.2919007445989001e-15, 2.9077108912915301e-15},
     {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619250192341792, 1.1926655555858889, 4.5864989797003197e-15, 6.2886667463710524e-15},

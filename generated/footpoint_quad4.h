@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_quad4_fast
+ * footpoint_quad4_fast
  *   genome_sha256: 6c0e85398df1ff9192af92bf0c3597ea113cbad247f91ec7f09bbf41be9b2f0d
  *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,7 +31,7 @@
  *   heldout_random_xi: n 200000 mean 5.334e-02 p99 2.767e-01 max 4.259e-01
  *   heldout_random_eta: n 200000 mean 5.338e-02 p99 2.767e-01 max 4.459e-01
  *
- * footpoint_new_quad4_coarse
+ * footpoint_quad4_coarse
  *   genome_sha256: aa6f83e66897893382f029194584ef094f12ad5a9fe34b226ee9cfc0ea3ea439
  *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -50,7 +50,7 @@
  *   heldout_random_xi: n 200000 mean 4.847e-03 p99 3.710e-02 max 1.822e-01
  *   heldout_random_eta: n 200000 mean 4.846e-03 p99 3.716e-02 max 1.537e-01
  *
- * footpoint_new_quad4_gauss2
+ * footpoint_quad4_gauss2
  *   genome_sha256: 4f429dda9247079bedb72ad4a9aee93d24f683238db11811f5fc29ddfc0220ab
  *   operations: 58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -70,7 +70,7 @@
  *   heldout_random_xi: n 200000 mean 1.261e-03 p99 1.604e-02 max 1.218e-01
  *   heldout_random_eta: n 200000 mean 1.266e-03 p99 1.613e-02 max 1.140e-01
  *
- * footpoint_new_quad4_medium
+ * footpoint_quad4_medium
  *   genome_sha256: ba8f9e3ee08883f6e9c874b8cc3cb57853339fb7eb146fc4ad9d8adaae98c15f
  *   operations: 66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -90,7 +90,7 @@
  *   heldout_random_xi: n 200000 mean 1.938e-04 p99 3.022e-03 max 7.520e-02
  *   heldout_random_eta: n 200000 mean 1.946e-04 p99 3.059e-03 max 6.525e-02
  *
- * footpoint_new_quad4_balanced
+ * footpoint_quad4_balanced
  *   genome_sha256: c04c90f12996401f8d527f615a7979435d774a49ffca3d1d8cbca1a7f903351b
  *   operations: 76 mul, 2 div, 71 add, 0 sqrt, 0 compare; 48 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -110,7 +110,7 @@
  *   heldout_random_xi: n 200000 mean 2.442e-05 p99 3.957e-04 max 2.830e-02
  *   heldout_random_eta: n 200000 mean 2.444e-05 p99 4.006e-04 max 2.696e-02
  *
- * footpoint_new_quad4_fine
+ * footpoint_quad4_fine
  *   genome_sha256: 88a364555dd783ef7761eeb7a287494fd7aaa139ca717a270983e89f65637dc0
  *   operations: 90 mul, 2 div, 79 add, 0 sqrt, 0 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -130,7 +130,7 @@
  *   heldout_random_xi: n 200000 mean 1.686e-06 p99 1.225e-05 max 1.119e-02
  *   heldout_random_eta: n 200000 mean 1.668e-06 p99 1.221e-05 max 1.065e-02
  *
- * footpoint_new_quad4_precise
+ * footpoint_quad4_precise
  *   genome_sha256: dfd1c69e8d3aee10c1afd6a8a592b7b24eec260e567dc8758bdf6c0bb45cb3fb
  *   operations: 97 mul, 3 div, 86 add, 0 sqrt, 0 compare; 61 temporaries
  *   equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-162
@@ -151,7 +151,7 @@
  *   heldout_random_xi: n 200000 mean 1.204e-07 p99 1.960e-07 max 2.014e-03
  *   heldout_random_eta: n 200000 mean 1.235e-07 p99 1.933e-07 max 1.259e-03
  *
- * footpoint_new_quad4_accurate
+ * footpoint_quad4_accurate
  *   genome_sha256: f88e13aa73b6f22c38e1b03911deb93c2497f97f82cbf362a5ed792b838b92a7
  *   operations: 115 mul, 4 div, 101 add, 0 sqrt, 0 compare; 75 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -173,7 +173,7 @@
  *   heldout_random_xi: n 200000 mean 1.166e-10 p99 3.464e-14 max 1.032e-05
  *   heldout_random_eta: n 200000 mean 9.829e-11 p99 3.486e-14 max 6.533e-06
  *
- * footpoint_new_quad4_full
+ * footpoint_quad4_full
  *   genome_sha256: 2d11ccb59345e30b7f2d0b88a6b0230b09909780a79b8234bfc5e66b8808d41b
  *   operations: 130 mul, 5 div, 116 add, 0 sqrt, 0 compare; 85 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -196,8 +196,8 @@
  *   heldout_random_xi: n 200000 mean 1.797e-15 p99 1.721e-15 max 2.814e-10
  *   heldout_random_eta: n 200000 mean 1.266e-15 p99 1.610e-15 max 1.777e-10
  */
-#ifndef FOOTPOINT_NEW_QUAD4_H
-#define FOOTPOINT_NEW_QUAD4_H
+#ifndef FOOTPOINT_QUAD4_H
+#define FOOTPOINT_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -302,8 +302,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -335,12 +335,12 @@ FOOTPOINT_FN void footpoint_new_quad4_fast_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -352,10 +352,10 @@ FOOTPOINT_FN int footpoint_new_quad4_fast(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_quad4_fast_at for n pairs.
+/* footpoint_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -363,12 +363,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_fast_n(size_t n, const double *const x[1
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_fast_points[][19] = {
+static const double footpoint_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.17851747968018908, -1.0322821663401478, 1.6735661628088622e-14, 9.3185993271589188e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 1.551555612150219, 1.4327639409772415, 4.1477760822360464e-15, 3.2036449379891569e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.24149774496830348, 0.70810029543459707, 1.247030744803417e-15, 1.5874231227886037e-15},
@@ -381,8 +381,8 @@ static const double footpoint_new_quad4_fast_points[][19] = {
 #endif
 
 /* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -420,12 +420,12 @@ FOOTPOINT_FN void footpoint_new_quad4_coarse_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -437,10 +437,10 @@ FOOTPOINT_FN int footpoint_new_quad4_coarse(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_quad4_coarse_at for n pairs.
+/* footpoint_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -448,12 +448,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_coarse_n(size_t n, const double *const x
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_coarse_points[][19] = {
+static const double footpoint_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.19213347820827598, -1.1075103603347207, 1.9394932388284193e-14, 6.3412698955841813e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.69421923714630007, 1.5410218175370296, 2.3153833755033252e-15, 4.8824019665276807e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15393263733726406, 0.71272221427389504, 8.0131182555570169e-16, 2.1549892634941845e-15},
@@ -466,8 +466,8 @@ static const double footpoint_new_quad4_coarse_points[][19] = {
 #endif
 
 /* 58 mul, 2 div, 63 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[0] - xB[0];
     const double t2 = xA[1] - xB[1];
@@ -511,12 +511,12 @@ FOOTPOINT_FN void footpoint_new_quad4_gauss2_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -528,10 +528,10 @@ FOOTPOINT_FN int footpoint_new_quad4_gauss2(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_quad4_gauss2_at for n pairs.
+/* footpoint_quad4_gauss2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_gauss2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_gauss2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -539,12 +539,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_gauss2_n(size_t n, const double *const x
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_gauss2_points[][19] = {
+static const double footpoint_quad4_gauss2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1716607396065131, -1.1077396540243765, 2.7596832251540236e-14, 2.4029816031551647e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.69404273091994695, 1.5394949073421162, 4.8115917210880942e-15, 7.2684426303541099e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15456484520373978, 0.71314503991117117, 9.6650654524401029e-16, 1.8905221861076639e-15},
@@ -557,8 +557,8 @@ static const double footpoint_new_quad4_gauss2_points[][19] = {
 #endif
 
 /* 66 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2];
     const double t2 = xA[1] - xB[1];
@@ -605,12 +605,12 @@ FOOTPOINT_FN void footpoint_new_quad4_medium_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -622,10 +622,10 @@ FOOTPOINT_FN int footpoint_new_quad4_medium(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_quad4_medium_at for n pairs.
+/* footpoint_quad4_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_medium_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_medium_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -633,12 +633,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_medium_n(size_t n, const double *const x
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_medium_points[][19] = {
+static const double footpoint_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1701694241301962, -1.1075799545706049, 2.5321937238056425e-14, 2.5716319096039559e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.6985753321960313, 1.5400637972585232, 2.9690158644794806e-15, 4.5938280375069411e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15471234063924813, 0.71304270175398587, 9.2407144757824098e-16, 1.8621828175534663e-15},
@@ -651,8 +651,8 @@ static const double footpoint_new_quad4_medium_points[][19] = {
 #endif
 
 /* 76 mul, 2 div, 71 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -708,12 +708,12 @@ FOOTPOINT_FN void footpoint_new_quad4_balanced_at(const double xA[3], const doub
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -725,10 +725,10 @@ FOOTPOINT_FN int footpoint_new_quad4_balanced(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_new_quad4_balanced_at for n pairs.
+/* footpoint_quad4_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_balanced_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_balanced_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -736,12 +736,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_balanced_n(size_t n, const double *const
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_balanced_points[][19] = {
+static const double footpoint_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1699418743885634, -1.1075097573744856, 2.9820404447523804e-14, 2.7983335170711689e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660236629727093, 1.5360051886699075, 2.7925073253941549e-15, 4.8135974499099874e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477607482588043, 0.71307380972792156, 9.7604115406348146e-16, 1.9020837593136264e-15},
@@ -754,8 +754,8 @@ static const double footpoint_new_quad4_balanced_points[][19] = {
 #endif
 
 /* 90 mul, 2 div, 79 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[1] - xB[1];
     const double t2 = xA[2] - xB[2];
@@ -821,12 +821,12 @@ FOOTPOINT_FN void footpoint_new_quad4_fine_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -838,10 +838,10 @@ FOOTPOINT_FN int footpoint_new_quad4_fine(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_quad4_fine_at for n pairs.
+/* footpoint_quad4_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_fine_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_fine_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -849,12 +849,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_fine_n(size_t n, const double *const x[1
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_fine_points[][19] = {
+static const double footpoint_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994390046457716, -1.107516000852387, 3.0100883300701911e-14, 2.9128431768008255e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660176190095305, 1.5360014089884804, 3.0177705215246607e-15, 5.2241048416557296e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578595984515, 0.7130735320517595, 1.0132211281452842e-15, 2.0522615827083086e-15},
@@ -867,8 +867,8 @@ static const double footpoint_new_quad4_fine_points[][19] = {
 #endif
 
 /* 97 mul, 3 div, 86 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -937,12 +937,12 @@ FOOTPOINT_FN void footpoint_new_quad4_precise_at(const double xA[3], const doubl
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -954,10 +954,10 @@ FOOTPOINT_FN int footpoint_new_quad4_precise(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_new_quad4_precise_at for n pairs.
+/* footpoint_quad4_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_precise_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_precise_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -965,12 +965,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_precise_n(size_t n, const double *const 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_precise_points[][19] = {
+static const double footpoint_quad4_precise_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386474819068, -1.107515922117237, 3.1055445090974124e-14, 2.7056915881783743e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660175643352021, 1.5360014082430475, 2.7745237397811768e-15, 4.739209926217703e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624352403, 0.71307353223174619, 9.601868226774167e-16, 1.8942332968542438e-15},
@@ -983,8 +983,8 @@ static const double footpoint_new_quad4_precise_points[][19] = {
 #endif
 
 /* 115 mul, 4 div, 101 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1067,12 +1067,12 @@ FOOTPOINT_FN void footpoint_new_quad4_accurate_at(const double xA[3], const doub
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1084,10 +1084,10 @@ FOOTPOINT_FN int footpoint_new_quad4_accurate(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_new_quad4_accurate_at for n pairs.
+/* footpoint_quad4_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_accurate_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_accurate_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1095,12 +1095,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_accurate_n(size_t n, const double *const
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_accurate_points[][19] = {
+static const double footpoint_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 3.1948695092937578e-14, 3.0226501303284666e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.7266017564316718, 1.5360014082429443, 2.7633281569928506e-15, 4.7045166666477845e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.6181126072129114e-16, 1.8955025065021597e-15},
@@ -1113,8 +1113,8 @@ static const double footpoint_new_quad4_accurate_points[][19] = {
 #endif
 
 /* 130 mul, 5 div, 116 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2];
     const double t2 = xB[1] - xA[1];
@@ -1207,12 +1207,12 @@ FOOTPOINT_FN void footpoint_new_quad4_full_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_full_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_full_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1224,10 +1224,10 @@ FOOTPOINT_FN int footpoint_new_quad4_full(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_quad4_full_at for n pairs.
+/* footpoint_quad4_full_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_full_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_full_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1235,12 +1235,12 @@ FOOTPOINT_LOOP void footpoint_new_quad4_full_n(size_t n, const double *const x[1
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad4_full_points[][19] = {
+static const double footpoint_quad4_full_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 1.1932146435699703e-12, 4.2662391033288125e-13},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.7266017564316718, 1.5360014082429443, 2.7745239054013354e-15, 4.7392167911397379e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.6018663718845096e-16, 1.8942332665860863e-15},

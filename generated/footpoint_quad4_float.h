@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_quad4_float_fast
+ * footpoint_quad4_float_fast
  *   genome_sha256: 9eab41fdebe0be890ccddb905a413f93bc9b944c74127d81456a8337ab4d6208
  *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -33,7 +33,7 @@
  *   training_xi: genes 1 mean 5.360e-02
  *   training_eta: genes 1 mean 5.334e-02
  *
- * footpoint_new_quad4_float_coarse
+ * footpoint_quad4_float_coarse
  *   genome_sha256: 38ee30fcd88e0c4a3af21f0fd8ec3ddf197899875b29d2f275cc05a63d9cdf2a
  *   operations: 45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -54,7 +54,7 @@
  *   training_xi: genes 1 mean 4.812e-03
  *   training_eta: genes 1 mean 4.829e-03
  *
- * footpoint_new_quad4_float_gauss2
+ * footpoint_quad4_float_gauss2
  *   genome_sha256: a054e42dbc6dab89546ad6bd25bc13b62e223e59b59a1e5de0b9db338e9b3fb1
  *   operations: 58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -76,7 +76,7 @@
  *   training_xi: genes 1 mean 1.260e-03
  *   training_eta: genes 1 mean 1.272e-03
  *
- * footpoint_new_quad4_float_medium
+ * footpoint_quad4_float_medium
  *   genome_sha256: 5c12d683e58c3dd93fcc7ca344f4872855e20f7bdb1a68bfd4f47b97337f2327
  *   operations: 66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -98,7 +98,7 @@
  *   training_xi: genes 1 mean 1.907e-04
  *   training_eta: genes 1 mean 1.920e-04
  *
- * footpoint_new_quad4_float_balanced
+ * footpoint_quad4_float_balanced
  *   genome_sha256: 35ada04e8d1f187a5b0bd4c40e0f6616a3d61e5dd27c05c5243dbcdef81b5c9d
  *   operations: 76 mul, 2 div, 71 add, 0 sqrt, 0 compare; 48 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -120,7 +120,7 @@
  *   training_xi: genes 1 mean 2.180e-05
  *   training_eta: genes 1 mean 2.266e-05
  *
- * footpoint_new_quad4_float_fine
+ * footpoint_quad4_float_fine
  *   genome_sha256: 27f5e017ebbc1ca5a2ace32bd667a89a0073c3c2ac0131b924d59dd566afaca3
  *   operations: 90 mul, 2 div, 79 add, 0 sqrt, 0 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -142,7 +142,7 @@
  *   training_xi: genes 1 mean 1.237e-06
  *   training_eta: genes 1 mean 1.339e-06
  *
- * footpoint_new_quad4_float_precise
+ * footpoint_quad4_float_precise
  *   genome_sha256: 2c28ffc2f9cd49b4af6f91b2cce5d8b71d54a36b89bd39bbac261d588f59b2e2
  *   operations: 97 mul, 3 div, 86 add, 0 sqrt, 0 compare; 61 temporaries
  *   equal to the genome at 2 random points modulo a 192-bit prime: chance of error below 2^-162
@@ -165,7 +165,7 @@
  *   training_xi: genes 1 mean 6.538e-08
  *   training_eta: genes 1 mean 7.560e-08
  *
- * footpoint_new_quad4_float_accurate
+ * footpoint_quad4_float_accurate
  *   genome_sha256: 94c4067dbd12c95fdc51a31a7b434ae0fc0bf728ed4aad44a2ae1c16d326efe1
  *   operations: 115 mul, 4 div, 101 add, 0 sqrt, 0 compare; 75 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -189,8 +189,8 @@
  *   training_xi: genes 1 mean 1.634e-11
  *   training_eta: genes 1 mean 1.998e-11
  */
-#ifndef FOOTPOINT_NEW_QUAD4_FLOAT_H
-#define FOOTPOINT_NEW_QUAD4_FLOAT_H
+#ifndef FOOTPOINT_QUAD4_FLOAT_H
+#define FOOTPOINT_QUAD4_FLOAT_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -372,8 +372,8 @@ FOOTPOINT_FN int footpoint_detail_f_vouch(const float xA[3], const float xB[3], 
 #endif
 
 /* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_fast_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                    const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -411,12 +411,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_fast_at(const float xA[3], const flo
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                            const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -429,18 +429,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_fast(const float xA[3], const float x
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_FAST_WORST 4.769e-01f
+#define FOOTPOINT_QUAD4_FLOAT_FAST_WORST 4.769e-01f
 
-/* As footpoint_new_quad4_float_fast, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_fast, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_fast_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                     const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_fast_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                 const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_fast(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_fast(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_FAST_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_FAST_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -448,10 +448,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_fast_sure(const float xA[3], const fl
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_fast_at for n pairs.
+/* footpoint_quad4_float_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_fast_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -459,13 +459,13 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_fast_n(size_t n, const float *cons
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 /* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_coarse_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                      const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                  const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -509,12 +509,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_coarse_at(const float xA[3], const f
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_coarse(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                  const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_coarse(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                              const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -527,18 +527,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_coarse(const float xA[3], const float
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_COARSE_WORST 2.267e-01f
+#define FOOTPOINT_QUAD4_FLOAT_COARSE_WORST 2.267e-01f
 
-/* As footpoint_new_quad4_float_coarse, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_coarse, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_coarse_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                       const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_coarse_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                   const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_coarse(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_coarse(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_COARSE_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_COARSE_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -546,10 +546,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_coarse_sure(const float xA[3], const 
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_coarse_at for n pairs.
+/* footpoint_quad4_float_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_coarse_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -557,13 +557,13 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_coarse_n(size_t n, const float *co
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 /* 58 mul, 2 div, 63 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_gauss2_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                      const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                  const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -613,12 +613,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_gauss2_at(const float xA[3], const f
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_gauss2(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                  const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_gauss2(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                              const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -631,18 +631,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_gauss2(const float xA[3], const float
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_GAUSS2_WORST 1.483e-01f
+#define FOOTPOINT_QUAD4_FLOAT_GAUSS2_WORST 1.483e-01f
 
-/* As footpoint_new_quad4_float_gauss2, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_gauss2, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_gauss2_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                       const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_gauss2_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                   const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_gauss2(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_gauss2(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_GAUSS2_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_GAUSS2_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -650,10 +650,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_gauss2_sure(const float xA[3], const 
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_gauss2_at for n pairs.
+/* footpoint_quad4_float_gauss2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_gauss2_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -661,13 +661,13 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_gauss2_n(size_t n, const float *co
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 /* 66 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_medium_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                      const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                  const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -720,12 +720,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_medium_at(const float xA[3], const f
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_medium(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                  const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_medium(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                              const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -738,18 +738,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_medium(const float xA[3], const float
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_MEDIUM_WORST 9.525e-02f
+#define FOOTPOINT_QUAD4_FLOAT_MEDIUM_WORST 9.525e-02f
 
-/* As footpoint_new_quad4_float_medium, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_medium, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_medium_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                       const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_medium_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                   const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_medium(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_medium(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_MEDIUM_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_MEDIUM_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -757,10 +757,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_medium_sure(const float xA[3], const 
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_medium_at for n pairs.
+/* footpoint_quad4_float_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_medium_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -768,13 +768,13 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_medium_n(size_t n, const float *co
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 /* 76 mul, 2 div, 71 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_balanced_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                        const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                    const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -836,12 +836,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_balanced_at(const float xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_balanced(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                    const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_balanced(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -854,18 +854,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_balanced(const float xA[3], const flo
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_BALANCED_WORST 3.969e-02f
+#define FOOTPOINT_QUAD4_FLOAT_BALANCED_WORST 3.969e-02f
 
-/* As footpoint_new_quad4_float_balanced, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_balanced, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_balanced_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                         const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_balanced_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                     const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_balanced(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_balanced(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_BALANCED_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_BALANCED_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -873,10 +873,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_balanced_sure(const float xA[3], cons
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_balanced_at for n pairs.
+/* footpoint_quad4_float_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_balanced_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_balanced_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -884,13 +884,13 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_balanced_n(size_t n, const float *
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 /* 90 mul, 2 div, 79 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_fine_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                    const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -962,12 +962,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_fine_at(const float xA[3], const flo
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                            const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -980,18 +980,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_fine(const float xA[3], const float x
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_FINE_WORST 1.398e-02f
+#define FOOTPOINT_QUAD4_FLOAT_FINE_WORST 1.398e-02f
 
-/* As footpoint_new_quad4_float_fine, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_fine, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_fine_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                     const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_fine_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                 const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_fine(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_fine(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_FINE_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_FINE_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -999,10 +999,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_fine_sure(const float xA[3], const fl
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_fine_at for n pairs.
+/* footpoint_quad4_float_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_fine_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1010,13 +1010,13 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_fine_n(size_t n, const float *cons
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 /* 97 mul, 3 div, 86 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_precise_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                       const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                   const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -1091,12 +1091,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_precise_at(const float xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_precise(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                   const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_precise(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                               const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1109,18 +1109,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_precise(const float xA[3], const floa
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_PRECISE_WORST 3.047e-03f
+#define FOOTPOINT_QUAD4_FLOAT_PRECISE_WORST 3.047e-03f
 
-/* As footpoint_new_quad4_float_precise, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_precise, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_precise_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                        const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_precise_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                    const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_precise(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_precise(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_PRECISE_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_PRECISE_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -1128,10 +1128,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_precise_sure(const float xA[3], const
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_precise_at for n pairs.
+/* footpoint_quad4_float_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_precise_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1139,13 +1139,13 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_precise_n(size_t n, const float *c
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 /* 115 mul, 4 div, 101 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad4_float_accurate_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                        const float xS[3], float *xi, float *eta)
+FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                    const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -1234,12 +1234,12 @@ FOOTPOINT_FN void footpoint_new_quad4_float_accurate_at(const float xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad4_float_accurate(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                    const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_accurate(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float loc[2], float *gap)
 {
     float xi, eta, g = 0.0f;
     int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_quad4_float_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_quad4_float_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1252,18 +1252,18 @@ FOOTPOINT_FN int footpoint_new_quad4_float_accurate(const float xA[3], const flo
 }
 
 /* Largest error of xi and eta on the samples held out. */
-#define FOOTPOINT_NEW_QUAD4_FLOAT_ACCURATE_WORST 3.286e-05f
+#define FOOTPOINT_QUAD4_FLOAT_ACCURATE_WORST 3.286e-05f
 
-/* As footpoint_new_quad4_float_accurate, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
+/* As footpoint_quad4_float_accurate, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as
  * that, and that no point of the segment is nearer to S. */
-FOOTPOINT_FN int footpoint_new_quad4_float_accurate_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                         const float xS[3], float loc[2], float *gap)
+FOOTPOINT_FN int footpoint_quad4_float_accurate_sure(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                     const float xS[3], float loc[2], float *gap)
 {
     float found[2], g;
-    const int status = footpoint_new_quad4_float_accurate(xA, xB, xC, xD, xS, found, &g);
+    const int status = footpoint_quad4_float_accurate(xA, xB, xC, xD, xS, found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_NEW_QUAD4_FLOAT_ACCURATE_WORST))
+    if (!footpoint_detail_f_vouch(xA, xB, xC, xD, xS, found[0], found[1], FOOTPOINT_QUAD4_FLOAT_ACCURATE_WORST))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
@@ -1271,10 +1271,10 @@ FOOTPOINT_FN int footpoint_new_quad4_float_accurate_sure(const float xA[3], cons
     return FOOTPOINT_OK;
 }
 
-/* footpoint_new_quad4_float_accurate_at for n pairs.
+/* footpoint_quad4_float_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad4_float_accurate_n(size_t n, const float *const x[15],
+FOOTPOINT_LOOP void footpoint_quad4_float_accurate_n(size_t n, const float *const x[15],
     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1282,7 +1282,7 @@ FOOTPOINT_LOOP void footpoint_new_quad4_float_accurate_n(size_t n, const float *
         const float xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const float xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const float xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_quad4_float_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_quad4_float_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 

@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_quad8_fast
+ * footpoint_quad8_fast
  *   genome_sha256: 0eedfa572053d6ab52b867b67f552e409c4ca8d249b889d367ca4f21331c7a8f
  *   operations: 29 mul, 1 div, 43 add, 0 sqrt, 0 compare; 15 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -34,7 +34,7 @@
  *   heldout_random_xi: n 50000 mean 5.646e-02 p99 2.910e-01 max 5.728e-01
  *   heldout_random_eta: n 50000 mean 5.622e-02 p99 2.906e-01 max 5.812e-01
  *
- * footpoint_new_quad8_coarse
+ * footpoint_quad8_coarse
  *   genome_sha256: 80fb0da2ca553b842d754968584e05a93ee6514a9cbee41080ebcec925e46175
  *   operations: 88 mul, 2 div, 118 add, 0 sqrt, 0 compare; 74 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -57,7 +57,7 @@
  *   heldout_random_xi: n 50000 mean 1.836e-03 p99 2.114e-02 max 2.101e-01
  *   heldout_random_eta: n 50000 mean 1.850e-03 p99 2.176e-02 max 2.324e-01
  *
- * footpoint_new_quad8_medium
+ * footpoint_quad8_medium
  *   genome_sha256: 32f2a1f344cfb722a0117eb05cb20bb51522e41279a47e9b7555fd7a22ca3a9a
  *   operations: 138 mul, 3 div, 169 add, 0 sqrt, 0 compare; 118 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -81,7 +81,7 @@
  *   heldout_random_xi: n 50000 mean 8.975e-05 p99 1.319e-03 max 8.623e-02
  *   heldout_random_eta: n 50000 mean 9.393e-05 p99 1.360e-03 max 9.258e-02
  *
- * footpoint_new_quad8_balanced
+ * footpoint_quad8_balanced
  *   genome_sha256: 458ae0d960d128ab9b0a9ce8fef75a4664023d230e1b0b5aabd95895835dcd77
  *   operations: 152 mul, 3 div, 184 add, 0 sqrt, 0 compare; 127 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -105,7 +105,7 @@
  *   heldout_random_xi: n 50000 mean 4.030e-05 p99 6.487e-04 max 6.599e-02
  *   heldout_random_eta: n 50000 mean 4.425e-05 p99 6.221e-04 max 1.269e-01
  *
- * footpoint_new_quad8_fine
+ * footpoint_quad8_fine
  *   genome_sha256: 7d301153c100e5a9848d4f38d75dd819410c49c856d8a458ab5e86e23544e284
  *   operations: 191 mul, 3 div, 228 add, 0 sqrt, 0 compare; 152 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -129,7 +129,7 @@
  *   heldout_random_xi: n 50000 mean 6.149e-06 p99 3.209e-05 max 4.364e-02
  *   heldout_random_eta: n 50000 mean 7.798e-06 p99 3.095e-05 max 8.112e-02
  *
- * footpoint_new_quad8_accurate
+ * footpoint_quad8_accurate
  *   genome_sha256: ba216f1ed6f4473a6c9d69d0a8b5e9dfb4e9d8da49eff7bcb5cf14ca2d7697b9
  *   operations: 216 mul, 4 div, 250 add, 0 sqrt, 0 compare; 171 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -154,8 +154,8 @@
  *   heldout_random_xi: n 50000 mean 8.385e-07 p99 3.406e-07 max 1.932e-02
  *   heldout_random_eta: n 50000 mean 1.268e-06 p99 3.257e-07 max 3.437e-02
  */
-#ifndef FOOTPOINT_NEW_QUAD8_H
-#define FOOTPOINT_NEW_QUAD8_H
+#ifndef FOOTPOINT_QUAD8_H
+#define FOOTPOINT_QUAD8_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -266,9 +266,9 @@ FOOTPOINT_FN int footpoint_detail_quad8_gap(const double *const x[9], double xi,
 #endif
 
 /* 29 mul, 1 div, 43 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad8_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xF[2] - xH[2];
@@ -291,14 +291,14 @@ FOOTPOINT_FN void footpoint_new_quad8_fast_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_new_quad8_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+    footpoint_quad8_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
     area = footpoint_detail_quad8_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -310,10 +310,10 @@ FOOTPOINT_FN int footpoint_new_quad8_fast(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_quad8_fast_at for n pairs.
+/* footpoint_quad8_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad8_fast_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_quad8_fast_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -323,12 +323,12 @@ FOOTPOINT_LOOP void footpoint_new_quad8_fast_n(size_t n, const double *const x[2
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_quad8_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
+        footpoint_quad8_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad8_fast_points[][31] = {
+static const double footpoint_quad8_fast_points[][31] = {
     {0, 0, 0, 1, 0, 0, -2.875, 4.125, -0.4921875, 5.875, 1.4375, 0, 0.47021484375, 0.01416015625, 0.033203125, -1.4375, 0.40625, -0.203125, 1.8125, 7.75, -0.0546875, -0.46875, 3.28125, 0.11328125, -1, 1.25, -0.0859375, -0.55014846038295573, -0.99180381961908071, 1.1016664075076677e-13, 4.8643892964730301e-14},
     {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 2.4928942834248096, 0.4856644272129283, 7.7289848151998164e-15, 2.7884379836948008e-15},
     {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 1.8623200351036275, 0.91790334258439998, 1.2309003025488544e-14, 4.0323577296149778e-15},
@@ -341,9 +341,9 @@ static const double footpoint_new_quad8_fast_points[][31] = {
 #endif
 
 /* 88 mul, 2 div, 118 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad8_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xE[1] - xG[1]);
@@ -425,14 +425,14 @@ FOOTPOINT_FN void footpoint_new_quad8_coarse_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad8_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_new_quad8_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+    footpoint_quad8_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
     area = footpoint_detail_quad8_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -444,10 +444,10 @@ FOOTPOINT_FN int footpoint_new_quad8_coarse(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_quad8_coarse_at for n pairs.
+/* footpoint_quad8_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad8_coarse_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_quad8_coarse_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -457,12 +457,12 @@ FOOTPOINT_LOOP void footpoint_new_quad8_coarse_n(size_t n, const double *const x
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_quad8_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
+        footpoint_quad8_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad8_coarse_points[][31] = {
+static const double footpoint_quad8_coarse_points[][31] = {
     {0, 0, 0, 1, 0, 0, -2.875, 4.125, -0.4921875, 5.875, 1.4375, 0, 0.47021484375, 0.01416015625, 0.033203125, -1.4375, 0.40625, -0.203125, 1.8125, 7.75, -0.0546875, -0.46875, 3.28125, 0.11328125, -1, 1.25, -0.0859375, -1.5713558254007143, -0.7914668521897702, 7.0487036251959145e-14, 2.7539437348299489e-15},
     {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.421399532213357, 0.63491167578435381, 6.0079607333698795e-15, 4.3055997065133236e-15},
     {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.88638053216364709, 0.80664164092467505, 2.398620965266847e-14, 3.5181982688586414e-14},
@@ -475,9 +475,9 @@ static const double footpoint_new_quad8_coarse_points[][31] = {
 #endif
 
 /* 138 mul, 3 div, 169 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad8_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -603,14 +603,14 @@ FOOTPOINT_FN void footpoint_new_quad8_medium_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad8_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_new_quad8_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+    footpoint_quad8_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
     area = footpoint_detail_quad8_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -622,10 +622,10 @@ FOOTPOINT_FN int footpoint_new_quad8_medium(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_quad8_medium_at for n pairs.
+/* footpoint_quad8_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad8_medium_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_quad8_medium_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -635,12 +635,12 @@ FOOTPOINT_LOOP void footpoint_new_quad8_medium_n(size_t n, const double *const x
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_quad8_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
+        footpoint_quad8_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad8_medium_points[][31] = {
+static const double footpoint_quad8_medium_points[][31] = {
     {0, 0, 0, 1, 0, 0, -2.875, 4.125, -0.4921875, 5.875, 1.4375, 0, 0.47021484375, 0.01416015625, 0.033203125, -1.4375, 0.40625, -0.203125, 1.8125, 7.75, -0.0546875, -0.46875, 3.28125, 0.11328125, -1, 1.25, -0.0859375, -1.2490312388520626, -0.71203868553200433, 8.9215748504527559e-15, 1.5823132371093126e-15},
     {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.1194431028496534, 0.690814585782492, 2.8347866254569263e-15, 1.6595541455749993e-15},
     {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.066657309252965494, 0.99118289205840171, 2.2200188615373284e-14, 6.2417197382617274e-14},
@@ -653,9 +653,9 @@ static const double footpoint_new_quad8_medium_points[][31] = {
 #endif
 
 /* 152 mul, 3 div, 184 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad8_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -792,14 +792,14 @@ FOOTPOINT_FN void footpoint_new_quad8_balanced_at(const double xA[3], const doub
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad8_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_new_quad8_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+    footpoint_quad8_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
     area = footpoint_detail_quad8_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -811,10 +811,10 @@ FOOTPOINT_FN int footpoint_new_quad8_balanced(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_new_quad8_balanced_at for n pairs.
+/* footpoint_quad8_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad8_balanced_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -824,12 +824,12 @@ FOOTPOINT_LOOP void footpoint_new_quad8_balanced_n(size_t n, const double *const
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_quad8_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
+        footpoint_quad8_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad8_balanced_points[][31] = {
+static const double footpoint_quad8_balanced_points[][31] = {
     {0, 0, 0, 1, 0, 0, -2.875, 4.125, -0.4921875, 5.875, 1.4375, 0, 0.47021484375, 0.01416015625, 0.033203125, -1.4375, 0.40625, -0.203125, 1.8125, 7.75, -0.0546875, -0.46875, 3.28125, 0.11328125, -1, 1.25, -0.0859375, -1.2028632015679115, -0.67770459975957664, 2.7104152914469652e-14, 2.6591039296223911e-14},
     {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.2484083954738963, 0.9476779615682881, 8.3173767899525801e-15, 2.8298724010169559e-14},
     {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.33369614908844181, 1.4556713931362311, 9.4479209093937357e-15, 4.1213147517265022e-14},
@@ -842,9 +842,9 @@ static const double footpoint_new_quad8_balanced_points[][31] = {
 #endif
 
 /* 191 mul, 3 div, 228 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad8_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -1007,14 +1007,14 @@ FOOTPOINT_FN void footpoint_new_quad8_fine_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_new_quad8_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+    footpoint_quad8_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
     area = footpoint_detail_quad8_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1026,10 +1026,10 @@ FOOTPOINT_FN int footpoint_new_quad8_fine(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_quad8_fine_at for n pairs.
+/* footpoint_quad8_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad8_fine_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_quad8_fine_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1039,12 +1039,12 @@ FOOTPOINT_LOOP void footpoint_new_quad8_fine_n(size_t n, const double *const x[2
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_quad8_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
+        footpoint_quad8_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad8_fine_points[][31] = {
+static const double footpoint_quad8_fine_points[][31] = {
     {0, 0, 0, 1, 0, 0, -2.875, 4.125, -0.4921875, 5.875, 1.4375, 0, 0.47021484375, 0.01416015625, 0.033203125, -1.4375, 0.40625, -0.203125, 1.8125, 7.75, -0.0546875, -0.46875, 3.28125, 0.11328125, -1, 1.25, -0.0859375, -1.3482166502483559, -0.72845980644725261, 7.6702125518295858e-14, 1.792936416706488e-14},
     {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0698953928216333, 0.27586687725200104, 1.8495640562137834e-14, 1.1750394745552573e-13},
     {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.33255785018126183, 1.202708234369781, 1.4364120482802218e-14, 1.4069632311047694e-14},
@@ -1057,9 +1057,9 @@ static const double footpoint_new_quad8_fine_points[][31] = {
 #endif
 
 /* 216 mul, 4 div, 250 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad8_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                  const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -1242,14 +1242,14 @@ FOOTPOINT_FN void footpoint_new_quad8_accurate_at(const double xA[3], const doub
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad8_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
     int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_new_quad8_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+    footpoint_quad8_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
     area = footpoint_detail_quad8_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1261,10 +1261,10 @@ FOOTPOINT_FN int footpoint_new_quad8_accurate(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_new_quad8_accurate_at for n pairs.
+/* footpoint_quad8_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad8_accurate_n(size_t n, const double *const x[27],
+FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[27],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1274,12 +1274,12 @@ FOOTPOINT_LOOP void footpoint_new_quad8_accurate_n(size_t n, const double *const
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xS[3] = {x[24][i], x[25][i], x[26][i]};
-        footpoint_new_quad8_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
+        footpoint_quad8_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad8_accurate_points[][31] = {
+static const double footpoint_quad8_accurate_points[][31] = {
     {0, 0, 0, 1, 0, 0, -2.875, 4.125, -0.4921875, 5.875, 1.4375, 0, 0.47021484375, 0.01416015625, 0.033203125, -1.4375, 0.40625, -0.203125, 1.8125, 7.75, -0.0546875, -0.46875, 3.28125, 0.11328125, -1, 1.25, -0.0859375, -1.3429728610275535, -0.69391063849063239, 1.2791051915056234e-13, 3.5859637443337475e-14},
     {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0804040665581414, 0.72568613614371258, 4.5691345867670107e-15, 8.0627173521258972e-15},
     {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.21820721982033647, 1.147644595088849, 4.9305560697400365e-15, 1.4975225377392033e-14},

@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_quad9_fast
+ * footpoint_quad9_fast
  *   genome_sha256: 774a4311151e8c41f876f5286628748ea1d93a8fec625a88bb7c4b94caaa1f51
  *   operations: 23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -34,7 +34,7 @@
  *   heldout_random_xi: n 50000 mean 5.971e-02 p99 2.992e-01 max 6.153e-01
  *   heldout_random_eta: n 50000 mean 5.957e-02 p99 2.990e-01 max 6.287e-01
  *
- * footpoint_new_quad9_coarse
+ * footpoint_quad9_coarse
  *   genome_sha256: 1d0ed4cfdaf2aacd50583c046d460ad5f0749ad05656e39000dcc48e8694ba36
  *   operations: 94 mul, 2 div, 127 add, 0 sqrt, 0 compare; 79 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -57,7 +57,7 @@
  *   heldout_random_xi: n 50000 mean 2.173e-03 p99 2.519e-02 max 2.260e-01
  *   heldout_random_eta: n 50000 mean 2.175e-03 p99 2.517e-02 max 3.569e-01
  *
- * footpoint_new_quad9_medium
+ * footpoint_quad9_medium
  *   genome_sha256: eec4a46a8b91602c0f3cbfa4d1903215360bc1fde247ac13e6f52a1af841260c
  *   operations: 151 mul, 3 div, 184 add, 0 sqrt, 0 compare; 136 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -81,7 +81,7 @@
  *   heldout_random_xi: n 50000 mean 1.299e-04 p99 1.913e-03 max 1.393e-01
  *   heldout_random_eta: n 50000 mean 1.334e-04 p99 1.839e-03 max 2.410e-01
  *
- * footpoint_new_quad9_balanced
+ * footpoint_quad9_balanced
  *   genome_sha256: 44ad15780320e652a38e993682502838083b244c5cc9aa3616f3ebf8da155234
  *   operations: 167 mul, 3 div, 202 add, 0 sqrt, 0 compare; 145 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -105,7 +105,7 @@
  *   heldout_random_xi: n 50000 mean 5.265e-05 p99 7.416e-04 max 1.095e-01
  *   heldout_random_eta: n 50000 mean 5.561e-05 p99 7.982e-04 max 1.823e-01
  *
- * footpoint_new_quad9_fine
+ * footpoint_quad9_fine
  *   genome_sha256: 2183cce516ea7b899cb7e7fcaf41f073bd84d911ee1814e8abcbbe67e845af23
  *   operations: 212 mul, 3 div, 252 add, 0 sqrt, 0 compare; 180 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -129,7 +129,7 @@
  *   heldout_random_xi: n 50000 mean 1.119e-05 p99 4.030e-05 max 7.994e-02
  *   heldout_random_eta: n 50000 mean 1.271e-05 p99 4.064e-05 max 1.312e-01
  *
- * footpoint_new_quad9_accurate
+ * footpoint_quad9_accurate
  *   genome_sha256: 240039d3daae1b3fb3412e338434331d4eb73eb750d6b6b2772c90f15bda7137
  *   operations: 238 mul, 4 div, 277 add, 0 sqrt, 0 compare; 197 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -154,8 +154,8 @@
  *   heldout_random_xi: n 50000 mean 2.343e-06 p99 4.548e-07 max 4.146e-02
  *   heldout_random_eta: n 50000 mean 3.090e-06 p99 4.775e-07 max 6.558e-02
  */
-#ifndef FOOTPOINT_NEW_QUAD9_H
-#define FOOTPOINT_NEW_QUAD9_H
+#ifndef FOOTPOINT_QUAD9_H
+#define FOOTPOINT_QUAD9_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -261,9 +261,9 @@ FOOTPOINT_FN int footpoint_detail_quad9_gap(const double *const x[10], double xi
 #endif
 
 /* 23 mul, 1 div, 22 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad9_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xI[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xE[1] - xG[1];
@@ -290,14 +290,14 @@ FOOTPOINT_FN void footpoint_new_quad9_fast_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xI[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_new_quad9_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+    footpoint_quad9_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
     area = footpoint_detail_quad9_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -309,10 +309,10 @@ FOOTPOINT_FN int footpoint_new_quad9_fast(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_quad9_fast_at for n pairs.
+/* footpoint_quad9_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, I, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad9_fast_n(size_t n, const double *const x[30],
+FOOTPOINT_LOOP void footpoint_quad9_fast_n(size_t n, const double *const x[30],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -322,12 +322,12 @@ FOOTPOINT_LOOP void footpoint_new_quad9_fast_n(size_t n, const double *const x[3
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xI[3] = {x[24][i], x[25][i], x[26][i]}, xS[3] = {x[27][i], x[28][i], x[29][i]};
-        footpoint_new_quad9_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
+        footpoint_quad9_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad9_fast_points[][34] = {
+static const double footpoint_quad9_fast_points[][34] = {
     {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.6155565372725649, -0.81421420261828448, 5.129037241687334e-15, 4.4877618836457473e-15},
     {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -1.5243021868099957, 0.0017588942975124743, 2.3518974060592188e-15, 6.6126080271741043e-16},
     {0, 0, 0, 1, 0, 0, 3.75, 3.125, -0.3125, -2.4375, 6.8125, 0, 0.546875, 0.02099609375, -0.048828125, 3.375, 3.59375, -0.515625, -2, 6.8125, 0.1484375, 2.625, 1.65625, 0.33984375, 0.125, 0.125, -0.24609375, -3.5, 2.375, 0.4921875, -3.077443842513746, 1.584326711973236, 1.4039626991107416e-14, 5.1055637543648536e-15},
@@ -340,9 +340,9 @@ static const double footpoint_new_quad9_fast_points[][34] = {
 #endif
 
 /* 94 mul, 2 div, 127 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad9_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                const double xI[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xE[1] - xG[1];
@@ -429,14 +429,14 @@ FOOTPOINT_FN void footpoint_new_quad9_coarse_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad9_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xI[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_new_quad9_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+    footpoint_quad9_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
     area = footpoint_detail_quad9_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -448,10 +448,10 @@ FOOTPOINT_FN int footpoint_new_quad9_coarse(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_quad9_coarse_at for n pairs.
+/* footpoint_quad9_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, I, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad9_coarse_n(size_t n, const double *const x[30],
+FOOTPOINT_LOOP void footpoint_quad9_coarse_n(size_t n, const double *const x[30],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -461,12 +461,12 @@ FOOTPOINT_LOOP void footpoint_new_quad9_coarse_n(size_t n, const double *const x
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xI[3] = {x[24][i], x[25][i], x[26][i]}, xS[3] = {x[27][i], x[28][i], x[29][i]};
-        footpoint_new_quad9_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
+        footpoint_quad9_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad9_coarse_points[][34] = {
+static const double footpoint_quad9_coarse_points[][34] = {
     {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8863497558399924, -0.76812861002867416, 1.3742267043420295e-14, 3.220698037177105e-15},
     {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.96875994577413949, 0.21729579090421594, 2.5078565775698224e-15, 1.8081985258039328e-15},
     {0, 0, 0, 1, 0, 0, 3.75, 3.125, -0.3125, -2.4375, 6.8125, 0, 0.546875, 0.02099609375, -0.048828125, 3.375, 3.59375, -0.515625, -2, 6.8125, 0.1484375, 2.625, 1.65625, 0.33984375, 0.125, 0.125, -0.24609375, -3.5, 2.375, 0.4921875, -2.3113455300558399, 1.4172540530053226, 1.6281444364672398e-14, 6.0080156290996306e-15},
@@ -479,9 +479,9 @@ static const double footpoint_new_quad9_coarse_points[][34] = {
 #endif
 
 /* 151 mul, 3 div, 184 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad9_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                const double xI[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xG[0] - xE[0];
     const double t2 = xE[2] - xG[2];
@@ -625,14 +625,14 @@ FOOTPOINT_FN void footpoint_new_quad9_medium_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad9_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xI[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_new_quad9_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+    footpoint_quad9_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
     area = footpoint_detail_quad9_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -644,10 +644,10 @@ FOOTPOINT_FN int footpoint_new_quad9_medium(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_quad9_medium_at for n pairs.
+/* footpoint_quad9_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, I, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad9_medium_n(size_t n, const double *const x[30],
+FOOTPOINT_LOOP void footpoint_quad9_medium_n(size_t n, const double *const x[30],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -657,12 +657,12 @@ FOOTPOINT_LOOP void footpoint_new_quad9_medium_n(size_t n, const double *const x
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xI[3] = {x[24][i], x[25][i], x[26][i]}, xS[3] = {x[27][i], x[28][i], x[29][i]};
-        footpoint_new_quad9_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
+        footpoint_quad9_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad9_medium_points[][34] = {
+static const double footpoint_quad9_medium_points[][34] = {
     {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8801406114263683, -0.77760103105567069, 1.0720157045536244e-14, 2.2817304846655699e-15},
     {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.97759118142112733, 0.35284691787981298, 1.3516116166567081e-15, 1.2352890542348556e-15},
     {0, 0, 0, 1, 0, 0, 3.75, 3.125, -0.3125, -2.4375, 6.8125, 0, 0.546875, 0.02099609375, -0.048828125, 3.375, 3.59375, -0.515625, -2, 6.8125, 0.1484375, 2.625, 1.65625, 0.33984375, 0.125, 0.125, -0.24609375, -3.5, 2.375, 0.4921875, -1.9332198470425435, 1.2967899959553837, 1.0116976039678661e-14, 3.8377345711173632e-15},
@@ -675,9 +675,9 @@ static const double footpoint_new_quad9_medium_points[][34] = {
 #endif
 
 /* 167 mul, 3 div, 202 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad9_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                  const double xI[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xE[1] - xG[1];
@@ -832,14 +832,14 @@ FOOTPOINT_FN void footpoint_new_quad9_balanced_at(const double xA[3], const doub
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad9_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xI[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_new_quad9_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+    footpoint_quad9_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
     area = footpoint_detail_quad9_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -851,10 +851,10 @@ FOOTPOINT_FN int footpoint_new_quad9_balanced(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_new_quad9_balanced_at for n pairs.
+/* footpoint_quad9_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, I, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad9_balanced_n(size_t n, const double *const x[30],
+FOOTPOINT_LOOP void footpoint_quad9_balanced_n(size_t n, const double *const x[30],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -864,12 +864,12 @@ FOOTPOINT_LOOP void footpoint_new_quad9_balanced_n(size_t n, const double *const
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xI[3] = {x[24][i], x[25][i], x[26][i]}, xS[3] = {x[27][i], x[28][i], x[29][i]};
-        footpoint_new_quad9_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
+        footpoint_quad9_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad9_balanced_points[][34] = {
+static const double footpoint_quad9_balanced_points[][34] = {
     {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8894030174862035, -0.7795175859378729, 1.3178420745642767e-14, 2.9079197792641712e-15},
     {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -1.0094428855951538, 0.40081237941112619, 2.2944310479357584e-15, 3.5504780576478645e-15},
     {0, 0, 0, 1, 0, 0, 3.75, 3.125, -0.3125, -2.4375, 6.8125, 0, 0.546875, 0.02099609375, -0.048828125, 3.375, 3.59375, -0.515625, -2, 6.8125, 0.1484375, 2.625, 1.65625, 0.33984375, 0.125, 0.125, -0.24609375, -3.5, 2.375, 0.4921875, -1.6154476916744256, 1.5696943204639626, 1.7938349434484884e-13, 9.9639094297139181e-14},
@@ -882,9 +882,9 @@ static const double footpoint_new_quad9_balanced_points[][34] = {
 #endif
 
 /* 212 mul, 3 div, 252 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad9_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xI[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2];
     const double t2 = xE[1] - xG[1];
@@ -1074,14 +1074,14 @@ FOOTPOINT_FN void footpoint_new_quad9_fine_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xI[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_new_quad9_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+    footpoint_quad9_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
     area = footpoint_detail_quad9_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1093,10 +1093,10 @@ FOOTPOINT_FN int footpoint_new_quad9_fine(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_quad9_fine_at for n pairs.
+/* footpoint_quad9_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, I, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad9_fine_n(size_t n, const double *const x[30],
+FOOTPOINT_LOOP void footpoint_quad9_fine_n(size_t n, const double *const x[30],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1106,12 +1106,12 @@ FOOTPOINT_LOOP void footpoint_new_quad9_fine_n(size_t n, const double *const x[3
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xI[3] = {x[24][i], x[25][i], x[26][i]}, xS[3] = {x[27][i], x[28][i], x[29][i]};
-        footpoint_new_quad9_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
+        footpoint_quad9_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad9_fine_points[][34] = {
+static const double footpoint_quad9_fine_points[][34] = {
     {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8829675981519993, -0.77809765489079097, 1.2125620741796805e-14, 2.7490312211933361e-15},
     {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.95842651567753456, 0.28455605277056645, 3.9548443513981283e-15, 7.9951170793719557e-15},
     {0, 0, 0, 1, 0, 0, 3.75, 3.125, -0.3125, -2.4375, 6.8125, 0, 0.546875, 0.02099609375, -0.048828125, 3.375, 3.59375, -0.515625, -2, 6.8125, 0.1484375, 2.625, 1.65625, 0.33984375, 0.125, 0.125, -0.24609375, -3.5, 2.375, 0.4921875, -3.1949362588875401, 0.69691740766335875, 1.36047659669127e-12, 6.9468829785610797e-13},
@@ -1124,9 +1124,9 @@ static const double footpoint_new_quad9_fine_points[][34] = {
 #endif
 
 /* 238 mul, 4 div, 277 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_quad9_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                                  const double xI[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xH[2] - xF[2];
     const double t2 = xH[1] - xF[1];
@@ -1335,14 +1335,14 @@ FOOTPOINT_FN void footpoint_new_quad9_accurate_at(const double xA[3], const doub
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_quad9_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xI[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_quad9_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
     int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_new_quad9_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+    footpoint_quad9_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
     area = footpoint_detail_quad9_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1354,10 +1354,10 @@ FOOTPOINT_FN int footpoint_new_quad9_accurate(const double xA[3], const double x
     return status;
 }
 
-/* footpoint_new_quad9_accurate_at for n pairs.
+/* footpoint_quad9_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, G, H, I, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_quad9_accurate_n(size_t n, const double *const x[30],
+FOOTPOINT_LOOP void footpoint_quad9_accurate_n(size_t n, const double *const x[30],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1367,12 +1367,12 @@ FOOTPOINT_LOOP void footpoint_new_quad9_accurate_n(size_t n, const double *const
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xG[3] = {x[18][i], x[19][i], x[20][i]}, xH[3] = {x[21][i], x[22][i], x[23][i]};
         const double xI[3] = {x[24][i], x[25][i], x[26][i]}, xS[3] = {x[27][i], x[28][i], x[29][i]};
-        footpoint_new_quad9_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
+        footpoint_quad9_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_quad9_accurate_points[][34] = {
+static const double footpoint_quad9_accurate_points[][34] = {
     {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8836484927768469, -0.77832023427685904, 1.0314209451085294e-14, 2.2046819339297502e-15},
     {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.98940983726844756, 0.35294092981660985, 1.5594091598507822e-15, 1.4273657214199545e-15},
     {0, 0, 0, 1, 0, 0, 3.75, 3.125, -0.3125, -2.4375, 6.8125, 0, 0.546875, 0.02099609375, -0.048828125, 3.375, 3.59375, -0.515625, -2, 6.8125, 0.1484375, 2.625, 1.65625, 0.33984375, 0.125, 0.125, -0.24609375, -3.5, 2.375, 0.4921875, -1.8690726645197262, 1.2030458234453005, 1.1357589750032991e-13, 1.2023727018019704e-14},

@@ -12,7 +12,7 @@
  * reference: xi -1 eta -1
  * corners: any (as the mesh has them)
  *
- * footpoint_new_rectangle_quad4_exact
+ * footpoint_rectangle_quad4_exact
  *   genome_sha256: a3fbc8c538b1df20e0758e43723d97480b665a1c4acb1a067af4ed99955eb1c2
  *   operations: 17 mul, 1 div, 19 add, 0 sqrt, 0 compare; 13 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,8 +31,8 @@
  *   heldout_random_xi: n 200000 mean 4.763e-16 p99 3.886e-15 max 1.438e-14
  *   heldout_random_eta: n 200000 mean 4.797e-16 p99 3.941e-15 max 1.624e-14
  */
-#ifndef FOOTPOINT_NEW_RECTANGLE_QUAD4_H
-#define FOOTPOINT_NEW_RECTANGLE_QUAD4_H
+#ifndef FOOTPOINT_RECTANGLE_QUAD4_H
+#define FOOTPOINT_RECTANGLE_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -137,8 +137,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 17 mul, 1 div, 19 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_rectangle_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                         const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_rectangle_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                     const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -160,12 +160,12 @@ FOOTPOINT_FN void footpoint_new_rectangle_quad4_exact_at(const double xA[3], con
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_rectangle_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_rectangle_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_new_rectangle_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
+    footpoint_rectangle_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
     area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -177,10 +177,10 @@ FOOTPOINT_FN int footpoint_new_rectangle_quad4_exact(const double xA[3], const d
     return status;
 }
 
-/* footpoint_new_rectangle_quad4_exact_at for n pairs.
+/* footpoint_rectangle_quad4_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_rectangle_quad4_exact_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -188,12 +188,12 @@ FOOTPOINT_LOOP void footpoint_new_rectangle_quad4_exact_n(size_t n, const double
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_rectangle_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_rectangle_quad4_exact_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_rectangle_quad4_exact_points[][19] = {
+static const double footpoint_rectangle_quad4_exact_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0013427734375, 4.875, -0.01, -0.0010986328125, 4.40625, 0, 0.2421875, 1.9375, -0.017578125, -0.515625, -0.12059483973574192, 4.371503162999849e-16, 8.0785220586450073e-16},
     {0, 0, 0, 1, 0, 0, 0.998779296875, 3.3125, -0.01, 0.003662109375, 0.53125, 0, 0.4921875, 1.21875, 0.005859375, -0.015625, 3.6007897024857023, 6.5919492148352331e-16, 4.8858580584110941e-15},
     {0, 0, 0, 1, 0, 0, 0.9908447265625, 3.0625, -0.01, -0.0020751953125, 1.40625, 0, 0.5546875, 4.40625, 0.14453125, 0.109375, 5.2654888635232693, 7.6327833012937748e-16, 6.7343038922699708e-15},

@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: any (as the mesh has them)
  *
- * footpoint_new_tri3_exact
+ * footpoint_tri3_exact
  *   genome_sha256: 9ce6bbbb4c7fef6085ef7f9ade210b9aa43daa71b97ce8eb5a88b192f384e55d
  *   operations: 23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -30,8 +30,8 @@
  *   heldout_random_xi: n 200000 mean 7.719e-17 p99 4.580e-16 max 2.245e-15
  *   heldout_random_eta: n 200000 mean 7.682e-17 p99 4.510e-16 max 3.053e-15
  */
-#ifndef FOOTPOINT_NEW_TRI3_H
-#define FOOTPOINT_NEW_TRI3_H
+#ifndef FOOTPOINT_TRI3_H
+#define FOOTPOINT_TRI3_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -131,8 +131,8 @@ FOOTPOINT_FN int footpoint_detail_tri3_gap(const double *const x[4], double xi, 
 #endif
 
 /* 23 mul, 1 div, 22 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
-                                              double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                                          double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2];
     const double t2 = xA[1] - xC[1];
@@ -155,13 +155,13 @@ FOOTPOINT_FN void footpoint_new_tri3_exact_at(const double xA[3], const double x
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
-                                          double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                                      double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[4] = {xA, xB, xC, xS};
     int area, status = footpoint_detail_tri3_inspect(x);
-    footpoint_new_tri3_exact_at(xA, xB, xC, xS, &xi, &eta);
+    footpoint_tri3_exact_at(xA, xB, xC, xS, &xi, &eta);
     area = footpoint_detail_tri3_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -173,22 +173,22 @@ FOOTPOINT_FN int footpoint_new_tri3_exact(const double xA[3], const double xB[3]
     return status;
 }
 
-/* footpoint_new_tri3_exact_at for n pairs.
+/* footpoint_tri3_exact_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri3_exact_n(size_t n, const double *const x[12],
+FOOTPOINT_LOOP void footpoint_tri3_exact_n(size_t n, const double *const x[12],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
     for (i = 0; i < n; i++) {
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xS[3] = {x[9][i], x[10][i], x[11][i]};
-        footpoint_new_tri3_exact_at(xA, xB, xC, xS, &xi[i], &eta[i]);
+        footpoint_tri3_exact_at(xA, xB, xC, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri3_exact_points[][16] = {
+static const double footpoint_tri3_exact_points[][16] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, -0.25, 4.65625, -0.0859375, -0.70060483870967738, 0.96129032258064517, 9.0473291495946623e-16, 1.1826314351443749e-15},
     {0, 0, 0, 1, 0, 0, -0.65625, 2.34375, 0, -0.3125, 3.28125, 0.072265625, 0.60624999999999996, 1.3999999999999999, 1.2112488789740926e-15, 1.8074786127651998e-15},
     {0, 0, 0, 1, 0, 0, -3.0625, 2.5625, 0, -1.375, 2.53125, -0.181640625, 1.6501524390243902, 0.98780487804878048, 7.1789288303853675e-15, 2.5164308880638032e-15},

@@ -12,7 +12,7 @@
  * reference: xi 0.3333333333333333 eta 0.3333333333333333
  * corners: any (as the mesh has them)
  *
- * footpoint_new_tri6_fast
+ * footpoint_tri6_fast
  *   genome_sha256: 623ea3b24ea6bb1dc3f21a58ef26136d550954dd5a78d6478c2c4342a6faa6f1
  *   operations: 35 mul, 1 div, 39 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -32,7 +32,7 @@
  *   heldout_random_xi: n 50000 mean 8.158e-03 p99 4.993e-02 max 1.305e-01
  *   heldout_random_eta: n 50000 mean 8.153e-03 p99 4.879e-02 max 1.389e-01
  *
- * footpoint_new_tri6_coarse
+ * footpoint_tri6_coarse
  *   genome_sha256: d76bea22508e1f0dff2119e10c44439e8aca5af05cbb4d18e2705b21d0c3bd14
  *   operations: 90 mul, 2 div, 107 add, 0 sqrt, 0 compare; 55 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -53,7 +53,7 @@
  *   heldout_random_xi: n 50000 mean 2.057e-04 p99 2.281e-03 max 2.319e-02
  *   heldout_random_eta: n 50000 mean 2.016e-04 p99 2.179e-03 max 1.852e-02
  *
- * footpoint_new_tri6_medium
+ * footpoint_tri6_medium
  *   genome_sha256: a03bd661873da0741ddf3cd74cf71b8e2b812766cb14d013965c7fe4e531b2bd
  *   operations: 98 mul, 2 div, 117 add, 0 sqrt, 0 compare; 62 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -74,7 +74,7 @@
  *   heldout_random_xi: n 50000 mean 6.331e-05 p99 9.454e-04 max 1.487e-02
  *   heldout_random_eta: n 50000 mean 6.161e-05 p99 8.616e-04 max 1.406e-02
  *
- * footpoint_new_tri6_balanced
+ * footpoint_tri6_balanced
  *   genome_sha256: beb6b085a64e92a3d18f99c8ad5a652c6e165b5a56e5c738644bf93af2bf4b91
  *   operations: 128 mul, 2 div, 149 add, 0 sqrt, 0 compare; 81 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -95,7 +95,7 @@
  *   heldout_random_xi: n 50000 mean 2.657e-06 p99 4.309e-05 max 3.503e-03
  *   heldout_random_eta: n 50000 mean 2.534e-06 p99 3.861e-05 max 3.290e-03
  *
- * footpoint_new_tri6_fine
+ * footpoint_tri6_fine
  *   genome_sha256: 09055b23a2a052aba20da7e7ee709f1e8eef8f26566dce9a684ac240f9f3aff8
  *   operations: 139 mul, 3 div, 156 add, 0 sqrt, 0 compare; 91 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -117,7 +117,7 @@
  *   heldout_random_xi: n 50000 mean 1.780e-07 p99 1.814e-06 max 6.902e-04
  *   heldout_random_eta: n 50000 mean 1.534e-07 p99 1.684e-06 max 4.742e-04
  *
- * footpoint_new_tri6_precise
+ * footpoint_tri6_precise
  *   genome_sha256: be7c65efc792acbe5681ea622da9cb187e3a353fb6657faee53538fbf7bf3448
  *   operations: 193 mul, 4 div, 204 add, 0 sqrt, 0 compare; 119 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -140,7 +140,7 @@
  *   heldout_random_xi: n 50000 mean 3.427e-11 p99 2.008e-12 max 8.836e-07
  *   heldout_random_eta: n 50000 mean 2.413e-11 p99 1.856e-12 max 6.263e-07
  *
- * footpoint_new_tri6_accurate
+ * footpoint_tri6_accurate
  *   genome_sha256: 6fd546aca487e6f120baf870d007eda7acd7102ec46448bf5d9efec3fe91e004
  *   operations: 243 mul, 5 div, 252 add, 0 sqrt, 0 compare; 149 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -164,8 +164,8 @@
  *   heldout_random_xi: n 50000 mean 7.165e-17 p99 2.220e-16 max 1.442e-12
  *   heldout_random_eta: n 50000 mean 6.163e-17 p99 2.220e-16 max 1.016e-12
  */
-#ifndef FOOTPOINT_NEW_TRI6_H
-#define FOOTPOINT_NEW_TRI6_H
+#ifndef FOOTPOINT_TRI6_H
+#define FOOTPOINT_TRI6_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -276,8 +276,8 @@ FOOTPOINT_FN int footpoint_detail_tri6_gap(const double *const x[7], double xi, 
 #endif
 
 /* 35 mul, 1 div, 39 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri6_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - 4.0 * xD[2];
     const double t2 = xA[2] - 4.0 * xE[2];
@@ -309,13 +309,13 @@ FOOTPOINT_FN void footpoint_new_tri6_fast_at(const double xA[3], const double xB
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                         const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_new_tri6_fast_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+    footpoint_tri6_fast_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
     area = footpoint_detail_tri6_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -327,10 +327,10 @@ FOOTPOINT_FN int footpoint_new_tri6_fast(const double xA[3], const double xB[3],
     return status;
 }
 
-/* footpoint_new_tri6_fast_at for n pairs.
+/* footpoint_tri6_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri6_fast_n(size_t n, const double *const x[21],
+FOOTPOINT_LOOP void footpoint_tri6_fast_n(size_t n, const double *const x[21],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -339,12 +339,12 @@ FOOTPOINT_LOOP void footpoint_new_tri6_fast_n(size_t n, const double *const x[21
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xS[3] = {x[18][i], x[19][i], x[20][i]};
-        footpoint_new_tri6_fast_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
+        footpoint_tri6_fast_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri6_fast_points[][25] = {
+static const double footpoint_tri6_fast_points[][25] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 1.5930059803465904, 0.7629584393468295, 1.5109096813498514e-14, 4.3113005507459662e-15},
     {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -3.788622140827258, 2.2662195473069868, 6.2862639322815004e-14, 3.1371692181153969e-14},
     {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -1.0765664397597956, 1.2866616207767885, 3.5143328222016258e-14, 8.3769834661272626e-15},
@@ -357,8 +357,8 @@ static const double footpoint_new_tri6_fast_points[][25] = {
 #endif
 
 /* 90 mul, 2 div, 107 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri6_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[0] - xE[0];
     const double t2 = xF[2] + xD[2];
@@ -421,13 +421,13 @@ FOOTPOINT_FN void footpoint_new_tri6_coarse_at(const double xA[3], const double 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                           const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_new_tri6_coarse_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+    footpoint_tri6_coarse_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
     area = footpoint_detail_tri6_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -439,10 +439,10 @@ FOOTPOINT_FN int footpoint_new_tri6_coarse(const double xA[3], const double xB[3
     return status;
 }
 
-/* footpoint_new_tri6_coarse_at for n pairs.
+/* footpoint_tri6_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri6_coarse_n(size_t n, const double *const x[21],
+FOOTPOINT_LOOP void footpoint_tri6_coarse_n(size_t n, const double *const x[21],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -451,12 +451,12 @@ FOOTPOINT_LOOP void footpoint_new_tri6_coarse_n(size_t n, const double *const x[
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xS[3] = {x[18][i], x[19][i], x[20][i]};
-        footpoint_new_tri6_coarse_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
+        footpoint_tri6_coarse_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri6_coarse_points[][25] = {
+static const double footpoint_tri6_coarse_points[][25] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.93717535871798729, 0.60636847486702683, 9.3915658562979456e-15, 2.6039464170933571e-15},
     {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -1.6583398923204942, 1.3504864787470781, 4.0688099250074034e-14, 1.7167476316729226e-14},
     {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -0.10278955249454436, 1.0886971943176524, 1.681493720721969e-14, 5.1452844044498861e-15},
@@ -469,8 +469,8 @@ static const double footpoint_new_tri6_coarse_points[][25] = {
 #endif
 
 /* 98 mul, 2 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri6_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] + xF[2];
     const double t2 = xD[1] + xF[1];
@@ -540,13 +540,13 @@ FOOTPOINT_FN void footpoint_new_tri6_medium_at(const double xA[3], const double 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                           const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_new_tri6_medium_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+    footpoint_tri6_medium_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
     area = footpoint_detail_tri6_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -558,10 +558,10 @@ FOOTPOINT_FN int footpoint_new_tri6_medium(const double xA[3], const double xB[3
     return status;
 }
 
-/* footpoint_new_tri6_medium_at for n pairs.
+/* footpoint_tri6_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri6_medium_n(size_t n, const double *const x[21],
+FOOTPOINT_LOOP void footpoint_tri6_medium_n(size_t n, const double *const x[21],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -570,12 +570,12 @@ FOOTPOINT_LOOP void footpoint_new_tri6_medium_n(size_t n, const double *const x[
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xS[3] = {x[18][i], x[19][i], x[20][i]};
-        footpoint_new_tri6_medium_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
+        footpoint_tri6_medium_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri6_medium_points[][25] = {
+static const double footpoint_tri6_medium_points[][25] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68317867307350932, 0.84635386775751087, 3.6804256008227948e-14, 2.1434627734737382e-14},
     {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -2.056849269847588, 1.696349237061052, 5.1885094135739208e-14, 2.2719387806472417e-14},
     {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.28200108957030201, 2.2803448254594985, 1.541251565216246e-13, 2.5664776402356217e-13},
@@ -588,8 +588,8 @@ static const double footpoint_new_tri6_medium_points[][25] = {
 #endif
 
 /* 128 mul, 2 div, 149 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri6_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] + xF[2];
     const double t2 = xD[1] + xF[1];
@@ -679,13 +679,13 @@ FOOTPOINT_FN void footpoint_new_tri6_balanced_at(const double xA[3], const doubl
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri6_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_new_tri6_balanced_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+    footpoint_tri6_balanced_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
     area = footpoint_detail_tri6_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -697,10 +697,10 @@ FOOTPOINT_FN int footpoint_new_tri6_balanced(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_new_tri6_balanced_at for n pairs.
+/* footpoint_tri6_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri6_balanced_n(size_t n, const double *const x[21],
+FOOTPOINT_LOOP void footpoint_tri6_balanced_n(size_t n, const double *const x[21],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -709,12 +709,12 @@ FOOTPOINT_LOOP void footpoint_new_tri6_balanced_n(size_t n, const double *const 
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xS[3] = {x[18][i], x[19][i], x[20][i]};
-        footpoint_new_tri6_balanced_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
+        footpoint_tri6_balanced_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri6_balanced_points[][25] = {
+static const double footpoint_tri6_balanced_points[][25] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 2.4478301840742658, 0.021410591442985908, 4.352923223039577e-13, 1.7826989651170125e-13},
     {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -1.5927784033436341, 1.5236500140458946, 4.1973502779030288e-14, 1.904187042671192e-14},
     {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -9.4189607782898257, -11.732145907971578, 6.231543991058202e-12, 8.8130936267700627e-12},
@@ -727,8 +727,8 @@ static const double footpoint_new_tri6_balanced_points[][25] = {
 #endif
 
 /* 139 mul, 3 div, 156 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri6_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] + xF[2];
     const double t2 = xD[1] + xF[1];
@@ -827,13 +827,13 @@ FOOTPOINT_FN void footpoint_new_tri6_fine_at(const double xA[3], const double xB
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                         const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_new_tri6_fine_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+    footpoint_tri6_fine_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
     area = footpoint_detail_tri6_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -845,10 +845,10 @@ FOOTPOINT_FN int footpoint_new_tri6_fine(const double xA[3], const double xB[3],
     return status;
 }
 
-/* footpoint_new_tri6_fine_at for n pairs.
+/* footpoint_tri6_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri6_fine_n(size_t n, const double *const x[21],
+FOOTPOINT_LOOP void footpoint_tri6_fine_n(size_t n, const double *const x[21],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -857,12 +857,12 @@ FOOTPOINT_LOOP void footpoint_new_tri6_fine_n(size_t n, const double *const x[21
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xS[3] = {x[18][i], x[19][i], x[20][i]};
-        footpoint_new_tri6_fine_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
+        footpoint_tri6_fine_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri6_fine_points[][25] = {
+static const double footpoint_tri6_fine_points[][25] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.73007858287234262, 0.58501442435324058, 3.809759956364274e-15, 2.1468028776893834e-15},
     {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.73275601554160363, 1.1133277989013666, 2.5708678670169909e-14, 1.1375567962820942e-14},
     {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.14254715457824979, 1.0890419134466731, 7.7772130742349235e-15, 6.1423632727194726e-15},
@@ -875,8 +875,8 @@ static const double footpoint_new_tri6_fine_points[][25] = {
 #endif
 
 /* 193 mul, 4 div, 204 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri6_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] + xF[2];
     const double t2 = xD[1] + xF[1];
@@ -1003,13 +1003,13 @@ FOOTPOINT_FN void footpoint_new_tri6_precise_at(const double xA[3], const double
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri6_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_new_tri6_precise_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+    footpoint_tri6_precise_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
     area = footpoint_detail_tri6_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1021,10 +1021,10 @@ FOOTPOINT_FN int footpoint_new_tri6_precise(const double xA[3], const double xB[
     return status;
 }
 
-/* footpoint_new_tri6_precise_at for n pairs.
+/* footpoint_tri6_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri6_precise_n(size_t n, const double *const x[21],
+FOOTPOINT_LOOP void footpoint_tri6_precise_n(size_t n, const double *const x[21],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1033,12 +1033,12 @@ FOOTPOINT_LOOP void footpoint_new_tri6_precise_n(size_t n, const double *const x
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xS[3] = {x[18][i], x[19][i], x[20][i]};
-        footpoint_new_tri6_precise_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
+        footpoint_tri6_precise_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri6_precise_points[][25] = {
+static const double footpoint_tri6_precise_points[][25] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68991337314258061, 0.5629297132539921, 1.7468340954432675e-15, 8.8561966103398567e-16},
     {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.34523596512825439, 0.95493922060898906, 1.2156168369300434e-14, 6.5939614423908348e-15},
     {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.23020390873548743, 1.0376089149931929, 3.025223115984805e-15, 2.2617484552393771e-15},
@@ -1051,8 +1051,8 @@ static const double footpoint_new_tri6_precise_points[][25] = {
 #endif
 
 /* 243 mul, 5 div, 252 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_tri6_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] + xF[2];
     const double t2 = xD[1] + xF[1];
@@ -1209,13 +1209,13 @@ FOOTPOINT_FN void footpoint_new_tri6_accurate_at(const double xA[3], const doubl
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_tri6_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_tri6_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0;
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
     int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_new_tri6_accurate_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+    footpoint_tri6_accurate_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
     area = footpoint_detail_tri6_gap(x, xi, eta, &g);
     if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
         status = FOOTPOINT_ERR_DEGENERATE;
@@ -1227,10 +1227,10 @@ FOOTPOINT_FN int footpoint_new_tri6_accurate(const double xA[3], const double xB
     return status;
 }
 
-/* footpoint_new_tri6_accurate_at for n pairs.
+/* footpoint_tri6_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, E, F, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_tri6_accurate_n(size_t n, const double *const x[21],
+FOOTPOINT_LOOP void footpoint_tri6_accurate_n(size_t n, const double *const x[21],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1239,12 +1239,12 @@ FOOTPOINT_LOOP void footpoint_new_tri6_accurate_n(size_t n, const double *const 
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xE[3] = {x[12][i], x[13][i], x[14][i]}, xF[3] = {x[15][i], x[16][i], x[17][i]};
         const double xS[3] = {x[18][i], x[19][i], x[20][i]};
-        footpoint_new_tri6_accurate_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
+        footpoint_tri6_accurate_at(xA, xB, xC, xD, xE, xF, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_tri6_accurate_points[][25] = {
+static const double footpoint_tri6_accurate_points[][25] = {
     {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68402167962359439, 0.56060156643568737, 1.0387706872957132e-15, 5.8759181196940734e-16},
     {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.20932806717341432, 0.88265449114375238, 4.2087419305307822e-15, 2.8059290685992386e-15},
     {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.24455644279050992, 1.0330497421773002, 9.3581210132654606e-16, 1.4450406651914916e-15},

@@ -12,7 +12,7 @@
  * reference: xi 0 eta 0
  * corners: nearest-shorter (NAME_at assumes it; NAME arranges it)
  *
- * footpoint_new_whole_quad4_gauss
+ * footpoint_whole_quad4_gauss
  *   genome_sha256: b29158768a99266b4a0dd801febd59e44bd53d01bf435b7543e9b27508f028e0
  *   operations: 29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -31,7 +31,7 @@
  *   heldout_random_xi: n 200000 mean 4.075e-02 p99 2.331e-01 max 7.418e+01
  *   heldout_random_eta: n 200000 mean 5.863e-02 p99 3.310e-01 max 8.786e+01
  *
- * footpoint_new_whole_quad4_fast
+ * footpoint_whole_quad4_fast
  *   genome_sha256: 0a1b8787c182a118178828c6892f0f6378d84f65dabc8e9f54528b81ffa5302c
  *   operations: 34 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -50,7 +50,7 @@
  *   heldout_random_xi: n 200000 mean 3.637e-02 p99 2.948e-01 max 1.464e+00
  *   heldout_random_eta: n 200000 mean 4.739e-02 p99 4.023e-01 max 2.334e+00
  *
- * footpoint_new_whole_quad4_taper
+ * footpoint_whole_quad4_taper
  *   genome_sha256: 1c44bc85299f8ced735c357847d3146c34dca513eb1c67248dfd38dcbce033a9
  *   operations: 48 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -69,7 +69,7 @@
  *   heldout_random_xi: n 200000 mean 1.154e-02 p99 1.381e-01 max 1.342e+00
  *   heldout_random_eta: n 200000 mean 1.594e-02 p99 1.962e-01 max 1.918e+00
  *
- * footpoint_new_whole_quad4_gauss2
+ * footpoint_whole_quad4_gauss2
  *   genome_sha256: 3f92757f1e9a5a8a268ffc59b0f9e8f8252d82f4f5736d7795621cd9276bcd04
  *   operations: 59 mul, 2 div, 65 add, 0 sqrt, 0 compare; 38 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -89,7 +89,7 @@
  *   heldout_random_xi: n 200000 mean 1.364e-02 p99 8.186e-02 max 1.411e+02
  *   heldout_random_eta: n 200000 mean 1.964e-02 p99 1.071e-01 max 2.133e+02
  *
- * footpoint_new_whole_quad4_coarse
+ * footpoint_whole_quad4_coarse
  *   genome_sha256: 77a3225f036c87dd91315674ec7e96ba320740a5727b47c9b53cf14bb7d7c310
  *   operations: 60 mul, 1 div, 57 add, 0 sqrt, 13 compare; 58 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -108,7 +108,7 @@
  *   heldout_random_xi: n 200000 mean 9.791e-03 p99 1.154e-01 max 1.214e+00
  *   heldout_random_eta: n 200000 mean 1.261e-02 p99 1.541e-01 max 1.768e+00
  *
- * footpoint_new_whole_quad4_newton
+ * footpoint_whole_quad4_newton
  *   genome_sha256: 721860035a7486af4284a5200ccfd7f16b3f9d27b5d4667c8d509a848e9661b9
  *   operations: 62 mul, 2 div, 69 add, 0 sqrt, 9 compare; 59 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -128,7 +128,7 @@
  *   heldout_random_xi: n 200000 mean 1.288e-02 p99 1.933e-01 max 1.998e+00
  *   heldout_random_eta: n 200000 mean 1.265e-02 p99 1.801e-01 max 1.959e+00
  *
- * footpoint_new_whole_quad4_medium
+ * footpoint_whole_quad4_medium
  *   genome_sha256: 198a34c015a3e714047cac519cd38da1f5c4e147b0f2dc477779aaac368c91b7
  *   operations: 70 mul, 2 div, 73 add, 0 sqrt, 9 compare; 63 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -148,7 +148,7 @@
  *   heldout_random_xi: n 200000 mean 3.664e-03 p99 6.138e-02 max 1.980e+00
  *   heldout_random_eta: n 200000 mean 3.531e-03 p99 5.589e-02 max 1.933e+00
  *
- * footpoint_new_whole_quad4_balanced
+ * footpoint_whole_quad4_balanced
  *   genome_sha256: b4e4226d78394caf07a68b77afdcfde1f9ce0bb55bbbcef5fe148ecb3b500dc0
  *   operations: 88 mul, 2 div, 83 add, 0 sqrt, 14 compare; 84 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -168,7 +168,7 @@
  *   heldout_random_xi: n 200000 mean 1.170e-03 p99 9.471e-03 max 1.949e+00
  *   heldout_random_eta: n 200000 mean 1.493e-03 p99 1.259e-02 max 1.959e+00
  *
- * footpoint_new_whole_quad4_fine
+ * footpoint_whole_quad4_fine
  *   genome_sha256: a92994869134f35cd9699c2ac63a108f67999a38de051fa55b8dfe255f22208a
  *   operations: 95 mul, 3 div, 93 add, 0 sqrt, 15 compare; 88 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -189,7 +189,7 @@
  *   heldout_random_xi: n 200000 mean 1.036e-03 p99 2.206e-03 max 1.998e+00
  *   heldout_random_eta: n 200000 mean 1.076e-03 p99 2.837e-03 max 1.999e+00
  *
- * footpoint_new_whole_quad4_precise
+ * footpoint_whole_quad4_precise
  *   genome_sha256: 30e26e4775c5159b7be666d9dcaf26933856a99f0db19ca5e551751c7af94615
  *   operations: 116 mul, 4 div, 111 add, 0 sqrt, 20 compare; 109 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -211,7 +211,7 @@
  *   heldout_random_xi: n 200000 mean 6.821e-04 p99 1.266e-05 max 1.998e+00
  *   heldout_random_eta: n 200000 mean 7.372e-04 p99 1.577e-05 max 1.985e+00
  *
- * footpoint_new_whole_quad4_accurate
+ * footpoint_whole_quad4_accurate
  *   genome_sha256: 000957ee7998851f320af86b29b058c2aa5f40fe35d2b8face4234d12ef586b6
  *   operations: 133 mul, 3 div, 117 add, 0 sqrt, 31 compare; 139 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -232,7 +232,7 @@
  *   heldout_random_xi: n 200000 mean 7.610e-04 p99 2.297e-06 max 1.998e+00
  *   heldout_random_eta: n 200000 mean 7.705e-04 p99 2.724e-06 max 1.999e+00
  *
- * footpoint_new_whole_quad4_full
+ * footpoint_whole_quad4_full
  *   genome_sha256: 7ba7316575809ca5c8befc806a95eb5f4ff0e86bbd2da2fc61570e269c3a9af3
  *   operations: 137 mul, 5 div, 129 add, 0 sqrt, 25 compare; 130 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -255,7 +255,7 @@
  *   heldout_random_xi: n 200000 mean 6.614e-04 p99 5.820e-10 max 1.998e+00
  *   heldout_random_eta: n 200000 mean 6.464e-04 p99 7.407e-10 max 1.985e+00
  *
- * footpoint_new_whole_quad4_program1
+ * footpoint_whole_quad4_program1
  *   genome_sha256: 7ed7f08bf0e46cfcde1d41bf87ce1d818251f661f43605db8a44248508900991
  *   operations: 93 mul, 5 div, 91 add, 0 sqrt, 9 compare; 75 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -277,7 +277,7 @@
  *   heldout_random_xi: n 200000 mean 1.672e-04 p99 7.617e-04 max 1.758e+00
  *   heldout_random_eta: n 200000 mean 1.987e-04 p99 9.330e-04 max 1.581e+00
  *
- * footpoint_new_whole_quad4_program2
+ * footpoint_whole_quad4_program2
  *   genome_sha256: 2551842b4783de991ce5610ed7a3637f77dcd3a117fd70820d2248ea7ee0e26b
  *   operations: 113 mul, 6 div, 110 add, 0 sqrt, 14 compare; 96 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -300,7 +300,7 @@
  *   heldout_random_xi: n 200000 mean 5.154e-05 p99 1.986e-06 max 1.631e+00
  *   heldout_random_eta: n 200000 mean 6.798e-05 p99 2.733e-06 max 1.581e+00
  *
- * footpoint_new_whole_quad4_program3
+ * footpoint_whole_quad4_program3
  *   genome_sha256: 161861d9462346d87648f3d23ca2b01584cb30adb6148864c8625f73de3fab21
  *   operations: 137 mul, 7 div, 128 add, 0 sqrt, 11 compare; 109 temporaries
  *   proved equal to the genome as rational functions over Q
@@ -324,8 +324,8 @@
  *   heldout_random_xi: n 200000 mean 3.766e-05 p99 1.050e-11 max 1.758e+00
  *   heldout_random_eta: n 200000 mean 3.265e-05 p99 1.476e-11 max 1.581e+00
  */
-#ifndef FOOTPOINT_NEW_WHOLE_QUAD4_H
-#define FOOTPOINT_NEW_WHOLE_QUAD4_H
+#ifndef FOOTPOINT_WHOLE_QUAD4_H
+#define FOOTPOINT_WHOLE_QUAD4_H
 
 #ifndef FOOTPOINT_FN
 #ifdef __CUDACC__
@@ -430,8 +430,8 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 #endif
 
 /* 29 mul, 1 div, 42 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -463,8 +463,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_gauss_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -477,7 +477,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_gauss(const double xA[3], const doubl
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_gauss_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_gauss_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -494,10 +494,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_gauss(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_whole_quad4_gauss_at for n pairs.
+/* footpoint_whole_quad4_gauss_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_gauss_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -505,12 +505,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_gauss_n(size_t n, const double *co
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_gauss_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_gauss_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_gauss_points[][19] = {
+static const double footpoint_whole_quad4_gauss_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -3.5394852000887869, 1.1165749868210308, 4.4370030479953223e-14, 3.2834906429016283e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1.8701550795603499, -4.551527733299455, 5.7269684107194983e-15, 1.0482358943209087e-14},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14629822357846314, -0.57423865796440676, 3.4227778857340635e-16, 8.9448823892316935e-16},
@@ -523,8 +523,8 @@ static const double footpoint_new_whole_quad4_gauss_points[][19] = {
 #endif
 
 /* 34 mul, 1 div, 44 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -565,8 +565,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_fast_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -579,7 +579,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_fast(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_fast_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_fast_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -596,10 +596,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_fast(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_whole_quad4_fast_at for n pairs.
+/* footpoint_whole_quad4_fast_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_fast_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_fast_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -607,12 +607,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_fast_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_fast_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_fast_points[][19] = {
+static const double footpoint_whole_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.71381790000000001, 1.4165352499999999, 1.9545044471770195e-16, 3.8431899329617984e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1.1611821, -1.2915352499999999, 2.8090746395649142e-16, 3.4268562987273411e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.13820327982606134, -0.60314421112766825, 5.1990780522378268e-16, 1.2371932390178517e-15},
@@ -625,8 +625,8 @@ static const double footpoint_new_whole_quad4_fast_points[][19] = {
 #endif
 
 /* 48 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                     const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[0] - xB[0];
@@ -677,8 +677,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_taper_at(const double xA[3], const d
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -691,7 +691,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_taper(const double xA[3], const doubl
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_taper_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_taper_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -708,10 +708,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_taper(const double xA[3], const doubl
     return status;
 }
 
-/* footpoint_new_whole_quad4_taper_at for n pairs.
+/* footpoint_whole_quad4_taper_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_taper_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_taper_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -719,12 +719,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_taper_n(size_t n, const double *co
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_taper_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_taper_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_taper_points[][19] = {
+static const double footpoint_whole_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.88456849649386438, -1, 9.723666402513779e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14577917117847874, -0.57423097882806806, 3.8254766940818649e-16, 9.3956917257303289e-16},
@@ -737,8 +737,8 @@ static const double footpoint_new_whole_quad4_taper_points[][19] = {
 #endif
 
 /* 59 mul, 2 div, 65 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -784,8 +784,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_gauss2_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -798,7 +798,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_gauss2(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_gauss2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_gauss2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -815,10 +815,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_gauss2(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_whole_quad4_gauss2_at for n pairs.
+/* footpoint_whole_quad4_gauss2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_gauss2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -826,12 +826,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_gauss2_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_gauss2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_gauss2_points[][19] = {
+static const double footpoint_whole_quad4_gauss2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -2.5436340308553431, 0.11787527917909428, 3.5041695588846402e-14, 2.5989599688448484e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.07154876882522225, -6.8440930000149622, 2.4696419444909145e-13, 2.6122209753234237e-12},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 4.0025249773177575e-16, 1.0376360765287907e-15},
@@ -844,8 +844,8 @@ static const double footpoint_new_whole_quad4_gauss2_points[][19] = {
 #endif
 
 /* 60 mul, 1 div, 57 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -911,8 +911,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_coarse_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -925,7 +925,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_coarse(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_coarse_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_coarse_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -942,10 +942,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_coarse(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_whole_quad4_coarse_at for n pairs.
+/* footpoint_whole_quad4_coarse_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_coarse_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -953,12 +953,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_coarse_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_coarse_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_coarse_points[][19] = {
+static const double footpoint_whole_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.97349492056234888, 0.96422751691154251, 3.6607184325739398e-13, 4.9397152891899154e-13},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14194193749828848, -0.57633687572510106, 6.7874314730788859e-16, 1.2788585303339693e-15},
@@ -971,8 +971,8 @@ static const double footpoint_new_whole_quad4_coarse_points[][19] = {
 #endif
 
 /* 62 mul, 2 div, 69 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1039,8 +1039,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_newton_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1053,7 +1053,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_newton(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_newton_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_newton_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1070,10 +1070,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_newton(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_whole_quad4_newton_at for n pairs.
+/* footpoint_whole_quad4_newton_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_newton_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_newton_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1081,12 +1081,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_newton_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_newton_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_newton_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_newton_points[][19] = {
+static const double footpoint_whole_quad4_newton_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14158572348720469, -0.57596682783878428, 4.3772089998525178e-16, 1.0693172248735784e-15},
@@ -1099,8 +1099,8 @@ static const double footpoint_new_whole_quad4_newton_points[][19] = {
 #endif
 
 /* 70 mul, 2 div, 73 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                      const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1171,8 +1171,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_medium_at(const double xA[3], const 
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1185,7 +1185,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_medium(const double xA[3], const doub
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_medium_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_medium_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1202,10 +1202,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_medium(const double xA[3], const doub
     return status;
 }
 
-/* footpoint_new_whole_quad4_medium_at for n pairs.
+/* footpoint_whole_quad4_medium_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_medium_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_medium_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1213,12 +1213,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_medium_n(size_t n, const double *c
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_medium_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_medium_points[][19] = {
+static const double footpoint_whole_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.1415846515899386, -0.57597193805264602, 4.3794016492224937e-16, 1.0699051210293922e-15},
@@ -1231,8 +1231,8 @@ static const double footpoint_new_whole_quad4_medium_points[][19] = {
 #endif
 
 /* 88 mul, 2 div, 83 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1324,8 +1324,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_balanced_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1338,7 +1338,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_balanced(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_balanced_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_balanced_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1355,10 +1355,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_balanced(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_whole_quad4_balanced_at for n pairs.
+/* footpoint_whole_quad4_balanced_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_balanced_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1366,12 +1366,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_balanced_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_balanced_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_balanced_points[][19] = {
+static const double footpoint_whole_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157735974754845, -0.57599428165362232, 4.5415318004930421e-16, 1.1345063429130766e-15},
@@ -1384,8 +1384,8 @@ static const double footpoint_new_whole_quad4_balanced_points[][19] = {
 #endif
 
 /* 95 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1481,8 +1481,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_fine_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1495,7 +1495,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_fine(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_fine_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_fine_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1512,10 +1512,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_fine(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_whole_quad4_fine_at for n pairs.
+/* footpoint_whole_quad4_fine_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_fine_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_fine_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1523,12 +1523,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_fine_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_fine_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_fine_points[][19] = {
+static const double footpoint_whole_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728733978131, -0.57599434309961206, 4.3784469360790847e-16, 1.0710556831191263e-15},
@@ -1541,8 +1541,8 @@ static const double footpoint_new_whole_quad4_fine_points[][19] = {
 #endif
 
 /* 116 mul, 4 div, 111 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                       const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1659,8 +1659,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_precise_at(const double xA[3], const
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1673,7 +1673,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_precise(const double xA[3], const dou
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_precise_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_precise_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1690,10 +1690,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_precise(const double xA[3], const dou
     return status;
 }
 
-/* footpoint_new_whole_quad4_precise_at for n pairs.
+/* footpoint_whole_quad4_precise_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_precise_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_precise_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1701,12 +1701,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_precise_n(size_t n, const double *
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_precise_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_precise_points[][19] = {
+static const double footpoint_whole_quad4_precise_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.3784396044773088e-16, 1.0710564125663102e-15},
@@ -1719,8 +1719,8 @@ static const double footpoint_new_whole_quad4_precise_points[][19] = {
 #endif
 
 /* 133 mul, 3 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1867,8 +1867,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_accurate_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -1881,7 +1881,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_accurate(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_accurate_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_accurate_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -1898,10 +1898,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_accurate(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_whole_quad4_accurate_at for n pairs.
+/* footpoint_whole_quad4_accurate_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_accurate_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -1909,12 +1909,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_accurate_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_accurate_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_accurate_points[][19] = {
+static const double footpoint_whole_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.5356220871861163e-16, 1.1350046221857832e-15},
@@ -1927,8 +1927,8 @@ static const double footpoint_new_whole_quad4_accurate_points[][19] = {
 #endif
 
 /* 137 mul, 5 div, 129 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2066,8 +2066,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_full_at(const double xA[3], const do
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2080,7 +2080,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_full(const double xA[3], const double
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_full_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_full_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2097,10 +2097,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_full(const double xA[3], const double
     return status;
 }
 
-/* footpoint_new_whole_quad4_full_at for n pairs.
+/* footpoint_whole_quad4_full_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_full_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_full_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2108,12 +2108,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_full_n(size_t n, const double *con
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_full_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_full_points[][19] = {
+static const double footpoint_whole_quad4_full_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.3784396043896876e-16, 1.0710564126096147e-15},
@@ -2126,8 +2126,8 @@ static const double footpoint_new_whole_quad4_full_points[][19] = {
 #endif
 
 /* 93 mul, 5 div, 91 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2210,8 +2210,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_program1_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2224,7 +2224,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_program1(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_program1_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_program1_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2241,10 +2241,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_program1(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_whole_quad4_program1_at for n pairs.
+/* footpoint_whole_quad4_program1_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_program1_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_program1_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2252,12 +2252,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_program1_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_program1_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_program1_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_program1_points[][19] = {
+static const double footpoint_whole_quad4_program1_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -0.74161414569311823, 1.110223024625157e-16, 2.6618935207361761e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728726410573, -0.57599434309654429, 6.9390421872731436e-16, 1.3115647219993714e-15},
@@ -2270,8 +2270,8 @@ static const double footpoint_new_whole_quad4_program1_points[][19] = {
 #endif
 
 /* 113 mul, 6 div, 110 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[0] - xA[0];
     const double t2 = xB[1] - xA[1];
@@ -2375,8 +2375,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_program2_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2389,7 +2389,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_program2(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_program2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_program2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2406,10 +2406,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_program2(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_whole_quad4_program2_at for n pairs.
+/* footpoint_whole_quad4_program2_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_program2_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_program2_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2417,12 +2417,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_program2_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_program2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_program2_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_program2_points[][19] = {
+static const double footpoint_whole_quad4_program2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 6.9475502443237403e-16, 1.3192021298209148e-15},
@@ -2435,8 +2435,8 @@ static const double footpoint_new_whole_quad4_program2_points[][19] = {
 #endif
 
 /* 137 mul, 7 div, 128 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_new_whole_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                        const double xS[3], double *xi, double *eta)
+FOOTPOINT_FN void footpoint_whole_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2553,8 +2553,8 @@ FOOTPOINT_FN void footpoint_new_whole_quad4_program3_at(const double xA[3], cons
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
  * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
-FOOTPOINT_FN int footpoint_new_whole_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double loc[2], double *gap)
+FOOTPOINT_FN int footpoint_whole_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double loc[2], double *gap)
 {
     double xi, eta, g = 0.0, u, v, w;
     const double *x[4];
@@ -2567,7 +2567,7 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_program3(const double xA[3], const do
     k = footpoint_detail_nearest_corner(x, xS);
     mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
              footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_new_whole_quad4_program3_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+    footpoint_whole_quad4_program3_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
     w = mirror ? v : u;
     v = mirror ? u : v;
     u = w;
@@ -2584,10 +2584,10 @@ FOOTPOINT_FN int footpoint_new_whole_quad4_program3(const double xA[3], const do
     return status;
 }
 
-/* footpoint_new_whole_quad4_program3_at for n pairs.
+/* footpoint_whole_quad4_program3_at for n pairs.
  * x[3 k + i] is the column of coordinate i of node k (A, B, C, D, S); xi and eta overlap nothing else.
  * Vectorises with -O3 and -fno-trapping-math. */
-FOOTPOINT_LOOP void footpoint_new_whole_quad4_program3_n(size_t n, const double *const x[15],
+FOOTPOINT_LOOP void footpoint_whole_quad4_program3_n(size_t n, const double *const x[15],
     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
@@ -2595,12 +2595,12 @@ FOOTPOINT_LOOP void footpoint_new_whole_quad4_program3_n(size_t n, const double 
         const double xA[3] = {x[0][i], x[1][i], x[2][i]}, xB[3] = {x[3][i], x[4][i], x[5][i]};
         const double xC[3] = {x[6][i], x[7][i], x[8][i]}, xD[3] = {x[9][i], x[10][i], x[11][i]};
         const double xS[3] = {x[12][i], x[13][i], x[14][i]};
-        footpoint_new_whole_quad4_program3_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
+        footpoint_whole_quad4_program3_at(xA, xB, xC, xD, xS, &xi[i], &eta[i]);
     }
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
-static const double footpoint_new_whole_quad4_program3_points[][19] = {
+static const double footpoint_whole_quad4_program3_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 6.1483271816331692e-16, 1.3255771177674835e-15},
