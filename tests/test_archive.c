@@ -59,10 +59,15 @@ struct fixture {
 
 static int setup(void **state)
 {
-    static char *terminal[] = {"p", "q"};
+    static char *terminal[] = {"p", "q"}, precision[] = "double";
     struct fixture *f = new_array(1, sizeof *f);
     f->tier = (struct tier){.name = "steps", .frame = "test", .terminal = terminal, .terminals = 2, .max_length = 9};
-    f->scene = (struct scene){.name = "test", .segment = segment_find("quad4"), .norm = NORM_MEAN, .tier = &f->tier, .tiers = 1};
+    f->scene = (struct scene){.name = "test",
+                              .segment = segment_find("quad4"),
+                              .norm = NORM_MEAN,
+                              .precision = precision,
+                              .tier = &f->tier,
+                              .tiers = 1};
     f->set.s = new_array(100, sizeof *f->set.s);
     for (f->set.n = 0; f->set.n < 100; f->set.n++) {
         memcpy(f->set.s[f->set.n].x, (double[4][3]){{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 12 * sizeof(double));
