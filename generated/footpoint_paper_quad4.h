@@ -554,12 +554,12 @@ FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double
     const double t23 = (t14 * t19 - t15 * t20) * t21;
     double u4 = 0.25;
     const double t24 = (u4 < t22 ? u4 : t22);
-    const double t25 = (u4 < t23 ? u4 : t23);
     double u5 = -0.25;
-    const double t26 = (!(t24 <= u5) ? t24 : u5);
-    const double t27 = (!(t25 <= u5) ? t25 : u5);
-    const double t28 = t27 * (t26 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
-    *xi = -(t26 * (t27 - 2.0) + 0.5);
+    const double t25 = (!(t24 <= u5) ? t24 : u5);
+    const double t26 = (u4 < t23 ? u4 : t23);
+    const double t27 = (!(t26 <= u5) ? t26 : u5);
+    const double t28 = t27 * (t25 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
+    *xi = -(t25 * (t27 - 2.0) + 0.5);
     *eta = -1.443034844 * t28;
 }
 
@@ -663,12 +663,12 @@ FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const doubl
     const double u2 = 0.55 * t30;
     double u3 = 0.0;
     const double t32 = (u3 < u2 ? u3 : u2);
-    const double u4 = 0.55 * t31;
-    const double t33 = (u3 < u4 ? u3 : u4);
-    double u5 = -1.0;
-    const double t34 = (!(t32 <= u5) ? t32 : u5);
-    const double t35 = (!(t33 <= u5) ? t33 : u5);
-    *xi = t34;
+    double u4 = -1.0;
+    const double t33 = (!(t32 <= u4) ? t32 : u4);
+    const double u5 = 0.55 * t31;
+    const double t34 = (u3 < u5 ? u3 : u5);
+    const double t35 = (!(t34 <= u4) ? t34 : u4);
+    *xi = t33;
     *eta = t35;
 }
 
@@ -884,25 +884,25 @@ FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const doub
     const double t34 = t26 * (1.0 - t28 * t32);
     double u5 = 0.25;
     const double t35 = (u5 < t33 ? u5 : t33);
-    const double t36 = (u5 < t34 ? u5 : t34);
     double u6 = -0.25;
-    const double t37 = (u6 > t35 ? u6 : t35);
-    const double t38 = (u6 > t36 ? u6 : t36);
+    const double t36 = (u6 > t35 ? u6 : t35);
+    const double t37 = (u5 < t34 ? u5 : t34);
+    const double t38 = (u6 > t37 ? u6 : t37);
     const double t39 = t17 * t31 * t38;
-    const double t40 = t31 * (t18 * t37 - t16 * t38);
+    const double t40 = t31 * (t18 * t36 - t16 * t38);
     double u7 = 0.075;
     const double t41 = (u7 < t39 ? u7 : t39);
-    const double t42 = (u7 < t40 ? u7 : t40);
     double u8 = -0.075;
-    const double t43 = (u8 > t41 ? u8 : t41);
-    const double t44 = (u8 > t42 ? u8 : t42);
-    const double t45 = t37 + t43;
+    const double t42 = (u8 > t41 ? u8 : t41);
+    const double t43 = (u7 < t40 ? u7 : t40);
+    const double t44 = (u8 > t43 ? u8 : t43);
+    const double t45 = t36 + t42;
     const double t46 = t38 + t44;
     const double t47 = (u5 < t45 ? u5 : t45);
-    const double t48 = (u5 < t46 ? u5 : t46);
-    const double t49 = (!(t47 <= u6) ? t47 : u6);
-    const double t50 = (!(t48 <= u6) ? t48 : u6);
-    *xi = 2.0 * (t49 - 0.25);
+    const double t48 = (!(t47 <= u6) ? t47 : u6);
+    const double t49 = (u5 < t46 ? u5 : t46);
+    const double t50 = (!(t49 <= u6) ? t49 : u6);
+    *xi = 2.0 * (t48 - 0.25);
     *eta = 2.0 * (t50 - 0.25);
 }
 
@@ -1026,11 +1026,11 @@ FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const doub
     const double t47 = t45 * (t37 * t41 - t38 * t42 - t31 * t44) - 0.45;
     double u7 = 0.0;
     const double t48 = (u7 < t46 ? u7 : t46);
-    const double t49 = (u7 < t47 ? u7 : t47);
     double u8 = -1.0;
-    const double t50 = (!(t48 <= u8) ? t48 : u8);
-    const double t51 = (!(t49 <= u8) ? t49 : u8);
-    *xi = t50;
+    const double t49 = (!(t48 <= u8) ? t48 : u8);
+    const double t50 = (u7 < t47 ? u7 : t47);
+    const double t51 = (!(t50 <= u8) ? t50 : u8);
+    *xi = t49;
     *eta = t51;
 }
 
@@ -1131,12 +1131,12 @@ FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const doub
     const double t27 = t25 * t18 - t24 * t16;
     const double t28 = t6 * t6 + t4 * t4 + t5 * t5;
     double u4 = 0.225;
-    const double t29 = (u4 < t22 ? u4 : t22);
-    const double t30 = (u4 < t23 ? u4 : t23);
+    const double t29 = (u4 < t23 ? u4 : t23);
     double u5 = -0.275;
-    const double t31 = (u5 > t29 ? u5 : t29);
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = t32 * t21 * t31;
+    const double t30 = (u5 > t29 ? u5 : t29);
+    const double t31 = (u4 < t22 ? u4 : t22);
+    const double t32 = (u5 > t31 ? u5 : t31);
+    const double t33 = t30 * t21 * t32;
     const double t34 = t22 + t26 * t33;
     const double t35 = t23 + t27 * t33;
     const double t36 = t25 - t28 * t34;
@@ -1158,11 +1158,11 @@ FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const doub
     const double t51 = (t42 * t45 - t40 * t46 - t35 * t48) * t49 - 0.45;
     double u7 = 0.0;
     const double t52 = (u7 < t50 ? u7 : t50);
-    const double t53 = (u7 < t51 ? u7 : t51);
     double u8 = -1.0;
-    const double t54 = (!(t52 <= u8) ? t52 : u8);
-    const double t55 = (!(t53 <= u8) ? t53 : u8);
-    *xi = t54;
+    const double t53 = (!(t52 <= u8) ? t52 : u8);
+    const double t54 = (u7 < t51 ? u7 : t51);
+    const double t55 = (!(t54 <= u8) ? t54 : u8);
+    *xi = t53;
     *eta = t55;
 }
 
@@ -1263,15 +1263,15 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
     const double t27 = (t23 * t13 - t21 * t14) * t22;
     const double t28 = t4 * t4 + t5 * t5 + t6 * t6;
     double u4 = 0.225;
-    const double t29 = (u4 < t24 ? u4 : t24);
-    const double t30 = (u4 < t25 ? u4 : t25);
+    const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t31 = (u5 > t29 ? u5 : t29);
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = t27 * t32 + 1.0 - t26 * t31;
+    const double t30 = (u5 > t29 ? u5 : t29);
+    const double t31 = (u4 < t24 ? u4 : t24);
+    const double t32 = (u5 > t31 ? u5 : t31);
+    const double t33 = t27 * t30 + 1.0 - t26 * t32;
     double u6 = 0.5;
     const double t34 = (u6 > t33 ? u6 : t33);
-    const double t35 = t32 * t31 * t34;
+    const double t35 = t30 * t32 * t34;
     const double t36 = t24 + t27 * t35;
     const double t37 = t25 - t26 * t35;
     const double t38 = t23 - t28 * t36;
@@ -1301,21 +1301,21 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
     const double t61 = t51 * (t42 * t58 - t44 * t59);
     double u8 = 0.05;
     const double t62 = (u8 < t60 ? u8 : t60);
-    const double t63 = (u8 < t61 ? u8 : t61);
     double u9 = -0.05;
-    const double t64 = (u9 > t62 ? u9 : t62);
-    const double t65 = (u9 > t63 ? u9 : t63);
-    const double t66 = t53 - 0.225 - t64;
+    const double t63 = (u9 > t62 ? u9 : t62);
+    const double t64 = (u8 < t61 ? u8 : t61);
+    const double t65 = (u9 > t64 ? u9 : t64);
+    const double t66 = t53 - 0.225 - t63;
     const double t67 = t52 - 0.225 - t65;
     const double u10 = 2.0 * t66;
     double u11 = 0.0;
     const double t68 = (u11 < u10 ? u11 : u10);
-    const double u12 = 2.0 * t67;
-    const double t69 = (u11 < u12 ? u11 : u12);
-    double u13 = -1.0;
-    const double t70 = (!(t68 <= u13) ? t68 : u13);
-    const double t71 = (!(t69 <= u13) ? t69 : u13);
-    *xi = t70;
+    double u12 = -1.0;
+    const double t69 = (!(t68 <= u12) ? t68 : u12);
+    const double u13 = 2.0 * t67;
+    const double t70 = (u11 < u13 ? u11 : u13);
+    const double t71 = (!(t70 <= u12) ? t70 : u12);
+    *xi = t69;
     *eta = t71;
 }
 
@@ -1417,15 +1417,15 @@ FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
     double u4 = 0.225;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -1468,11 +1468,11 @@ FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double
     const double t74 = (t65 * t68 - t63 * t69 - t58 * t71) * t72 - 0.45;
     double u9 = 0.0;
     const double t75 = (u9 < t73 ? u9 : t73);
-    const double t76 = (u9 < t74 ? u9 : t74);
     double u10 = -1.0;
-    const double t77 = (!(t75 <= u10) ? t75 : u10);
-    const double t78 = (!(t76 <= u10) ? t76 : u10);
-    *xi = t77;
+    const double t76 = (!(t75 <= u10) ? t75 : u10);
+    const double t77 = (u9 < t74 ? u9 : t74);
+    const double t78 = (!(t77 <= u10) ? t77 : u10);
+    *xi = t76;
     *eta = t78;
 }
 
@@ -1574,15 +1574,15 @@ FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const dou
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
     double u4 = 0.225;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -1646,11 +1646,11 @@ FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const dou
     const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91) - 0.45;
     double u10 = 0.0;
     const double t95 = (u10 < t93 ? u10 : t93);
-    const double t96 = (u10 < t94 ? u10 : t94);
     double u11 = -1.0;
-    const double t97 = (!(t95 <= u11) ? t95 : u11);
-    const double t98 = (!(t96 <= u11) ? t96 : u11);
-    *xi = t97;
+    const double t96 = (!(t95 <= u11) ? t95 : u11);
+    const double t97 = (u10 < t94 ? u10 : t94);
+    const double t98 = (!(t97 <= u11) ? t97 : u11);
+    *xi = t96;
     *eta = t98;
 }
 
@@ -1752,15 +1752,15 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
     double u4 = 0.225;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -1845,20 +1845,20 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t113 = t86 * (t77 * t112 - t78 * t111);
     const double t114 = t86 * (t77 * t111 - t79 * t112);
     const double t115 = (u9 < t113 ? u9 : t113);
-    const double t116 = (u9 < t114 ? u9 : t114);
-    const double t117 = (u10 > t115 ? u10 : t115);
-    const double t118 = (u10 > t116 ? u10 : t116);
-    const double t119 = t88 - 0.225 - t117;
+    const double t116 = (u10 > t115 ? u10 : t115);
+    const double t117 = (u9 < t114 ? u9 : t114);
+    const double t118 = (u10 > t117 ? u10 : t117);
+    const double t119 = t88 - 0.225 - t116;
     const double t120 = t87 - 0.225 - t118;
     const double u12 = 2.0 * t119;
     double u13 = 0.0;
     const double t121 = (u13 < u12 ? u13 : u12);
-    const double u14 = 2.0 * t120;
-    const double t122 = (u13 < u14 ? u13 : u14);
-    double u15 = -1.0;
-    const double t123 = (!(t121 <= u15) ? t121 : u15);
-    const double t124 = (!(t122 <= u15) ? t122 : u15);
-    *xi = t123;
+    double u14 = -1.0;
+    const double t122 = (!(t121 <= u14) ? t121 : u14);
+    const double u15 = 2.0 * t120;
+    const double t123 = (u13 < u15 ? u13 : u15);
+    const double t124 = (!(t123 <= u14) ? t123 : u14);
+    *xi = t122;
     *eta = t124;
 }
 
@@ -1960,15 +1960,15 @@ FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
     double u4 = 0.225;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -2053,11 +2053,11 @@ FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double
     const double t114 = t112 * (t104 * t108 - t105 * t109 - t98 * t111) - 0.45;
     double u11 = 0.0;
     const double t115 = (u11 < t113 ? u11 : t113);
-    const double t116 = (u11 < t114 ? u11 : t114);
     double u12 = -1.0;
-    const double t117 = (!(t115 <= u12) ? t115 : u12);
-    const double t118 = (!(t116 <= u12) ? t116 : u12);
-    *xi = t117;
+    const double t116 = (!(t115 <= u12) ? t115 : u12);
+    const double t117 = (u11 < t114 ? u11 : t114);
+    const double t118 = (!(t117 <= u12) ? t117 : u12);
+    *xi = t116;
     *eta = t118;
 }
 
@@ -2198,10 +2198,10 @@ FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const do
     const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
     const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
     const double t64 = (u5 < t62 ? u5 : t62);
-    const double t65 = (u5 < t63 ? u5 : t63);
-    const double t66 = (!(t64 <= u6) ? t64 : u6);
-    const double t67 = (!(t65 <= u6) ? t65 : u6);
-    *xi = 2.0 * (t66 - 0.25);
+    const double t65 = (!(t64 <= u6) ? t64 : u6);
+    const double t66 = (u5 < t63 ? u5 : t63);
+    const double t67 = (!(t66 <= u6) ? t66 : u6);
+    *xi = 2.0 * (t65 - 0.25);
     *eta = 2.0 * (t67 - 0.25);
 }
 
@@ -2359,10 +2359,10 @@ FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const do
     const double t78 = (t69 * t74 - t68 * t73 - t62 * t76) * t77;
     const double t79 = (t70 * t73 - t68 * t74 - t63 * t76) * t77;
     const double t80 = (u5 < t78 ? u5 : t78);
-    const double t81 = (u5 < t79 ? u5 : t79);
-    const double t82 = (!(t80 <= u6) ? t80 : u6);
-    const double t83 = (!(t81 <= u6) ? t81 : u6);
-    *xi = 2.0 * (t82 - 0.25);
+    const double t81 = (!(t80 <= u6) ? t80 : u6);
+    const double t82 = (u5 < t79 ? u5 : t79);
+    const double t83 = (!(t82 <= u6) ? t82 : u6);
+    *xi = 2.0 * (t81 - 0.25);
     *eta = 2.0 * (t83 - 0.25);
 }
 
@@ -2537,10 +2537,10 @@ FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const do
     const double t94 = (t85 * t90 - t84 * t89 - t78 * t92) * t93;
     const double t95 = (t86 * t89 - t84 * t90 - t79 * t92) * t93;
     const double t96 = (u5 < t94 ? u5 : t94);
-    const double t97 = (u5 < t95 ? u5 : t95);
-    const double t98 = (!(t96 <= u6) ? t96 : u6);
-    const double t99 = (!(t97 <= u6) ? t97 : u6);
-    *xi = 2.0 * (t98 - 0.25);
+    const double t97 = (!(t96 <= u6) ? t96 : u6);
+    const double t98 = (u5 < t95 ? u5 : t95);
+    const double t99 = (!(t98 <= u6) ? t98 : u6);
+    *xi = 2.0 * (t97 - 0.25);
     *eta = 2.0 * (t99 - 0.25);
 }
 

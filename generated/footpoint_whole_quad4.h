@@ -554,13 +554,13 @@ FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double
     const double t23 = (t15 * t19 - t13 * t20) * t21;
     double u4 = 0.5;
     const double t24 = (u4 < t22 ? u4 : t22);
-    const double t25 = (u4 < t23 ? u4 : t23);
     double u5 = -0.5;
-    const double t26 = (!(t24 <= u5) ? t24 : u5);
-    const double t27 = (!(t25 <= u5) ? t25 : u5);
-    const double t28 = t27 * t26;
-    *xi = t26 * (t27 * (t28 - 0.8947284) + 2.0);
-    *eta = t27 * (t26 * (t28 - 1.416141) + 2.0);
+    const double t25 = (!(t24 <= u5) ? t24 : u5);
+    const double t26 = (u4 < t23 ? u4 : t23);
+    const double t27 = (!(t26 <= u5) ? t26 : u5);
+    const double t28 = t27 * t25;
+    *xi = t25 * (t27 * (t28 - 0.8947284) + 2.0);
+    *eta = t27 * (t25 * (t28 - 1.416141) + 2.0);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -666,12 +666,12 @@ FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const doubl
     const double t32 = t25 * (t27 * t30 - 2.0) + 0.15;
     double u5 = 1.0;
     const double t33 = (u5 < t31 ? u5 : t31);
-    const double u6 = -t32;
-    const double t34 = (u5 < u6 ? u5 : u6);
-    double u7 = -1.0;
-    const double t35 = (!(t33 <= u7) ? t33 : u7);
-    const double t36 = (!(t34 <= u7) ? t34 : u7);
-    *xi = t35;
+    double u6 = -1.0;
+    const double t34 = (!(t33 <= u6) ? t33 : u6);
+    const double u7 = -t32;
+    const double t35 = (u5 < u7 ? u5 : u7);
+    const double t36 = (!(t35 <= u6) ? t35 : u6);
+    *xi = t34;
     *eta = t36;
 }
 
@@ -887,25 +887,25 @@ FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const doub
     const double t34 = t27 * (1.0 - t28 * t32);
     double u5 = 0.5;
     const double t35 = (u5 < t33 ? u5 : t33);
-    const double t36 = (u5 < t34 ? u5 : t34);
     double u6 = -0.5;
-    const double t37 = (u6 > t35 ? u6 : t35);
-    const double t38 = (u6 > t36 ? u6 : t36);
+    const double t36 = (u6 > t35 ? u6 : t35);
+    const double t37 = (u5 < t34 ? u5 : t34);
+    const double t38 = (u6 > t37 ? u6 : t37);
     const double t39 = t16 * t31 * t38;
-    const double t40 = t31 * (t17 * t37 - t15 * t38);
+    const double t40 = t31 * (t17 * t36 - t15 * t38);
     double u7 = 0.075;
     const double t41 = (u7 < t39 ? u7 : t39);
-    const double t42 = (u7 < t40 ? u7 : t40);
     double u8 = -0.075;
-    const double t43 = (u8 > t41 ? u8 : t41);
-    const double t44 = (u8 > t42 ? u8 : t42);
-    const double t45 = t37 + t43;
+    const double t42 = (u8 > t41 ? u8 : t41);
+    const double t43 = (u7 < t40 ? u7 : t40);
+    const double t44 = (u8 > t43 ? u8 : t43);
+    const double t45 = t36 + t42;
     const double t46 = t38 + t44;
     const double t47 = (u5 < t45 ? u5 : t45);
-    const double t48 = (u5 < t46 ? u5 : t46);
-    const double t49 = (!(t47 <= u6) ? t47 : u6);
-    const double t50 = (!(t48 <= u6) ? t48 : u6);
-    *xi = 2.0 * t49;
+    const double t48 = (!(t47 <= u6) ? t47 : u6);
+    const double t49 = (u5 < t46 ? u5 : t46);
+    const double t50 = (!(t49 <= u6) ? t49 : u6);
+    *xi = 2.0 * t48;
     *eta = 2.0 * t50;
 }
 
@@ -1029,11 +1029,11 @@ FOOTPOINT_FN void footpoint_whole_quad4_newton_at(const double xA[3], const doub
     const double t47 = t45 * (t37 * t41 - t38 * t42 - t31 * t44) - 0.15;
     double u7 = 1.0;
     const double t48 = (u7 < t46 ? u7 : t46);
-    const double t49 = (u7 < t47 ? u7 : t47);
     double u8 = -1.0;
-    const double t50 = (!(t48 <= u8) ? t48 : u8);
-    const double t51 = (!(t49 <= u8) ? t49 : u8);
-    *xi = t50;
+    const double t49 = (!(t48 <= u8) ? t48 : u8);
+    const double t50 = (u7 < t47 ? u7 : t47);
+    const double t51 = (!(t50 <= u8) ? t50 : u8);
+    *xi = t49;
     *eta = t51;
 }
 
@@ -1134,12 +1134,12 @@ FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const doub
     const double t27 = t24 * t13 - t15 * t25;
     const double t28 = t4 * t4 + t5 * t5 + t6 * t6;
     double u4 = 0.575;
-    const double t29 = (u4 < t22 ? u4 : t22);
-    const double t30 = (u4 < t23 ? u4 : t23);
+    const double t29 = (u4 < t23 ? u4 : t23);
     double u5 = -0.425;
-    const double t31 = (u5 > t29 ? u5 : t29);
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = t32 * t21 * t31;
+    const double t30 = (u5 > t29 ? u5 : t29);
+    const double t31 = (u4 < t22 ? u4 : t22);
+    const double t32 = (u5 > t31 ? u5 : t31);
+    const double t33 = t30 * t21 * t32;
     const double t34 = t26 * t33 - t22;
     const double t35 = t23 + t27 * t33;
     const double t36 = t25 + t28 * t34;
@@ -1161,11 +1161,11 @@ FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const doub
     const double t51 = (t42 * t45 - t40 * t46 - t35 * t48) * t49 - 0.15;
     double u7 = 1.0;
     const double t52 = (u7 < t50 ? u7 : t50);
-    const double t53 = (u7 < t51 ? u7 : t51);
     double u8 = -1.0;
-    const double t54 = (!(t52 <= u8) ? t52 : u8);
-    const double t55 = (!(t53 <= u8) ? t53 : u8);
-    *xi = t54;
+    const double t53 = (!(t52 <= u8) ? t52 : u8);
+    const double t54 = (u7 < t51 ? u7 : t51);
+    const double t55 = (!(t54 <= u8) ? t54 : u8);
+    *xi = t53;
     *eta = t55;
 }
 
@@ -1266,15 +1266,15 @@ FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const do
     const double t27 = (t21 * t16 - t23 * t15) * t22;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     double u4 = 0.575;
-    const double t29 = (u4 < t24 ? u4 : t24);
-    const double t30 = (u4 < t25 ? u4 : t25);
+    const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
-    const double t31 = (u5 > t29 ? u5 : t29);
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = t26 * t31 + 1.0 + t27 * t32;
+    const double t30 = (u5 > t29 ? u5 : t29);
+    const double t31 = (u4 < t24 ? u4 : t24);
+    const double t32 = (u5 > t31 ? u5 : t31);
+    const double t33 = t26 * t32 + 1.0 + t27 * t30;
     double u6 = 0.5;
     const double t34 = (u6 > t33 ? u6 : t33);
-    const double t35 = t32 * t31 * t34;
+    const double t35 = t30 * t32 * t34;
     const double t36 = t24 + t27 * t35;
     const double t37 = t25 + t26 * t35;
     const double t38 = t23 - t28 * t36;
@@ -1304,21 +1304,21 @@ FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const do
     const double t61 = t51 * (t42 * t59 - t44 * t58);
     double u8 = 0.05;
     const double t62 = (u8 < t60 ? u8 : t60);
-    const double t63 = (u8 < t61 ? u8 : t61);
     double u9 = -0.05;
-    const double t64 = (u9 > t62 ? u9 : t62);
-    const double t65 = (u9 > t63 ? u9 : t63);
-    const double t66 = t53 - 0.075 - t64;
+    const double t63 = (u9 > t62 ? u9 : t62);
+    const double t64 = (u8 < t61 ? u8 : t61);
+    const double t65 = (u9 > t64 ? u9 : t64);
+    const double t66 = t53 - 0.075 - t63;
     const double t67 = t52 - 0.075 - t65;
     const double u10 = 2.0 * t66;
     double u11 = 1.0;
     const double t68 = (u11 < u10 ? u11 : u10);
-    const double u12 = 2.0 * t67;
-    const double t69 = (u11 < u12 ? u11 : u12);
-    double u13 = -1.0;
-    const double t70 = (!(t68 <= u13) ? t68 : u13);
-    const double t71 = (!(t69 <= u13) ? t69 : u13);
-    *xi = t70;
+    double u12 = -1.0;
+    const double t69 = (!(t68 <= u12) ? t68 : u12);
+    const double u13 = 2.0 * t67;
+    const double t70 = (u11 < u13 ? u11 : u13);
+    const double t71 = (!(t70 <= u12) ? t70 : u12);
+    *xi = t69;
     *eta = t71;
 }
 
@@ -1420,15 +1420,15 @@ FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
     double u4 = 0.575;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -1471,11 +1471,11 @@ FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double
     const double t74 = (t65 * t68 - t63 * t69 - t58 * t71) * t72 - 0.15;
     double u9 = 1.0;
     const double t75 = (u9 < t73 ? u9 : t73);
-    const double t76 = (u9 < t74 ? u9 : t74);
     double u10 = -1.0;
-    const double t77 = (!(t75 <= u10) ? t75 : u10);
-    const double t78 = (!(t76 <= u10) ? t76 : u10);
-    *xi = t77;
+    const double t76 = (!(t75 <= u10) ? t75 : u10);
+    const double t77 = (u9 < t74 ? u9 : t74);
+    const double t78 = (!(t77 <= u10) ? t77 : u10);
+    *xi = t76;
     *eta = t78;
 }
 
@@ -1577,15 +1577,15 @@ FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const dou
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
     double u4 = 0.575;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -1649,11 +1649,11 @@ FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const dou
     const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91) - 0.15;
     double u10 = 1.0;
     const double t95 = (u10 < t93 ? u10 : t93);
-    const double t96 = (u10 < t94 ? u10 : t94);
     double u11 = -1.0;
-    const double t97 = (!(t95 <= u11) ? t95 : u11);
-    const double t98 = (!(t96 <= u11) ? t96 : u11);
-    *xi = t97;
+    const double t96 = (!(t95 <= u11) ? t95 : u11);
+    const double t97 = (u10 < t94 ? u10 : t94);
+    const double t98 = (!(t97 <= u11) ? t97 : u11);
+    *xi = t96;
     *eta = t98;
 }
 
@@ -1755,15 +1755,15 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
     double u4 = 0.575;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -1848,20 +1848,20 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     const double t113 = t86 * (t77 * t112 - t78 * t111);
     const double t114 = t86 * (t77 * t111 - t79 * t112);
     const double t115 = (u9 < t113 ? u9 : t113);
-    const double t116 = (u9 < t114 ? u9 : t114);
-    const double t117 = (u10 > t115 ? u10 : t115);
-    const double t118 = (u10 > t116 ? u10 : t116);
-    const double t119 = t88 - 0.075 - t117;
+    const double t116 = (u10 > t115 ? u10 : t115);
+    const double t117 = (u9 < t114 ? u9 : t114);
+    const double t118 = (u10 > t117 ? u10 : t117);
+    const double t119 = t88 - 0.075 - t116;
     const double t120 = t87 - 0.075 - t118;
     const double u12 = 2.0 * t119;
     double u13 = 1.0;
     const double t121 = (u13 < u12 ? u13 : u12);
-    const double u14 = 2.0 * t120;
-    const double t122 = (u13 < u14 ? u13 : u14);
-    double u15 = -1.0;
-    const double t123 = (!(t121 <= u15) ? t121 : u15);
-    const double t124 = (!(t122 <= u15) ? t122 : u15);
-    *xi = t123;
+    double u14 = -1.0;
+    const double t122 = (!(t121 <= u14) ? t121 : u14);
+    const double u15 = 2.0 * t120;
+    const double t123 = (u13 < u15 ? u13 : u15);
+    const double t124 = (!(t123 <= u14) ? t123 : u14);
+    *xi = t122;
     *eta = t124;
 }
 
@@ -1963,15 +1963,15 @@ FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
     double u4 = 0.575;
-    const double t30 = (u4 < t24 ? u4 : t24);
-    const double t31 = (u4 < t25 ? u4 : t25);
+    const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
-    const double t32 = (u5 > t30 ? u5 : t30);
-    const double t33 = (u5 > t31 ? u5 : t31);
-    const double t34 = t26 * t32 + 1.0 + t27 * t33;
+    const double t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = (u4 < t24 ? u4 : t24);
+    const double t33 = (u5 > t32 ? u5 : t32);
+    const double t34 = t26 * t33 + 1.0 + t27 * t31;
     double u6 = 0.5;
     const double t35 = (u6 > t34 ? u6 : t34);
-    const double t36 = t33 * t32 * t35;
+    const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
     const double t39 = t23 - t28 * t37;
@@ -2056,11 +2056,11 @@ FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double
     const double t114 = t112 * (t104 * t108 - t105 * t109 - t98 * t111) - 0.15;
     double u11 = 1.0;
     const double t115 = (u11 < t113 ? u11 : t113);
-    const double t116 = (u11 < t114 ? u11 : t114);
     double u12 = -1.0;
-    const double t117 = (!(t115 <= u12) ? t115 : u12);
-    const double t118 = (!(t116 <= u12) ? t116 : u12);
-    *xi = t117;
+    const double t116 = (!(t115 <= u12) ? t115 : u12);
+    const double t117 = (u11 < t114 ? u11 : t114);
+    const double t118 = (!(t117 <= u12) ? t117 : u12);
+    *xi = t116;
     *eta = t118;
 }
 
@@ -2201,10 +2201,10 @@ FOOTPOINT_FN void footpoint_whole_quad4_program1_at(const double xA[3], const do
     const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
     const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
     const double t64 = (u5 < t62 ? u5 : t62);
-    const double t65 = (u5 < t63 ? u5 : t63);
-    const double t66 = (!(t64 <= u6) ? t64 : u6);
-    const double t67 = (!(t65 <= u6) ? t65 : u6);
-    *xi = 2.0 * t66;
+    const double t65 = (!(t64 <= u6) ? t64 : u6);
+    const double t66 = (u5 < t63 ? u5 : t63);
+    const double t67 = (!(t66 <= u6) ? t66 : u6);
+    *xi = 2.0 * t65;
     *eta = 2.0 * t67;
 }
 
@@ -2366,10 +2366,10 @@ FOOTPOINT_FN void footpoint_whole_quad4_program2_at(const double xA[3], const do
     const double t82 = (t73 * t78 - t72 * t77 - t65 * t80) * t81;
     const double t83 = (t74 * t77 - t72 * t78 - t67 * t80) * t81;
     const double t84 = (u5 < t82 ? u5 : t82);
-    const double t85 = (u5 < t83 ? u5 : t83);
-    const double t86 = (!(t84 <= u6) ? t84 : u6);
-    const double t87 = (!(t85 <= u6) ? t85 : u6);
-    *xi = 2.0 * t86;
+    const double t85 = (!(t84 <= u6) ? t84 : u6);
+    const double t86 = (u5 < t83 ? u5 : t83);
+    const double t87 = (!(t86 <= u6) ? t86 : u6);
+    *xi = 2.0 * t85;
     *eta = 2.0 * t87;
 }
 
@@ -2544,10 +2544,10 @@ FOOTPOINT_FN void footpoint_whole_quad4_program3_at(const double xA[3], const do
     const double t95 = (t86 * t91 - t85 * t90 - t79 * t93) * t94;
     const double t96 = (t87 * t90 - t85 * t91 - t80 * t93) * t94;
     const double t97 = (u3 < t95 ? u3 : t95);
-    const double t98 = (u3 < t96 ? u3 : t96);
-    const double t99 = (!(t97 <= u4) ? t97 : u4);
-    const double t100 = (!(t98 <= u4) ? t98 : u4);
-    *xi = 2.0 * t99;
+    const double t98 = (!(t97 <= u4) ? t97 : u4);
+    const double t99 = (u3 < t96 ? u3 : t96);
+    const double t100 = (!(t99 <= u4) ? t99 : u4);
+    *xi = 2.0 * t98;
     *eta = 2.0 * t100;
 }
 
