@@ -157,7 +157,7 @@ mkdir "$work/fresh"
 for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     name=$(basename "$file" .gen)
     case $name in *-float) continue ;; esac # quad4's
-    case $name in paper-* | whole-* | punch-* | rectangle-* | tri6 | quad8 | quad9 | gregory) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
+    case $name in paper-* | whole-* | punch-* | blocks-* | rectangle-* | tri6 | quad8 | quad9 | gregory) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
     poles=--allow-poles
     [ "$name" != scalars ] || poles=
     for type in double float; do
