@@ -4,7 +4,7 @@
 
 #include "../../generated/footpoint_quad4_float.h"
 #include "hard.h"
-#include "judge.h"
+#include "verdict.h"
 
 #include <math.h>
 #include <stdio.h>

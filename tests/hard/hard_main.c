@@ -6,7 +6,7 @@
 #include "../trust_region.h"
 #include "hard.h"
 #include "hard_float.h"
-#include "judge.h"
+#include "verdict.h"
 
 #include <math.h>
 #include <stdio.h>

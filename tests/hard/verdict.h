@@ -1,6 +1,6 @@
 /* How far an answer is from the truth, for the judges of double and of float. */
-#ifndef FOOTPOINT_JUDGE_H
-#define FOOTPOINT_JUDGE_H
+#ifndef FOOTPOINT_VERDICT_H
+#define FOOTPOINT_VERDICT_H
 
 #include "truth.h"
 

@@ -1,5 +1,5 @@
-/* Distances from the truth; see judge.h. */
-#include "judge.h"
+/* Distances from the truth; see verdict.h. */
+#include "verdict.h"
 
 #include <math.h>
 
