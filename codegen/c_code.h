@@ -15,7 +15,7 @@ void c_print(const char *text, enum precision precision, const char *name, FILE 
 /** The statements of a function, indented. */
 void c_print_statements(const struct unit *u, const struct function *f, FILE *out);
 
-/** Whether the status compares with limits that go with the size of the segment: the header then needs powers of |AB|. */
+/** Whether the status compares with limits that go with the size of the segment: the header needs powers of |AB|. */
 bool c_scales_status(const struct unit *u, const struct function *f);
 
 /** `return` of the status: whether each denominator that may be 0 is far enough from it. */

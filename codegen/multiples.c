@@ -87,7 +87,7 @@ static size_t end_of_run(const struct entries *x, size_t first, size_t *saved)
     return i;
 }
 
-/* Same nodes, same numbers, whatever their order. */
+/* Same nodes, same numbers, though they are in no order and not unique any more, as dag_copy() wants them. */
 static struct dag *same_graph(const struct dag *g)
 {
     struct dag *copy = dag_new(g->inputs);

@@ -1,9 +1,9 @@
 /* Order: everything that no choice (min, max, protected quotient) decides before the first choice, then those choices,
  * then everything that they alone decide, and so on.  So arithmetic stands in long runs, and the two choices of a clamp
  * beside each other: compilers make jumps of choices, and what stands between two jumps is neither reordered nor, once
- * they are masks of a loop, free of them.  Inside a stage of arithmetic what the longest chain to an output waits for comes
- * first: processors look only so far ahead, and compilers keep the order.  Like chains, as those of x, y and z, so run
- * side by side.  The scales are chosen in scales.c. */
+ * they are masks of a loop, free of them.  Inside a stage of arithmetic what the longest chain to an output waits for
+ * comes first: processors look only so far ahead, and compilers keep the order.  Like chains, as those of x, y and z,
+ * so run side by side.  The scales are chosen in scales.c. */
 #include "schedule.h"
 
 #include "scales.h"
@@ -118,8 +118,8 @@ static int compare_places(const void *a, const void *b)
     return (x->before > y->before) - (x->before < y->before);
 }
 
-/* Sorts each stage of arithmetic by the chains that wait; no node waits for longer than its operands, and as before if as
- * long. */
+/* Sorts each stage of arithmetic by the chains that wait; no node waits for longer than its operands, and as before if
+ * as long. */
 static void order_urgent(struct schedule *s)
 {
     struct cost_model latency;

@@ -227,8 +227,9 @@ static bool consistent(const struct evolve_options *o, const bool given[ENTRIES]
 {
     if (!o->scene)
         return usage(d, "--scene is missing%s%s", "", "; see --help");
-    if (!exclude(given, "start", "from-scratch", d) || !exclude(given, "resume", "samples", d) || !exclude(given, "resume", "start", d) ||
-        !exclude(given, "resume", "from-scratch", d) || !exclude(given, "resume", "seeds", d))
+    if (!exclude(given, "start", "from-scratch", d) || !exclude(given, "resume", "samples", d) ||
+        !exclude(given, "resume", "start", d) || !exclude(given, "resume", "from-scratch", d) ||
+        !exclude(given, "resume", "seeds", d))
         return false;
     if (given[find_entry("checkpoint-every")] && !o->checkpoint)
         return usage(d, "--checkpoint-every needs %s%s", "--checkpoint", "");

@@ -90,7 +90,7 @@ static void judge(search *find, double worst, const struct single *s, const stru
         a->wrong_status++;
         return;
     }
-    const double loc[2] = {(double)found[0], (double)found[1]}, error = judge_free(t, loc, worst);
+    const double loc[2] = {(double)found[0], (double)found[1]}, error = verdict_free(t, loc, worst);
     a->worst = fmax(a->worst, error);
     a->wrong += !(error <= worst) || !gap_is_right(&t->surface, loc, (double)gap);
 }

@@ -75,10 +75,10 @@ static double closest_error(const struct truth *t, const double loc[2], double *
 {
     const wide z[2] = {loc[0], loc[1]};
     double least = INFINITY;
-    *higher = judge_root(truth_square(&t->surface, z)) - judge_root(t->point[0].square);
-    for (int k = 0; k < t->count && judge_root(t->point[k].square) <= judge_root(t->point[0].square) + judge_tie(t);
-         k++)
-        least = fmin(least, judge_between(&t->surface, z, t->point[k].z));
+    *higher = verdict_root(truth_square(&t->surface, z)) - verdict_root(t->point[0].square);
+    for (int k = 0;
+         k < t->count && verdict_root(t->point[k].square) <= verdict_root(t->point[0].square) + verdict_tie(t); k++)
+        least = fmin(least, verdict_between(&t->surface, z, t->point[k].z));
     return least;
 }
 
@@ -86,8 +86,8 @@ static double closest_error(const struct truth *t, const double loc[2], double *
 static int is_ambiguous(const struct truth *t)
 {
     for (int k = 1; k < t->count; k++)
-        if (judge_root(t->point[k].square) <= judge_root(t->point[0].square) + 4 * judge_tie(t) &&
-            (judge_between(&t->surface, t->point[0].z, t->point[k].z) > 1e-11 || t->count == TRUTH_MOST))
+        if (verdict_root(t->point[k].square) <= verdict_root(t->point[0].square) + 4 * verdict_tie(t) &&
+            (verdict_between(&t->surface, t->point[0].z, t->point[k].z) > 1e-11 || t->count == TRUTH_MOST))
             return 1;
     return t->point[0].least < 1e-5 * (1 + t->surface.distance);
 }
@@ -115,7 +115,7 @@ static void judge_closest(const struct method *m, const struct hard_case *h, con
                           const double loc[2], double dist, struct tally *tally)
 {
     double higher, error = closest_error(t, loc, &higher);
-    const double true_dist = judge_root(t->point[0].square) * t->surface.scale;
+    const double true_dist = verdict_root(t->point[0].square) * t->surface.scale;
     if (m->ours && !(fabs(fabs(dist) - true_dist) <= CLOSEST_ERROR * (t->surface.scale + true_dist)))
         tally->wrong++;
     if (status == FOOTPOINT_NOT_UNIQUE || status == FOOTPOINT_ERR_DEGENERATE) {
@@ -173,7 +173,7 @@ static void judge(const struct method *m, const struct hard_case *h, struct trut
     if (t->count == 0)
         return;
     if (m->free) {
-        const double error = judge_free(t, loc, BANNER_WORST);
+        const double error = verdict_free(t, loc, BANNER_WORST);
         tally->worst = fmax(tally->worst, error);
         tally->wrong += !(error <= m->error);
         return;

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-double judge_between(const struct truth_surface *f, const wide p[2], const wide q[2])
+double verdict_between(const struct truth_surface *f, const wide p[2], const wide q[2])
 {
     wide d[3], e[3];
     double most = 0;
@@ -14,27 +14,27 @@ double judge_between(const struct truth_surface *f, const wide p[2], const wide 
     return most;
 }
 
-double judge_root(wide x)
+double verdict_root(wide x)
 {
     return sqrt((double)x);
 }
 
-double judge_tie(const struct truth *t)
+double verdict_tie(const struct truth *t)
 {
     return 1e-13 * (1 + t->surface.distance);
 }
 
 /* A foot point: near a stationary point, which is the closest one of the segment if any is inside. */
-double judge_free(const struct truth *t, const double loc[2], double worst)
+double verdict_free(const struct truth *t, const double loc[2], double worst)
 {
     wide z[2];
     if (!truth_stationary(&t->surface, loc, z))
         return INFINITY;
     const double error = fmax(fabs((double)(z[0] - loc[0])), fabs((double)(z[1] - loc[1])));
     const int inside = z[0] * z[0] <= 1 && z[1] * z[1] <= 1;
-    if (inside && judge_root(truth_square(&t->surface, z)) > judge_root(t->point[0].square) + judge_tie(t))
+    if (inside && verdict_root(truth_square(&t->surface, z)) > verdict_root(t->point[0].square) + verdict_tie(t))
         return INFINITY;
-    if (!inside && !t->point[0].on_edge && judge_between(&t->surface, z, t->point[0].z) > worst)
+    if (!inside && !t->point[0].on_edge && verdict_between(&t->surface, z, t->point[0].z) > worst)
         return INFINITY;
     return error;
 }

@@ -5,16 +5,16 @@
 #include "truth.h"
 
 /** The largest component of r(p) - r(q), in the unit of the surface. */
-double judge_between(const struct truth_surface *f, const wide p[2], const wide q[2]);
+double verdict_between(const struct truth_surface *f, const wide p[2], const wide q[2]);
 
-double judge_root(wide x);
+double verdict_root(wide x);
 
 /** Rounding errors of distances. */
-double judge_tie(const struct truth *t);
+double verdict_tie(const struct truth *t);
 
 /** Of a foot point, inside the segment or not: distance in xi and eta from the stationary point that is meant; INFINITY
  *  where that is not the closest point of the segment though one inside is, or where there is none.  `worst`: the error
  *  that answers may have. */
-double judge_free(const struct truth *t, const double loc[2], double worst);
+double verdict_free(const struct truth *t, const double loc[2], double worst);
 
 #endif
