@@ -133,9 +133,8 @@ static size_t locate_block(const struct batch *batch, size_t first)
     struct block b;
     const struct lanes *const lanes = batch->lanes;
     const struct footpoint_pairs *const p = batch->p;
-    if (lanes->any_outside[batch->kind & KIND_WIDE](p, first))
+    if (!lanes->gather[batch->kind](&b, p, first))
         return locate_checked(batch, first, BLOCK);
-    lanes->gather[batch->kind](&b, p, first);
     if (p->n - first >= AHEAD + BLOCK)
         fetch_places(&batch->to, first + AHEAD);
     lanes->search[batch->tier](&b, BLOCK);
@@ -147,6 +146,13 @@ static size_t locate_block(const struct batch *batch, size_t first)
     }
     store_block(&batch->to, &b, first);
     return 0;
+}
+
+static int kind_of(const struct footpoint_pairs *p)
+{
+    const int triples =
+        p->stride > 2 && (p->x ? p->y == p->x + 1 && p->z == p->x + 2 : p->yf == p->xf + 1 && p->zf == p->xf + 2);
+    return (p->seg64 ? KIND_WIDE : 0) | (p->x ? 0 : KIND_FLOAT) | (triples ? KIND_TRIPLES : 0);
 }
 
 static int is_tier(enum footpoint_tier tier)
@@ -174,8 +180,7 @@ static size_t locate(const struct footpoint_pairs *p, enum footpoint_tier tier, 
         refuse(to->status, p->n);
         return p->n;
     }
-    const struct batch batch = {p, footpoint_batch_lanes(), *to, tier,
-                                (p->seg64 ? KIND_WIDE : 0) | (p->x ? 0 : KIND_FLOAT)};
+    const struct batch batch = {p, footpoint_batch_lanes(), *to, tier, kind_of(p)};
     const ptrdiff_t blocks = (ptrdiff_t)(p->n / BLOCK);
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) reduction(+ : failed)

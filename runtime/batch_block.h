@@ -15,15 +15,14 @@ struct block {
     int64_t status[BLOCK];
 };
 
-/* Kinds of arrays: indices of 64 bits, coordinates in float. */
-enum { KIND_WIDE = 1, KIND_FLOAT = 2, KINDS = 4 };
+/* Kinds of arrays: indices of 64 bits, coordinates in float, x, y and z of a node side by side. */
+enum { KIND_WIDE = 1, KIND_FLOAT = 2, KIND_TRIPLES = 4, KINDS = 8 };
 
 /* Counts are multiples of LANES. */
 struct lanes {
-    /* 0 only if all indices of the BLOCK pairs from number `first` are in range. */
-    int (*any_outside[2])(const struct footpoint_pairs *p, size_t first);
-    /* Columns x of these pairs, and a look ahead. */
-    void (*gather[KINDS])(struct block *b, const struct footpoint_pairs *p, size_t first);
+    /* Columns x of the BLOCK pairs from number `first`, and a look ahead; 0, and no columns, if an index is out of
+     * range or, among triples, that of the last node, behind which there may be nothing to read. */
+    int (*gather[KINDS])(struct block *b, const struct footpoint_pairs *p, size_t first);
     /* xi and eta from x; `prepared`, here and below, takes the corners of the first pair for all. */
     void (*search[FOOTPOINT_TIERS])(struct block *b, size_t count);
     void (*prepared[FOOTPOINT_TIERS])(struct block *b, size_t count);

@@ -15,6 +15,11 @@
 #if defined(__GNUC__) && defined(__x86_64__)
 #define HAVE_X86 1
 #endif
+#if defined(HAVE_X86) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector) && __has_builtin(__builtin_convertvector)
+#define HAVE_VECTORS 1
+#endif
+#endif
 
 /* ---- from the mesh into columns ---- */
 
@@ -23,9 +28,10 @@
 
 FOOTPOINT_FN int any_outside(const struct footpoint_pairs *p, size_t first, int kind)
 {
+    const size_t beyond = kind & KIND_TRIPLES ? 2 : 1;
     if (kind & KIND_WIDE) {
         const int64_t *const seg = p->seg64 + 4 * first, *const slave = p->slave64 + first;
-        const uint64_t last = (uint64_t)p->nodes - 1;
+        const uint64_t last = (uint64_t)p->nodes - beyond;
         uint64_t out = 0;
         for (size_t i = 0; i < 4 * BLOCK; i++)
             out |= OUTSIDE((uint64_t)seg[i], last);
@@ -34,7 +40,8 @@ FOOTPOINT_FN int any_outside(const struct footpoint_pairs *p, size_t first, int 
         return out >> 63 != 0;
     }
     const int32_t *const seg = p->seg + 4 * first, *const slave = p->slave + first;
-    const uint32_t last = p->nodes > INT32_MAX ? INT32_MAX : (uint32_t)p->nodes - 1;
+    const uint32_t last =
+        p->nodes - beyond > INT32_MAX && p->nodes >= beyond ? INT32_MAX : (uint32_t)(p->nodes - beyond);
     uint32_t out = 0;
     for (size_t i = 0; i < 4 * BLOCK; i++)
         out |= OUTSIDE((uint32_t)seg[i], last);
@@ -66,9 +73,8 @@ FOOTPOINT_FN void fetch_nodes(const struct footpoint_pairs *p, size_t first, int
 #endif
 }
 
-/* Two pairs at a time: processors write two neighbours at once, and their own gather instructions may be slow.  Of
- * columns, which share lines among more nodes, they look ahead by themselves. */
-FOOTPOINT_FN void gather(struct block *b, const struct footpoint_pairs *p, size_t first, int kind)
+/* Two pairs at a time, as processors write two neighbours at once. */
+FOOTPOINT_FN void gather_pairs(struct block *b, const struct footpoint_pairs *p, size_t first, int kind)
 {
     for (size_t i = 0; i < BLOCK; i += 2)
         for (size_t k = 0; k < 5; k++) {
@@ -82,8 +88,113 @@ FOOTPOINT_FN void gather(struct block *b, const struct footpoint_pairs *p, size_
             z[0] = kind & KIND_FLOAT ? (double)p->zf[at] : p->z[at];
             z[1] = kind & KIND_FLOAT ? (double)p->zf[next] : p->z[next];
         }
-    if (p->n - first >= AHEAD + BLOCK && p->stride > 1)
+}
+
+#ifdef HAVE_VECTORS
+typedef double quad __attribute__((vector_size(32)));
+typedef double octet __attribute__((vector_size(64)));
+typedef double quad_there __attribute__((vector_size(32), aligned(8), may_alias));
+typedef float quad_there_float __attribute__((vector_size(16), aligned(4), may_alias));
+
+/* Columns of eight pairs, in stores as wide as the loads that follow: others cannot be forwarded. */
+FOOTPOINT_FN void put(double *column, const quad *low, const quad *high, int vectors)
+{
+    if (vectors == 8) {
+        *(octet *)column = __builtin_shufflevector(*low, *high, 0, 1, 2, 3, 4, 5, 6, 7);
+    } else {
+        *(quad *)column = *low;
+        *(quad *)(column + 4) = *high;
+    }
+}
+
+/* Node k of four pairs out of columns, those of x, y and z; the processors' own gather instructions may be slow. */
+FOOTPOINT_FN void read_columns(const struct footpoint_pairs *p, size_t first, size_t k, int kind, size_t stride,
+                               quad *x, quad *y, quad *z)
+{
+    const size_t a = stride * index_of(p, first, k, kind), b = stride * index_of(p, first + 1, k, kind);
+    const size_t c = stride * index_of(p, first + 2, k, kind), d = stride * index_of(p, first + 3, k, kind);
+    if (kind & KIND_FLOAT) {
+        *x = (quad){(double)p->xf[a], (double)p->xf[b], (double)p->xf[c], (double)p->xf[d]};
+        *y = (quad){(double)p->yf[a], (double)p->yf[b], (double)p->yf[c], (double)p->yf[d]};
+        *z = (quad){(double)p->zf[a], (double)p->zf[b], (double)p->zf[c], (double)p->zf[d]};
+    } else {
+        *x = (quad){p->x[a], p->x[b], p->x[c], p->x[d]};
+        *y = (quad){p->y[a], p->y[b], p->y[c], p->y[d]};
+        *z = (quad){p->z[a], p->z[b], p->z[c], p->z[d]};
+    }
+}
+
+/* x, y and z of node k of a pair, and the number that follows them. */
+FOOTPOINT_FN void read_triple(const struct footpoint_pairs *p, size_t pair, size_t k, int kind, size_t stride,
+                              quad *node)
+{
+    const size_t at = stride * index_of(p, pair, k, kind);
+    if (kind & KIND_FLOAT)
+        *node = __builtin_convertvector(*(const quad_there_float *)(p->xf + at), quad);
+    else
+        *node = *(const quad_there *)(p->x + at);
+}
+
+/* The same as read_columns out of triples: transposed. */
+FOOTPOINT_FN void read_triples(const struct footpoint_pairs *p, size_t first, size_t k, int kind, size_t stride,
+                               quad *x, quad *y, quad *z)
+{
+    quad a, b, c, d;
+    read_triple(p, first, k, kind, stride, &a);
+    read_triple(p, first + 1, k, kind, stride, &b);
+    read_triple(p, first + 2, k, kind, stride, &c);
+    read_triple(p, first + 3, k, kind, stride, &d);
+    const quad xz = __builtin_shufflevector(a, b, 0, 4, 2, 6), xz2 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const quad yy = __builtin_shufflevector(a, b, 1, 5, 1, 5), yy2 = __builtin_shufflevector(c, d, 1, 5, 1, 5);
+    *x = __builtin_shufflevector(xz, xz2, 0, 1, 4, 5);
+    *y = __builtin_shufflevector(yy, yy2, 0, 1, 4, 5);
+    *z = __builtin_shufflevector(xz, xz2, 2, 3, 6, 7);
+}
+
+FOOTPOINT_FN void gather_octets(struct block *b, const struct footpoint_pairs *p, size_t first, int kind, int vectors,
+                                size_t stride)
+{
+    for (size_t i = 0; i < BLOCK; i += 8)
+        for (size_t k = 0; k < 5; k++) {
+            quad x, y, z, x2, y2, z2;
+            if (kind & KIND_TRIPLES) {
+                read_triples(p, first + i, k, kind, stride, &x, &y, &z);
+                read_triples(p, first + i + 4, k, kind, stride, &x2, &y2, &z2);
+            } else {
+                read_columns(p, first + i, k, kind, stride, &x, &y, &z);
+                read_columns(p, first + i + 4, k, kind, stride, &x2, &y2, &z2);
+            }
+            put(b->x[3 * k] + i, &x, &x2, vectors);
+            put(b->x[3 * k + 1] + i, &y, &y2, vectors);
+            put(b->x[3 * k + 2] + i, &z, &z2, vectors);
+        }
+}
+#else
+#define gather_octets(b, p, first, kind, vectors, stride) gather_pairs(b, p, first, kind)
+#endif
+
+/* Whether pairs follow each other in the mesh, too: then processors look ahead by themselves. */
+FOOTPOINT_FN int is_near(const struct footpoint_pairs *p, size_t first, size_t k, int kind)
+{
+    return index_of(p, first + BLOCK - 1, k, kind) - index_of(p, first, k, kind) + 8 * BLOCK < 16 * BLOCK;
+}
+
+/* Columns share lines among more nodes. */
+FOOTPOINT_FN int gather(struct block *b, const struct footpoint_pairs *p, size_t first, int kind, int vectors)
+{
+    if (any_outside(p, first, kind))
+        return 0;
+    const size_t usual = kind & KIND_TRIPLES ? 3 : 1;
+    if (vectors && p->stride == usual)
+        gather_octets(b, p, first, kind, vectors, usual);
+    else if (vectors)
+        gather_octets(b, p, first, kind, vectors, p->stride);
+    else
+        gather_pairs(b, p, first, kind);
+    if (p->n - first >= AHEAD + BLOCK && kind & KIND_TRIPLES &&
+        !(is_near(p, first, 0, kind) && is_near(p, first, 4, kind)))
         fetch_nodes(p, first + AHEAD, kind);
+    return 1;
 }
 
 /* ---- gaps and statuses ---- */
@@ -134,41 +245,64 @@ FOOTPOINT_FN void verify(struct block *b, size_t count)
     }
 }
 
-/* The lesser of two numbers; one of a and b if either is not a number. */
-FOOTPOINT_FN double lesser(double a, double b)
+/* a b + c, in one rounding if `fused`. */
+FOOTPOINT_FN double multiply_add(double a, double b, double c, int fused)
 {
-    return a < b ? a : b;
+#ifdef __GNUC__
+    if (fused)
+        return __builtin_fma(a, b, c);
+#endif
+    return a * b + c;
 }
 
-/* Sufficient for FOOTPOINT_OK, at half the price; with `gap` that of footpoint_detail_gap as well, out of what the two
- * have in common, in its order of operations.  For |xi| + |eta| <= 9, |r_xi|^2 is at most 81 times the greater of
- * |AB|^2, |DC|^2, so that the product of its test is less than 82^2 times the one below; the other limits keep
- * everything it forms within the range of double.  Comparisons are few, as each waits for the one before. */
-FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap)
+FOOTPOINT_FN double square(const double a[3], int fused)
+{
+    return multiply_add(a[0], a[0], multiply_add(a[1], a[1], a[2] * a[2], fused), fused);
+}
+
+/* |a|^2 + b */
+FOOTPOINT_FN double add_square(const double a[3], double b, int fused)
+{
+    return multiply_add(a[0], a[0], multiply_add(a[1], a[1], multiply_add(a[2], a[2], b, fused), fused), fused);
+}
+
+/* Sufficient for FOOTPOINT_OK, at half the price and whatever the rounding; with `gap` that of footpoint_detail_gap as
+ * well, out of what the two have in common, in its order of operations.  For |xi| + |eta| <= 9, |r_xi|^2 is at most 81
+ * times the greater of |AB|^2, |DC|^2, so that the product of its test is less than 82^2 times the one below; the other
+ * limits keep everything it forms within the range of double.  A product says that no two corners coincide; where it
+ * leaves the range, this says no. */
+FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
 {
     int64_t bad = 0;
     for (size_t i = 0; i < count; i++) {
         NODES_OF(b, b->xi, 0, i);
-        const double s = 0.5 * (1.0 + b->xi[i]), t = 0.5 * (1.0 + b->eta[i]);
-        double ab[3], dc[3], ad[3], bc[3], ac[3], bd[3], u[3], v[3], d[3], n[3];
+        const double s = gap ? 0.5 * (1.0 + b->xi[i]) : multiply_add(0.5, b->xi[i], 0.5, fused);
+        const double t = gap ? 0.5 * (1.0 + b->eta[i]) : multiply_add(0.5, b->eta[i], 0.5, fused);
+        double ab[3], dc[3], ad[3], bc[3], ac[3], bd[3], u[3], v[3], n[3];
         for (int k = 0; k < 3; k++) {
             ab[k] = xB[k] - xA[k], dc[k] = xC[k] - xD[k], ad[k] = xD[k] - xA[k], bc[k] = xC[k] - xB[k];
             ac[k] = xC[k] - xA[k], bd[k] = xD[k] - xB[k];
-            u[k] = ab[k] + t * (dc[k] - ab[k]);
-            v[k] = ad[k] + s * (bc[k] - ad[k]);
-            d[k] = (xS[k] - xA[k]) - s * ab[k] - t * v[k];
+            u[k] = multiply_add(t, dc[k] - ab[k], ab[k], fused && !gap);
+            v[k] = multiply_add(s, gap ? bc[k] - ad[k] : dc[k] - ab[k], ad[k], fused && !gap);
         }
-        vector_cross(u, v, n);
-        const double nn = vector_dot(n, n), far = vector_dot(xA, xA) + vector_dot(xS, xS);
-        const double ab2 = vector_dot(ab, ab), dc2 = vector_dot(dc, dc), xi2 = ab2 + dc2;
-        const double ad2 = vector_dot(ad, ad), bc2 = vector_dot(bc, bc), eta2 = ad2 + bc2;
-        const double diagonals = lesser(vector_dot(ac, ac), vector_dot(bd, bd));
-        const double least = lesser(lesser(lesser(ab2, dc2), lesser(ad2, bc2)), diagonals);
-        const int good = (nn > 1e-15 * (xi2 * eta2 + 1e-180)) & (xi2 + eta2 + far < 1e70) & (least > 0.0) &
+        for (int k = 0; k < 3; k++) {
+            const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+            n[k] = multiply_add(u[k1], v[k2], -(u[k2] * v[k1]), fused && !gap);
+        }
+        const double nn = gap ? vector_dot(n, n) : square(n, fused);
+        const double ab2 = square(ab, fused), dc2 = square(dc, fused), xi2 = ab2 + dc2;
+        const double ad2 = square(ad, fused), bc2 = square(bc, fused), eta2 = ad2 + bc2;
+        const double corners = (ab2 * dc2) * (ad2 * bc2) * (square(ac, fused) * square(bd, fused));
+        const double far = add_square(xA, add_square(xS, xi2 + eta2, fused), fused);
+        const int good = (nn > multiply_add(1e-15 * xi2, eta2, 1e-195, fused)) & (far < 1e70) & (corners > 0.0) &
                          (fabs(b->xi[i]) + fabs(b->eta[i]) <= 9.0);
         bad |= good ? 0 : 1;
-        if (gap)
+        if (gap) {
+            double d[3];
+            for (int k = 0; k < 3; k++)
+                d[k] = (xS[k] - xA[k]) - s * ab[k] - t * v[k];
             b->gap[i] = vector_dot(d, n) / sqrt(nn);
+        }
     }
     return !bad;
 }
@@ -213,33 +347,29 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap)
 
 #define NAME_SEARCH(tier, suffix, attributes) tier##_##suffix,
 #define NAME_PREPARED(tier, suffix, attributes) tier##_prepared_##suffix,
-#define GATHER(kind, suffix, attributes)                                                                               \
-    attributes static void gather##kind##_##suffix(struct block *b, const struct footpoint_pairs *p, size_t first)     \
+#define GATHER(kind, suffix, attributes, vectors)                                                                      \
+    attributes static int gather##kind##_##suffix(struct block *b, const struct footpoint_pairs *p, size_t first)      \
     {                                                                                                                  \
-        gather(b, p, first, kind);                                                                                     \
+        return gather(b, p, first, kind, vectors);                                                                     \
     }
 
-#define INSTRUCTIONS(suffix, attributes)                                                                               \
+#define INSTRUCTIONS(suffix, attributes, vectors)                                                                      \
     TIERS(SEARCH, suffix, attributes)                                                                                  \
-    GATHER(0, suffix, attributes)                                                                                      \
-    GATHER(1, suffix, attributes)                                                                                      \
-    GATHER(2, suffix, attributes)                                                                                      \
-    GATHER(3, suffix, attributes)                                                                                      \
-    attributes static int any_outside32_##suffix(const struct footpoint_pairs *p, size_t first)                        \
-    {                                                                                                                  \
-        return any_outside(p, first, 0);                                                                               \
-    }                                                                                                                  \
-    attributes static int any_outside64_##suffix(const struct footpoint_pairs *p, size_t first)                        \
-    {                                                                                                                  \
-        return any_outside(p, first, KIND_WIDE);                                                                       \
-    }                                                                                                                  \
+    GATHER(0, suffix, attributes, vectors)                                                                             \
+    GATHER(1, suffix, attributes, vectors)                                                                             \
+    GATHER(2, suffix, attributes, vectors)                                                                             \
+    GATHER(3, suffix, attributes, vectors)                                                                             \
+    GATHER(4, suffix, attributes, vectors)                                                                             \
+    GATHER(5, suffix, attributes, vectors)                                                                             \
+    GATHER(6, suffix, attributes, vectors)                                                                             \
+    GATHER(7, suffix, attributes, vectors)                                                                             \
     attributes static int all_good_##suffix(struct block *b, size_t count)                                             \
     {                                                                                                                  \
-        return all_good(b, count, 0);                                                                                  \
+        return all_good(b, count, 0, vectors > 0);                                                                     \
     }                                                                                                                  \
     attributes static int all_good_gaps_##suffix(struct block *b, size_t count)                                        \
     {                                                                                                                  \
-        return all_good(b, count, 1);                                                                                  \
+        return all_good(b, count, 1, vectors > 0);                                                                     \
     }                                                                                                                  \
     attributes static void judge_##suffix(struct block *b, size_t count)                                               \
     {                                                                                                                  \
@@ -253,26 +383,26 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap)
     {                                                                                                                  \
         verify(b, count);                                                                                              \
     }                                                                                                                  \
-    static const struct lanes lanes_##suffix = {                                                                       \
-        {any_outside32_##suffix, any_outside64_##suffix},                                                              \
-        {gather0_##suffix, gather1_##suffix, gather2_##suffix, gather3_##suffix},                                      \
-        {TIERS(NAME_SEARCH, suffix, attributes)},                                                                      \
-        {TIERS(NAME_PREPARED, suffix, attributes)},                                                                    \
-        {all_good_##suffix, all_good_gaps_##suffix},                                                                   \
-        judge_##suffix,                                                                                                \
-        judge_prepared_##suffix,                                                                                       \
-        verify_##suffix};
+    static const struct lanes lanes_##suffix = {{gather0_##suffix, gather1_##suffix, gather2_##suffix,                 \
+                                                 gather3_##suffix, gather4_##suffix, gather5_##suffix,                 \
+                                                 gather6_##suffix, gather7_##suffix},                                  \
+                                                {TIERS(NAME_SEARCH, suffix, attributes)},                              \
+                                                {TIERS(NAME_PREPARED, suffix, attributes)},                            \
+                                                {all_good_##suffix, all_good_gaps_##suffix},                           \
+                                                judge_##suffix,                                                        \
+                                                judge_prepared_##suffix,                                               \
+                                                verify_##suffix};
 
-INSTRUCTIONS(plain, )
+INSTRUCTIONS(plain, , 0)
 
 #ifdef HAVE_X86
 #ifdef __clang__
-#define AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
+#define AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,fma")))
 #else
-#define AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")))
+#define AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512")))
 #endif
-INSTRUCTIONS(avx2, __attribute__((target("avx2"))))
-INSTRUCTIONS(avx512, AVX512)
+INSTRUCTIONS(avx2, __attribute__((target("avx2,fma"))), 4)
+INSTRUCTIONS(avx512, AVX512, 8)
 #endif
 
 const struct lanes *footpoint_batch_lanes_of(int set)
@@ -280,7 +410,7 @@ const struct lanes *footpoint_batch_lanes_of(int set)
 #ifdef HAVE_X86
     if (set == 2 && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
         return &lanes_avx512;
-    if (set == 1 && __builtin_cpu_supports("avx2"))
+    if (set == 1 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
         return &lanes_avx2;
 #endif
     return set == 0 ? &lanes_plain : NULL;

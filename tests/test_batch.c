@@ -289,27 +289,69 @@ static void test_refused(void **state)
     }
 }
 
+/* All instruction sets answer alike, whatever the kind of arrays; a block with the last node is no block of triples. */
 static void test_instruction_sets(void **state)
 {
     static struct block blocks[LANE_SETS];
+    size_t taken[KINDS] = {0};
     (void)state;
     build(0);
     for (size_t first = 0; first + BLOCK <= PAIRS; first += BLOCK)
         for (int tier = 0; tier < 2 * FOOTPOINT_TIERS; tier++)
-            for (int set = 0; set < LANE_SETS; set++) {
-                const struct lanes *const lanes = footpoint_batch_lanes_of(set);
-                if (!lanes)
-                    continue;
-                for (int kind = 0; kind < KINDS; kind++) {
-                    struct footpoint_pairs p = pairs_of(first, BLOCK, 1, kind & KIND_WIDE);
-                    if (kind & KIND_FLOAT)
+            for (int kind = 0; kind < KINDS; kind++) {
+                struct footpoint_pairs p = pairs_of(first, BLOCK, kind & KIND_TRIPLES ? 0 : 1, kind & KIND_WIDE);
+                if (kind & KIND_FLOAT)
+                    p.xf = model.xyzf[0], p.yf = p.xf + 1, p.zf = p.xf + 2, p.stride = 3;
+                for (int set = 0; set < LANE_SETS; set++) {
+                    const struct lanes *const lanes = footpoint_batch_lanes_of(set);
+                    if (!lanes || !lanes->gather[kind](&blocks[set], &p, 0))
                         continue;
-                    lanes->gather[kind](&blocks[set], &p, 0);
                     (tier % 2 ? lanes->prepared : lanes->search)[tier / 2](&blocks[set], BLOCK);
                     (tier % 2 ? lanes->judge_prepared : lanes->judge)(&blocks[set], BLOCK);
                     assert_memory_equal(&blocks[set], &blocks[0], sizeof blocks[0]);
+                    taken[kind]++;
                 }
             }
+    for (int kind = 0; kind < KINDS; kind++)
+        assert_true(taken[kind] > 0 && taken[kind] <= taken[0]);
+}
+
+/* The last node may lie at the very end of an array: nothing behind it is read. */
+static void test_last_node(void **state)
+{
+    enum { LAST = 40 };
+    (void)state;
+    for (size_t bits = 0; bits < 2; bits++) {
+        double *const x = malloc(3 * LAST * sizeof *x);
+        float *const xf = malloc(3 * LAST * sizeof *xf);
+        int32_t seg[BLOCK][4], slave[BLOCK];
+        double loc[BLOCK][2];
+        float locf[BLOCK][2];
+        assert_true(x && xf);
+        for (int i = 0; i < 3 * LAST; i++)
+            xf[i] = (float)(x[i] = (double)(i * i % 17));
+        for (int i = 0; i < BLOCK; i++) {
+            const int32_t corner[4] = {0, 1, 3, 2};
+            memcpy(seg[i], corner, sizeof seg[i]);
+            slave[i] = LAST - 1 - (bits ? i : 0);
+        }
+        const struct footpoint_pairs p = {
+            .n = BLOCK, .nodes = LAST, .x = x, .y = x + 1, .z = x + 2, .stride = 3, .seg = seg[0], .slave = slave};
+        const struct footpoint_pairs pf = {.n = BLOCK,
+                                           .nodes = LAST,
+                                           .xf = xf,
+                                           .yf = xf + 1,
+                                           .zf = xf + 2,
+                                           .stride = 3,
+                                           .seg = seg[0],
+                                           .slave = slave};
+        const size_t bad = footpoint_locate_batch(&p, FOOTPOINT_FINE, loc[0], NULL, NULL);
+        assert_int_equal(footpoint_locate_batch_float(&pf, FOOTPOINT_FINE, locf[0], NULL, NULL), bad);
+        for (int i = 0; i < BLOCK && bad == 0; i++)
+            assert_true(locf[i][0] == (float)loc[i][0] && locf[i][1] == (float)loc[i][1]);
+        free(x);
+        free(xf);
+    }
 }
 
 /* Each segment with the slave nodes of its neighbours in the list. */
@@ -364,9 +406,9 @@ static void test_prepared(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds),   cmocka_unit_test(test_sizes),
-                                       cmocka_unit_test(test_float),   cmocka_unit_test(test_instruction_sets),
-                                       cmocka_unit_test(test_refused), cmocka_unit_test(test_short_way),
-                                       cmocka_unit_test(test_prepared)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds),     cmocka_unit_test(test_sizes),
+                                       cmocka_unit_test(test_float),     cmocka_unit_test(test_instruction_sets),
+                                       cmocka_unit_test(test_last_node), cmocka_unit_test(test_refused),
+                                       cmocka_unit_test(test_short_way), cmocka_unit_test(test_prepared)};
     return cmocka_run_group_tests_name("batch", tests, NULL, NULL);
 }
