@@ -74,6 +74,40 @@ static const char quad9[] =
                 "        pv[k] = f[column[k]] * dg[row[k]];\n"
                 "    }\n");
 
+/* A Bezier patch, runtime/bezier.h, as a sum over its corners c: of the handles a[c][0] along xi and a[c][1] along eta,
+ * whose sum leads to the inner point. */
+static const char bezier[] =
+    "    @R a[4][2][3];\n"
+    "    int c, m, j;\n"
+    "    for (c = 0; c < 4; c++)\n"
+    "        for (m = 0; m < 2; m++) {\n"
+    "            const @R *const y = x[m ? 3 - c : c ^ 1], *const n = x[4 + c];\n"
+    "            const @R along = (y[0] - x[c][0]) * n[0] + (y[1] - x[c][1]) * n[1] + (y[2] - x[c][2]) * n[2];\n"
+    "            for (j = 0; j < 3; j++)\n"
+    "                a[c][m][j] = (y[j] - x[c][j] - along * n[j]) / 3.0@F;\n"
+    "        }\n"
+    "    for (j = 0; j < 3; j++) {\n"
+    "        u[j] = v[j] = 0.0@F;\n"
+    "        d[j] = x[8][j] - x[0][j];\n"
+    "    }\n"
+    "    for (c = 0; c < 4; c++) {\n"
+    "        const @R z[2] = {c == 1 || c == 2 ? 0.5@F : -0.5@F, c > 1 ? 0.5@F : -0.5@F};\n"
+    "        @R g[2], h[2], gd[2], hd[2];\n"
+    "        for (m = 0; m < 2; m++) {\n"
+    "            const @R p = 0.5@F + z[m] * (m ? eta : xi), r = 1.0@F - p;\n"
+    "            g[m] = 3.0@F * p * p * r;\n"
+    "            h[m] = p * p * p + g[m];\n"
+    "            gd[m] = 3.0@F * z[m] * p * (2.0@F * r - p);\n"
+    "            hd[m] = 6.0@F * z[m] * p * r;\n"
+    "        }\n"
+    "        for (j = 0; j < 3; j++) {\n"
+    "            const @R y = x[c][j] - x[0][j];\n"
+    "            d[j] -= y * h[0] * h[1] + a[c][0][j] * g[0] * h[1] + a[c][1][j] * h[0] * g[1];\n"
+    "            u[j] += y * hd[0] * h[1] + a[c][0][j] * gd[0] * h[1] + a[c][1][j] * hd[0] * g[1];\n"
+    "            v[j] += y * h[0] * hd[1] + a[c][0][j] * g[0] * hd[1] + a[c][1][j] * h[0] * gd[1];\n"
+    "        }\n"
+    "    }\n";
+
 /* A Gregory patch, runtime/gregory.h, as a sum over its corners c: of the handles a[c][0] along xi and a[c][1] along
  * eta and the inner points q, which the two edges make each for itself.  w weighs these; f and g are the Bernstein
  * polynomials of a corner and of its handle, h their sum, and fd, gd, hd what they rise by towards larger xi, eta. */
@@ -145,6 +179,7 @@ static const struct segment_kind kinds[] = {
     {.name = "tri6", .nodes = "ABCDEF", .normals = "", .corners = 3, .triangle = true, .surface = tri6},
     {.name = "quad8", .nodes = "ABCDEFGH", .normals = "", .corners = 4, .surface = quad8},
     {.name = "quad9", .nodes = "ABCDEFGHI", .normals = "", .corners = 4, .surface = quad9},
+    {.name = "bezier", .nodes = "ABCD", .normals = "ABCD", .corners = 4, .surface = bezier},
     {.name = "gregory", .nodes = "ABCD", .normals = "ABCD", .corners = 4, .surface = gregory},
 };
 

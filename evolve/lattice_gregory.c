@@ -66,7 +66,7 @@ bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part p
     scene_box(l->scene, lo, hi);
     for (size_t i = 0; i < configurations; i++)
         for (size_t k = 0; k < sets; k++) {
-            struct patch_sample s;
+            struct patch_sample s = {.kind = l->kind};
             memcpy(s.x, facets.s[i].x, sizeof s.x);
             memcpy(s.xs, facets.s[i].xs, sizeof s.xs);
             stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);

@@ -10,6 +10,7 @@ struct lattice_gregory {
     size_t configurations;     /* at most so many of the part's configurations; 0: all */
     int normal_sets;           /* for each configuration; the paper's are 20 */
     double tangent; /* of the largest tilt of a node normal off the facet's own at the corner; the paper's 0.2 */
+    enum patch_kind kind;
 };
 
 /** How samples of a part came about. */

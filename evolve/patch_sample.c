@@ -5,9 +5,26 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 const char *const patch_input_name[PATCH_INPUTS] = {"xC",  "yC",  "zC",  "xD",  "yD",  "xS",  "yS",  "zS",
                                                     "nxA", "nyA", "nxB", "nyB", "nxC", "nyC", "nxD", "nyD"};
+
+int patch_sample_points(const struct patch_sample *s, struct footpoint_gregory *patch)
+{
+    const double(*const x)[3] = (const double(*)[3])s->x, (*const n)[3] = (const double(*)[3])s->n;
+    if (s->kind == PATCH_GREGORY)
+        return footpoint_gregory_points(x, n, patch);
+    struct footpoint_bezier net;
+    const int status = footpoint_bezier_points(x, n, &net);
+    if (status != FOOTPOINT_OK)
+        return status;
+    patch->net = net;
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            memcpy(patch->twin[i][j], net.p[1 + i][1 + j], sizeof net.p[0][0]);
+    return FOOTPOINT_OK;
+}
 
 static double dot(const double a[3], const double b[3])
 {

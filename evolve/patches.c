@@ -1,4 +1,4 @@
-/* Gregory patches as a kind of segment: the vectors of a sample are corners and node normals. */
+/* Gregory and Bezier patches as kinds of segments: the vectors of a sample are corners and node normals. */
 #include "lattice_gregory.h"
 #include "reference_patch.h"
 #include "samplers.h"
@@ -10,9 +10,11 @@
 void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3])
 {
     struct footpoint_gregory patch = {0};
+    struct patch_sample s = {.kind = f->patch};
     struct footpoint_jet jet;
-    (void)f;
-    footpoint_gregory_points((const double(*)[3])x, (const double(*)[3])(x + 4), &patch);
+    memcpy(s.x, x[0], sizeof s.x);
+    memcpy(s.n, x[4], sizeof s.n);
+    patch_sample_points(&s, &patch);
     footpoint_gregory_jet(&patch, xi, eta, &jet);
     for (int k = 0; k < 3; k++) {
         r[0][k] = patch.net.origin[k] + jet.r[k];
@@ -23,8 +25,7 @@ void patches_point(const struct surface *f, double (*x)[3], double xi, double et
 
 bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
 {
-    struct patch_sample p;
-    (void)f;
+    struct patch_sample p = {.kind = f->patch};
     memcpy(p.x, s->x[0], sizeof p.x);
     memcpy(p.n, s->x[4], sizeof p.n);
     memcpy(p.xs, s->xs, sizeof p.xs);
@@ -47,8 +48,9 @@ static bool of_lattice(const struct scene *scene, enum sample_part part, struct 
 {
     struct scene facets = *scene;
     const struct lattice_gregory plan = {&facets, configurations(&scene->lattice, scene->heldout),
-                                         scene->lattice.normal_sets, scene->lattice.tilt};
-    const struct lattice_gregory all = {&facets, 0, scene->lattice.normal_sets, scene->lattice.tilt};
+                                         scene->lattice.normal_sets, scene->lattice.tilt,
+                                         surface_find(scene->segment)->patch};
+    const struct lattice_gregory all = {&facets, 0, scene->lattice.normal_sets, scene->lattice.tilt, plan.kind};
     facets.training = configurations(&scene->lattice, scene->training);
     facets.heldout = plan.configurations;
     return lattice_gregory_samples(part == PART_TRAINING ? &all : &plan, part, patches, NULL, d);
@@ -61,7 +63,7 @@ bool patches_samples(const struct scene *scene, enum sample_part part, struct sa
     if (scene->source == SOURCE_LATTICE)
         done = of_lattice(scene, part, &patches, d);
     else
-        smooth_samples(&(struct smooth){scene->seed, scene->shapes.gap}, part,
+        smooth_samples(&(struct smooth){scene->seed, scene->shapes.gap, surface_find(scene->segment)->patch}, part,
                        part == PART_TRAINING ? scene->training : scene->heldout, &patches);
     for (size_t i = 0; i < patches.n; i++) {
         const struct patch_sample *p = &patches.s[i];

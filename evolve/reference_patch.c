@@ -128,8 +128,7 @@ bool reference_patch_foot(struct patch_sample *s, const double lo[2], const doub
     struct footpoint_gregory patch;
     struct stationary found[PATCH_STATIONARY_MAX];
     struct patch_local l;
-    if (footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->n, &patch) != FOOTPOINT_OK ||
-        !patch_localise(&patch, s->xs, &l))
+    if (patch_sample_points(s, &patch) != FOOTPOINT_OK || !patch_localise(&patch, s->xs, &l))
         return false;
     const int n = patch_boxes_search(&l, &box, found);
     for (int k = 0; k < n; k++)

@@ -11,17 +11,11 @@
 
 static bool read_segment(const struct scene_reader *r, const config_setting_t *s, const struct segment_kind **segment)
 {
-    static const char *const planned[] = {"bezier"};
     char *name = NULL;
     if (!key_string(r, s, "segment", &name))
         return false;
     *segment = segment_find(name);
-    bool found = *segment != NULL;
-    for (size_t i = 0; !found && i < sizeof planned / sizeof *planned; i++)
-        if (strcmp(name, planned[i]) == 0) {
-            free(name);
-            return key_fail(r, s, "segment '%s' is not yet supported", planned[i]);
-        }
+    const bool found = *segment != NULL;
     if (!found)
         key_fail(r, s, "unknown segment '%s'", name);
     free(name);

@@ -182,7 +182,7 @@ bool scene_read_source(const struct scene_reader *r, config_setting_t *root, str
     switch (scene->source) {
     case SOURCE_LATTICE:
         if (scene->segment->surface && !*scene->segment->normals)
-            return key_fail(r, found, "a 'lattice' is of segments quad4 and gregory");
+            return key_fail(r, found, "a 'lattice' is of segments quad4, gregory and bezier");
         return read_lattice(r, found, scene->segment, &scene->lattice);
     case SOURCE_RANDOM:
         return read_shapes(r, found, scene->segment, &scene->shapes);

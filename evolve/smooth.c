@@ -24,7 +24,7 @@ static double shortest_edge(double x[4][3])
 }
 
 /* One draw; false: draw again, for another point of the patch is nearer, or it cannot be told. */
-static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double gap, struct patch_sample *s)
+static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct smooth *smooth, struct patch_sample *s)
 {
     const struct smooth_mesh *m = mesh[gsl_rng_uniform_int(stream, MESHES)];
     const double xi = gsl_ran_flat(stream, -1, 1), eta = gsl_ran_flat(stream, -1, 1);
@@ -32,9 +32,9 @@ static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, double gap, s
     struct stationary closest;
     double r[3], n[3];
     smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->n);
-    const double height = gap * shortest_edge(s->x) * gsl_ran_flat(stream, -1, 1);
-    if (footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->n, &patch) != FOOTPOINT_OK ||
-        footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
+    const double height = smooth->gap * shortest_edge(s->x) * gsl_ran_flat(stream, -1, 1);
+    s->kind = smooth->kind;
+    if (patch_sample_points(s, &patch) != FOOTPOINT_OK || footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
         return false;
     footpoint_gregory_position(&patch, xi, eta, r);
     for (int k = 0; k < 3; k++)
@@ -57,7 +57,7 @@ void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t c
     for (size_t i = 0; i < count; i++) {
         struct patch_sample s;
         stream_key(stream, smooth->seed, (uint64_t)part, i, 0);
-        while (!draw(stream, mesh, smooth->gap, &s))
+        while (!draw(stream, mesh, smooth, &s))
             continue;
         patch_set_add(set, &s);
     }

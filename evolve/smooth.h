@@ -8,11 +8,12 @@
 struct smooth {
     uint64_t seed;
     double gap; /* |gap| over the shortest edge, 0..gap */
+    enum patch_kind kind;
 };
 
 /** Append `count` samples of the part: a body, one of its meshes, a segment and a slave node over it at random, with
- * the node normals of the mesh.  The foot point is the patch's certain closest point.  Deterministic in seed, gap and
- *  part; different parts share no sample. */
+ * the node normals of the mesh.  The foot point is the patch's certain closest point.  Deterministic in seed, gap, kind
+ *  and part; different parts share no sample. */
 void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set);
 
 #endif

@@ -51,7 +51,8 @@ static const struct surface surfaces[] = {
     WEIGHTED(tri6, 6, true),
     WEIGHTED(quad8, 8, false),
     WEIGHTED(quad9, 9, false),
-    {.name = "gregory", .nodes = 4, .point = patches_point, .foot = patches_foot}};
+    {.name = "gregory", .nodes = 4, .patch = PATCH_GREGORY, .point = patches_point, .foot = patches_foot},
+    {.name = "bezier", .nodes = 4, .patch = PATCH_BEZIER, .point = patches_point, .foot = patches_foot}};
 
 const struct surface *surface_find(const struct segment_kind *k)
 {

@@ -3,6 +3,7 @@
 #ifndef FOOTPOINT_SURFACE_H
 #define FOOTPOINT_SURFACE_H
 
+#include "patch_sample.h"
 #include "sample.h"
 
 #include <gsl/gsl_rng.h>
@@ -16,6 +17,7 @@ struct surface {
     const char *name; /* as the segment_kind's */
     size_t nodes;
     bool triangle;
+    enum patch_kind patch; /* of the kinds with normals */
     /** Where r is a sum of nodes: shape functions and derivatives as in runtime/; else NULL. */
     void (*shape)(double xi, double eta, double *phi);
     /** r, r_xi and r_eta at (xi,eta). */
@@ -42,7 +44,7 @@ bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct sh
 /** Kinds with shape functions of degree up to 2 in xi and in eta: see reference_polynomial.c and faces.c. */
 bool reference_foot_polynomial(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 bool faces_draw(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
-/** Gregory patches: see patches.c. */
+/** Gregory and Bezier patches: see patches.c. */
 void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
 bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 

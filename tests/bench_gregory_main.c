@@ -149,12 +149,12 @@ int main(void)
         compare_surfaces((enum smooth_kind)kind, size[kind], 0.2);
     }
     struct scene *scene = scene_read(".", "paper-quad4", &d);
-    if (!scene || !lattice_gregory_samples(&(struct lattice_gregory){scene, SAMPLES / 16, 20, 0.2}, PART_HELDOUT,
+    if (!scene || !lattice_gregory_samples(&(struct lattice_gregory){scene, SAMPLES / 16, 20, 0.2, PATCH_GREGORY}, PART_HELDOUT,
                                            &paper, NULL, &d)) {
         fprintf(stderr, "%s\n", d.text);
         return (int)d.code;
     }
-    smooth_samples(&(struct smooth){1, 0.2}, PART_HELDOUT, SAMPLES, &bodies);
+    smooth_samples(&(struct smooth){1, 0.2, PATCH_GREGORY}, PART_HELDOUT, SAMPLES, &bodies);
     puts("set,samples,method,ns,ns_ready,mean,p99,max,failures");
     bench_set("paper", &paper, RIVAL_QUARTER);
     bench_set("bodies", &bodies, RIVAL_CENTRE);

@@ -163,14 +163,16 @@ DEFINE_LANES(newton_previous, 1, RIVAL_NEWTON_TOLERANCE)
 #define METHOD_quad8 METHOD_OF
 #define METHOD_quad9 METHOD_OF
 #define METHOD_gregory METHOD_OF
-#define PATCH_FIXED(name, from, start, gauss_newton, newton) DEFINE_METHOD_OF(name, rival_##name(x, &xi, &eta))
-#define PATCH_CONVERGED(name, search) DEFINE_METHOD_OF(name, if ((search) == 0) xi = eta = BENCH_NO_ANSWER)
-#define PATCH_CONVERGING(R)                                                                                            \
-    R(patch_newton, rival_patch_newton(x, RIVAL_CENTRE, RIVAL_NEWTON_TOLERANCE, &xi, &eta))                            \
-    R(patch_newton_plain, rival_patch_newton_plain(x, RIVAL_NEWTON_TOLERANCE, &xi, &eta))                              \
-    R(patch_newton_loose, rival_patch_newton(x, RIVAL_CENTRE, RIVAL_NEWTON_LOOSE, &xi, &eta))                          \
-    R(quarter_newton, rival_patch_newton(x, RIVAL_QUARTER, RIVAL_NEWTON_TOLERANCE, &xi, &eta))                         \
-    R(quarter_newton_loose, rival_patch_newton(x, RIVAL_QUARTER, RIVAL_NEWTON_LOOSE, &xi, &eta))
+#define METHOD_bezier METHOD_OF
+#define PATCH_FIXED(kind, name, from, start, gauss_newton, newton) DEFINE_METHOD_OF(name, rival_##name(x, &xi, &eta))
+#define PATCH_CONVERGED(kind, name, search) DEFINE_METHOD_OF(name, if ((search) == 0) xi = eta = BENCH_NO_ANSWER)
+#define PATCH_CONVERGING_OF(R, kind, P, is)                                                                            \
+    R(kind, P##patch_newton, rival_patch_newton(x, is, RIVAL_CENTRE, RIVAL_NEWTON_TOLERANCE, &xi, &eta))               \
+    R(kind, P##patch_newton_plain, rival_patch_newton_plain(x, is, RIVAL_NEWTON_TOLERANCE, &xi, &eta))                 \
+    R(kind, P##patch_newton_loose, rival_patch_newton(x, is, RIVAL_CENTRE, RIVAL_NEWTON_LOOSE, &xi, &eta))             \
+    R(kind, P##quarter_newton, rival_patch_newton(x, is, RIVAL_QUARTER, RIVAL_NEWTON_TOLERANCE, &xi, &eta))            \
+    R(kind, P##quarter_newton_loose, rival_patch_newton(x, is, RIVAL_QUARTER, RIVAL_NEWTON_LOOSE, &xi, &eta))
+#define PATCH_CONVERGING(R) PATCH_CONVERGING_OF(R, gregory, , 0) PATCH_CONVERGING_OF(R, bezier, bezier_, 1)
 RIVAL_ITERATIONS(ITERATION)
 RIVAL_TUNED_ITERATIONS(TUNED_ITERATION)
 RIVAL_CLOSED_FORMS(CLOSED_FORM)
@@ -206,9 +208,9 @@ RIVAL_PATCHES(PATCH_FIXED)
 #define FACE_CONVERGED(kind, vectors)                                                                                  \
     {FACE(kind##_newton, kind), .step = STEP_##kind##_newton, .steps = steps_##kind##_newton},
 #define FACE_ITERATION(name, kind, gauss_newton, newton) {FACE(name, kind)},
-#define PATCH(name_) {.name = #name_, .kind = "gregory", LOOPS(name_)},
-#define PATCH_FIXED(name, from, start, gauss_newton, newton) PATCH(name)
-#define PATCH_CONVERGED(name, search) PATCH(name)
+#define PATCH(kind_, name_) {.name = #name_, .kind = #kind_, LOOPS(name_)},
+#define PATCH_FIXED(kind, name, from, start, gauss_newton, newton) PATCH(kind, name)
+#define PATCH_CONVERGED(kind, name, search) PATCH(kind, name)
 #define METHOD(scene_, kind_, name_, mul, div, add, sqrt)                                                              \
     {.name = #name_, .kind = #kind_, .scene = scene_, .ours = 1, .ops = {mul, div, add, sqrt}, LOOPS(name_)},
 #define batch_trust_region NULL

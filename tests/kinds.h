@@ -9,6 +9,7 @@
 #define NODES_OF_quad8(x, s) (x)[0], (x)[1], (x)[2], (x)[3], (x)[4], (x)[5], (x)[6], (x)[7], s
 #define NODES_OF_quad9(x, s) (x)[0], (x)[1], (x)[2], (x)[3], (x)[4], (x)[5], (x)[6], (x)[7], (x)[8], s
 #define NODES_OF_gregory(x, s) (x)[0], (x)[1], (x)[2], (x)[3], (x)[4], (x)[5], (x)[6], (x)[7], s
+#define NODES_OF_bezier NODES_OF_gregory
 
 /** How many they are, with the slave node. */
 enum {
@@ -17,7 +18,8 @@ enum {
     VECTORS_OF_tri6 = 7,
     VECTORS_OF_quad8 = 9,
     VECTORS_OF_quad9 = 10,
-    VECTORS_OF_gregory = 9
+    VECTORS_OF_gregory = 9,
+    VECTORS_OF_bezier = 9
 };
 
 #endif

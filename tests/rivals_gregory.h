@@ -1,6 +1,6 @@
-/* What a good finite element programmer writes by hand for the local contact search on Gregory patches: the methods
- * that generated code has to beat.  All vectors are of four lanes, of which three count, so that one search alone uses
- * the machine's vector registers.
+/* What a good finite element programmer writes by hand for the local contact search on Gregory and Bezier patches: the
+ * methods that generated code has to beat.  All vectors are of four lanes, of which three count, so that one search
+ * alone uses the machine's vector registers.
  *
  * Control points (runtime/gregory.c has the equations): at each corner, with the handles a and b towards its neighbours
  * along xi and eta and the normal n, k = n.(a x b)/(a.a) and h = a.b/(a.a) for the edge along xi, the same with -n over
@@ -25,6 +25,7 @@ struct rival_patch {
     double origin[3];
     double c[4][4][4]; /* of u^i v^j; last index: coordinate */
     double e[4][4];    /* twin less inner point at A, B, C, D */
+    int bezier;        /* there are no twins */
 };
 
 /** Point and derivatives by u and v. */
@@ -77,12 +78,49 @@ RIVAL_FN void rival_powers(rival_lanes p[4])
     p[2] = 3 * dd;
 }
 
+/* Net index of a corner. */
+static const int rival_place[4][2] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
+
+/* The net as powers of u and v. */
+RIVAL_FN void rival_net_powers(rival_lanes p[4][4], struct rival_patch *patch)
+{
+    for (int i = 0; i < 4; i++)
+        rival_powers(p[i]);
+    for (int j = 0; j < 4; j++) {
+        rival_lanes along[4] = {p[0][j], p[1][j], p[2][j], p[3][j]};
+        rival_powers(along);
+        for (int i = 0; i < 4; i++)
+            *rival_at(patch->c[i][j]) = along[i];
+    }
+}
+
+/** A Bezier patch: the innermost points complete parallelograms. */
+RIVAL_FN void rival_bezier_of(const double x[4][3], const double n[4][3], struct rival_patch *patch)
+{
+    const double third = 1.0 / 3;
+    rival_lanes corner[4], p[4][4];
+    patch->bezier = 1;
+    for (int k = 0; k < 3; k++)
+        patch->origin[k] = x[0][k];
+    for (int c = 0; c < 4; c++)
+        corner[c] = rival_vector(x[c]) - rival_vector(x[0]);
+    for (int c = 0; c < 4; c++) {
+        const int i = rival_place[c][0], j = rival_place[c][1], m = i ? 2 : 1, l = j ? 2 : 1;
+        const rival_lanes normal = rival_vector(n[c]), xi = corner[c ^ 1] - corner[c], eta = corner[3 - c] - corner[c];
+        p[i][j] = corner[c];
+        p[m][j] = corner[c] + third * (xi - rival_scalar(xi, normal) * normal);
+        p[i][l] = corner[c] + third * (eta - rival_scalar(eta, normal) * normal);
+        p[m][l] = p[m][j] + p[i][l] - corner[c];
+    }
+    rival_net_powers(p, patch);
+}
+
 RIVAL_FN void rival_patch_of(const double x[4][3], const double n[4][3], struct rival_patch *patch)
 {
-    static const int place[4][2] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
     const double third = 1.0 / 3;
     rival_lanes corner[4], a[4], b[4], ga[4], gb[4], p[4][4], twin[4];
     double ka[4], kb[4], ha[4], hb[4];
+    patch->bezier = 0;
     for (int k = 0; k < 3; k++)
         patch->origin[k] = x[0][k];
     for (int c = 0; c < 4; c++)
@@ -101,7 +139,7 @@ RIVAL_FN void rival_patch_of(const double x[4][3], const double n[4][3], struct 
         hb[c] = mixed * ib;
     }
     for (int c = 0; c < 4; c++) {
-        const int i = place[c][0], j = place[c][1];
+        const int i = rival_place[c][0], j = rival_place[c][1];
         p[i][j] = corner[c];
         p[i ? 2 : 1][j] = corner[c] + a[c];
         p[i][j ? 2 : 1] = corner[c] + b[c];
@@ -124,14 +162,7 @@ RIVAL_FN void rival_patch_of(const double x[4][3], const double n[4][3], struct 
     *rival_at(patch->e[1]) = twin[1] - p[2][1];
     *rival_at(patch->e[2]) = twin[2] - p[2][2];
     *rival_at(patch->e[3]) = twin[3] - p[1][2];
-    for (int i = 0; i < 4; i++)
-        rival_powers(p[i]);
-    for (int j = 0; j < 4; j++) {
-        rival_lanes along[4] = {p[0][j], p[1][j], p[2][j], p[3][j]};
-        rival_powers(along);
-        for (int i = 0; i < 4; i++)
-            *rival_at(patch->c[i][j]) = along[i];
-    }
+    rival_net_powers(p, patch);
 }
 
 /* The cubic's value, derivative, and half its second derivative. */
@@ -173,6 +204,8 @@ RIVAL_FN void rival_patch_jet(const struct rival_patch *patch, double u, double 
     rival_horner(h, u, &jet->vv, &spare, &spare);
     jet->uu += jet->uu;
     jet->vv += jet->vv;
+    if (patch->bezier)
+        return;
     rival_blend(rival_load(patch->e[0]), u, v, 1, 1, second, jet);
     rival_blend(rival_load(patch->e[1]), 1 - u, v, -1, 1, second, jet);
     rival_blend(rival_load(patch->e[2]), 1 - u, 1 - v, -1, -1, second, jet);

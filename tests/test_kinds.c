@@ -264,9 +264,9 @@ static void vectors_have_names(void **state)
 /* Samples of patches: the slave node stands over its foot point, at the gap; parts share none. */
 static void patches_hold_their_foot_points(void **state)
 {
-    static const char *const name[] = {"gregory", "paper-gregory"};
+    static const char *const name[] = {"gregory", "bezier", "paper-gregory"};
     (void)state;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         struct diag d = {0};
         struct scene *scene = scene_read(".", name[i], &d);
         struct sample_set set = {0};
@@ -274,7 +274,7 @@ static void patches_hold_their_foot_points(void **state)
         assert_non_null(scene);
         scene->training = scene->heldout = SAMPLES;
         scene_box(scene, lo, hi);
-        for (int part = i == 0 ? PART_TRAINING : PART_HELDOUT_RANDOM; part <= PART_HELDOUT_RANDOM; part++)
+        for (int part = i < 2 ? PART_TRAINING : PART_HELDOUT_RANDOM; part <= PART_HELDOUT_RANDOM; part++)
             assert_true(scene_samples(scene, (enum sample_part)part, &set, &d));
         assert_true(set.n > 3 * SAMPLES / 4);
         for (size_t k = 0; k < set.n; k++) {

@@ -230,7 +230,7 @@ static void test_lattice(void **state)
     assert_non_null(scene);
     scene->lattice.xy_step = 0.5; /* a coarse lattice, for speed */
     scene->training = 500;
-    const struct lattice_gregory plan = {scene, 100, 20, 0.2};
+    const struct lattice_gregory plan = {scene, 100, 20, 0.2, PATCH_GREGORY};
     struct lattice_gregory_count count;
     struct patch_set set = {0}, again = {0};
     assert_true(lattice_gregory_samples(&plan, PART_TRAINING, &set, &count, &d));
@@ -264,7 +264,7 @@ static void test_lattice(void **state)
 static void test_bodies(void **state)
 {
     (void)state;
-    const struct smooth plan = {3, 0.2};
+    const struct smooth plan = {3, 0.2, PATCH_GREGORY};
     struct patch_set training = {0}, again = {0}, heldout = {0};
     smooth_samples(&plan, PART_TRAINING, 2000, &training);
     smooth_samples(&plan, PART_TRAINING, 1000, &again);

@@ -20,7 +20,7 @@ static struct patch_set samples;
 static int setup(void **state)
 {
     (void)state;
-    smooth_samples(&(struct smooth){5, 0.2}, PART_TRAINING, 2000, &samples);
+    smooth_samples(&(struct smooth){5, 0.2, PATCH_GREGORY}, PART_TRAINING, 2000, &samples);
     return 0;
 }
 
@@ -65,6 +65,39 @@ static void test_jet(void **state)
     }
 }
 
+/* Bezier patches: their jets, and Newton's iteration ends at the certain foot point. */
+static void test_bezier(void **state)
+{
+    struct patch_set set = {0};
+    size_t converged = 0;
+    (void)state;
+    smooth_samples(&(struct smooth){6, 0.2, PATCH_BEZIER}, PART_TRAINING, 1000, &set);
+    for (size_t i = 0; i < set.n; i++) {
+        const struct patch_sample *s = &set.s[i];
+        const double(*x)[3] = (const double(*)[3])s->x, (*n)[3] = (const double(*)[3])s->n;
+        struct footpoint_bezier b;
+        struct footpoint_jet jet;
+        struct rival_patch patch;
+        struct rival_jet fast;
+        struct rival_point p = rival_facet_foot(x, n, s->xs, RIVAL_CENTRE);
+        assert_int_equal(footpoint_bezier_points(x, n, &b), FOOTPOINT_OK);
+        footpoint_bezier_jet(&b, s->xi, s->eta, &jet);
+        rival_bezier_of(x, n, &patch);
+        rival_patch_jet(&patch, 0.5 + 0.5 * s->xi, 0.5 + 0.5 * s->eta, 1, &fast);
+        compare(fast.r, jet.r, 1, 1e-14);
+        compare(fast.u, jet.r_xi, 2, 1e-13);
+        compare(fast.v, jet.r_eta, 2, 1e-13);
+        compare(fast.uu, jet.r_xixi, 4, 1e-12);
+        compare(fast.uv, jet.r_xieta, 4, 1e-12);
+        compare(fast.vv, jet.r_etaeta, 4, 1e-12);
+        if (rival_patch_converge(&patch, s->xs, 0, 50, 1e-10, &p) &&
+            fabs(2 * p.u - 1 - s->xi) + fabs(2 * p.v - 1 - s->eta) < 1e-12)
+            converged++;
+    }
+    assert_true(converged >= set.n - 2);
+    patch_set_free(&set);
+}
+
 static void test_searches(void **state)
 {
     (void)state;
@@ -98,6 +131,7 @@ static void test_searches(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_jet), cmocka_unit_test(test_searches)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_jet), cmocka_unit_test(test_bezier),
+                                       cmocka_unit_test(test_searches)};
     return cmocka_run_group_tests_name("rivals_gregory", tests, setup, teardown);
 }

@@ -24,6 +24,7 @@ static void shipped_scenes_read(void **state)
                     {"quad8", "quad8", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false},
                     {"quad9", "quad9", SOURCE_RANDOM, CORNERS_ANY, 20000, 50000, false},
                     {"gregory", "gregory", SOURCE_RANDOM, CORNERS_ANY, 20000, 20000, false},
+                    {"bezier", "bezier", SOURCE_RANDOM, CORNERS_ANY, 20000, 20000, false},
                     {"paper-gregory", "gregory", SOURCE_LATTICE, CORNERS_ANY, 28540, 30000, false}};
     (void)state;
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
@@ -134,13 +135,13 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "training = 60;", "training = 0;", "7: error: 'training' must be in 1..100000000"},
     {HEAD SHAPES TAIL, "training = 60;", "training = -60;", "7: error: 'training' must be in 1..100000000"},
     {HEAD SHAPES TAIL, "heldout = 40;", "heldout = \"40\";", "8: error: 'heldout' must be a whole number"},
-    {HEAD SHAPES TAIL, "\"quad4\"", "\"bezier\"", "1: error: segment 'bezier' is not yet supported"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "\"hexagon\"", "1: error: unknown segment 'hexagon'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"gregory\"", "9: error: unknown key 'aspect' in shapes"},
     {HEAD LATTICE TAIL, "\"quad4\"", "\"gregory\"", "9: error: lattice lacks 'normal_sets'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"quad5\"", "1: error: unknown segment 'quad5'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"tri3\"", "9: error: unknown key 'taper' in shapes"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"", "9: error: shapes lacks 'curve'"},
-    {HEAD LATTICE TAIL, "\"quad4\"", "\"quad9\"", "9: error: a 'lattice' is of segments quad4 and gregory"},
+    {HEAD LATTICE TAIL, "\"quad4\"", "\"quad9\"", "9: error: a 'lattice' is of segments quad4, gregory and bezier"},
     {HEAD "shapes: { aspect = 5; skew = \"45 deg\"; gap = 0.2; overhang = 0.1; };\n", "\"quad4\"", "\"tri3\"",
      " error: scene lacks 'tiers', which follow for segments quad4 alone"},
     {HEAD SHAPES TAIL, "\"quad4\";\norder = \"any\"", "\"tri3\";\norder = \"nearest\"",

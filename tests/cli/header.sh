@@ -12,7 +12,7 @@ nodes() {
     tri6) echo 0 1 3 4 10 7 9 ;;
     quad8) echo 0 1 2 3 4 5 6 7 9 ;;
     quad9) echo 0 1 2 3 4 5 6 7 8 9 ;;
-    gregory) echo 0 1 2 3 11 11 11 11 9 ;;
+    gregory | bezier) echo 0 1 2 3 11 11 11 11 9 ;;
     esac
 }
 for header in generated/*.h; do

@@ -92,6 +92,6 @@ sizes() {
     report $((!good)) "$3"
 }
 sizes "$work/sized.h" 0,2,2 'a pole is met at any size, and nothing else is'
-for kind in gregory paper_gregory; do
+for kind in bezier gregory paper_gregory; do
     sizes "$PWD/generated/footpoint_$kind.h" 0,0,2 "footpoint_$kind.h at any size"
 done
