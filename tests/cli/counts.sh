@@ -41,6 +41,10 @@ grep -v -e '^#' -e '^expression' tests/expressions/rivals.csv | cut -d, -f1,2,6 
 while read -r good text; do
     report "$good" "$text"
 done < "$work/judged"
+grep -v -e '^#' -e '^expression' tests/expressions/rivals.csv |
+    awk -F, 'FILENAME == "-" { if (($1, $2) in cost) { n++; d = cost[$1, $2] - $6; won += d < 0; lost += d > 0 } next }
+             { cost[$1, $2] = $6 }
+             END { print "# of " n " comparisons " won " won, " n - won - lost " equal, " lost " lost" }' "$work/ours.csv" -
 
 # missing CSV FILE...: the files of which the table has no line
 missing() {
