@@ -92,7 +92,7 @@ FOOTPOINT_FN double add_square(const double a[3], double b, int fused)
  * leaves the range, this says no. */
 FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
 {
-    int64_t bad = 0;
+    double bad = 0.0; /* as wide as the numbers: SSE2 has no comparisons of 64-bit integers */
     for (size_t i = 0; i < count; i++) {
         NODES_OF(b, b->xi, 0, i);
         const double s = gap ? 0.5 * (1.0 + b->xi[i]) : multiply_add(0.5, b->xi[i], 0.5, fused);
@@ -115,7 +115,7 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
         const double far = add_square(xA, add_square(xS, xi2 + eta2, fused), fused);
         const int good = (nn > multiply_add(1e-15 * xi2, eta2, 1e-195, fused)) & (far < 1e70) & (corners > 0.0) &
                          (fabs(b->xi[i]) + fabs(b->eta[i]) <= 9.0);
-        bad |= good ? 0 : 1;
+        bad = good ? bad : 1.0;
         if (gap) {
             double d[3];
             for (int k = 0; k < 3; k++)
@@ -123,7 +123,7 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
             b->gap[i] = vector_dot(d, n) / sqrt(nn);
         }
     }
-    return !bad;
+    return bad == 0.0;
 }
 
 /* ---- xi and eta ---- */
