@@ -116,7 +116,7 @@ make_sixteen_scenes() {
     base=$runs/sixteen.base scene_of "$runs/sixteen.scene" "$lengths" 'polynomial rational'
     base=$runs/sixteen.base scene_of "$runs/sixteen-front.scene" "$sixteen_length" 'polynomial rational'
     # For times: a coarse lattice, which is made fast.
-    sed 's/xy = .2.0, 0.2./xy = [2.0, 0.4]/; s/^training.*/training = 6000;/; s/^heldout.*/heldout = 100;/' \
+    sed 's/xy = \[2.0, [0-9.]*\]/xy = [2.0, 0.4]/; s/^training.*/training = 6000;/; s/^heldout.*/heldout = 100;/' \
         "$runs/sixteen.base" > "$runs/sixteen-timed.base"
     base=$runs/sixteen-timed.base scene_of "$runs/sixteen-timed.scene" 50 polynomial
     base=
@@ -145,7 +145,7 @@ elapsed() {
 
 # Processor time of a command: seconds.
 cpu_seconds() {
-    ("$@" > /dev/null 2>&1 || exit 3; times) | awk 'NR == 2 { split($1, t, "[ms]"); print 60 * t[1] + t[2] }'
+    ("$@" > /dev/null || exit 3; times) | awk 'NR == 2 { split($1, t, "[ms]"); print 60 * t[1] + t[2] }'
 }
 
 # p-GA: seconds of a generation on 1, 2, ... ranks, both outputs.
@@ -178,7 +178,7 @@ time_lengths() {
                 cpu_seconds "$BIN/footpoint-evolve" --preset paper --quiet --scene "$1" \
                     --from-scratch --generations "$generations" -o "$runs/timed.gen" --islands 1 \
                     --functions $functions --max-length "$length"
-            done | awk '{ s = $1 - s } END { print s }')
+            done | awk '{ s = $1 - s } END { if (NR < 2) exit 3; print s < 0 ? 0 : s }') || return 3
             echo "$functions,$length,$(echo "$s $timed_generations" | awk '{ printf "%.5f", $1 / ($2 - 1) }')"
         done
     done

@@ -20,6 +20,11 @@ packed() {
 
 operations() { codegen --count "$1" | awk -F, -v g="$2" '$1 == g { print $2 + $3 + $4 }'; }
 
+# loop_flags HEADER FUNCTION: what the header says that its loop needs, beyond -O3
+loop_flags() {
+    awk -v f=" $2(" '/Vectorises with/ { gsub(/.*-O3| and|,|\. \*\//, ""); flags = $0 } index($0, f) { print flags; exit }' "$1"
+}
+
 for file in evolve/genomes/*.gen; do
     scene=$(basename "$file" .gen | tr - _)
     codegen "$file" --allow-poles --precision double -o "$work/$scene.h"
@@ -33,13 +38,16 @@ for file in evolve/genomes/*.gen; do
             [ $type = double ] || prefix=${scene}_f
             {
                 echo "#include \"$scene$suffix.h\""
-                echo "void use(size_t n, const $type *const x[15], $type *xi, $type *eta);"
-                echo "void use(size_t n, const $type *const x[15], $type *xi, $type *eta)"
+                echo "void use(size_t n, const $type *const *x, $type *xi, $type *eta);"
+                echo "void use(size_t n, const $type *const *x, $type *xi, $type *eta)"
                 echo "{ ${prefix}_${genome}_n(n, x, xi, eta); }"
             } > "$work/use.c"
+            flags=$(loop_flags "$work/$scene$suffix.h" "${prefix}_${genome}_n")
             for compiler in gcc clang; do
-                packed "$scene $genome $type" "$least" xmm
-                [ $type = float ] || packed "$scene $genome $type" "$least" ymm -mavx2 -mprefer-vector-width=256
+                # shellcheck disable=SC2086
+                packed "$scene $genome $type" "$least" xmm $flags
+                # shellcheck disable=SC2086
+                [ $type = float ] || packed "$scene $genome $type" "$least" ymm $flags -mavx2 -mprefer-vector-width=256
             done
         done
     done

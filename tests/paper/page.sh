@@ -113,7 +113,7 @@ done | { echo "N,seed,output,terms,condition,dependent"; cat; } > "$folder/condi
 awk -F, '$1 != "equations (41) and (42)" { print $1 " " $4 "," $3 "," $7 }' "$folder/pga.csv" |
     sed 's/,pga_0,/,pga_165,/; s/,pga_/,/' |
     awk -v head="method and output,N" -f $here/spread.awk > "$folder/figure7.csv"
-plot figure7 "N, terms at most" "mean error, held out" "set yrange [0:]
+plot figure7 "N, terms at most" "mean error, held out" "set yrange [0:1e-6<*]
 $(lines figure7 1 2 3 4)"
 
 # mul and div of a genome file's first genome, by footpoint-codegen, in the paper's count: whole, or in the eight inputs
@@ -190,7 +190,7 @@ for figure in 12,polynomial 13,rational; do
     awk -F, 'FNR == NR { b[FNR] = $0; next } { print $0 "," b[FNR] }' "$runs/b.csv" "$runs/a.csv" \
         > "$folder/figure$number.csv"
     plot "figure$number" MaxGeneLength "mean error of xi, held out" "set y2label 'multiplications and divisions as bred'
-set ytics nomirror; set y2tics; set yrange [0:]; set y2range [0:]; set xrange [30:270]
+set ytics nomirror; set y2tics; set yrange [0:1e-6<*]; set y2range [0:]; set xrange [30:270]
 plot '$folder/figure$number.csv' every ::1 using 1:2:3 with yerrorlines title 'error, mean', \\
      '' every ::1 using 1:4 with points title 'least', \\
      '' every ::1 using 1:6:7 axes x1y2 with yerrorlines title 'operations'"
@@ -229,15 +229,15 @@ done) 1/0 notitle"
 
 awk -F, 'NR == 1 { print $0 ",speed-up"; next } NR == 2 { one = $2 } { printf "%s,%.2f\n", $0, one / $2 }' \
     "$runs/time-pga.csv" > "$folder/figure8.csv"
-plot figure8 ranks "speed-up" "set xrange [0:]; set yrange [0:]
+plot figure8 ranks "speed-up" "set xrange [0:]; set yrange [0:1e-6<*]
 plot '$folder/figure8.csv' every ::1 using 1:3 with linespoints title 'measured', x title 'ideal'"
 awk -F, 'NR == 1 { print $0 ",seconds x ranks / groups"; next } { printf "%s,%.3f\n", $0, $3 * $2 / $1 }' \
     "$runs/time-groups.csv" > "$folder/figure9.csv"
-plot figure9 groups seconds "set yrange [0:]; set xrange [0:22]
+plot figure9 groups seconds "set yrange [0:1e-6<*]; set xrange [0:22]
 plot '$folder/figure9.csv' every ::1 using 1:3 with linespoints title 'elapsed', \\
      '' every ::1 using 1:4 with linespoints title 'elapsed, were there a core for each group'"
 cp "$runs/time-lengths.csv" "$folder/figure14.csv"
-plot figure14 MaxGeneLength "seconds a generation" "set yrange [0:]; set xrange [0:]
+plot figure14 MaxGeneLength "seconds a generation" "set yrange [0:1e-6<*]; set xrange [0:]
 $(lines figure14 1 2 3 '(0)')"
 
 # ---- sixteen inputs: Figures 18 to 20 --------------------------------------------------------------------------------

@@ -57,14 +57,14 @@ for figure in 18,polynomial 19,rational; do
     column "$functions" 5,6 | cut -d, -f3-5 | sed '1s/.*/operations: mean,deviation,least/' > "$runs/b.csv"
     column "$functions" 9 | paste -d, - "$runs/b.csv" > "$folder/figure$number.csv"
     plot "figure$number" MaxGeneLength "mean error, held out" "set y2label 'multiplications and divisions'
-set ytics nomirror; set y2tics; set yrange [0:]; set y2range [0:]; set xrange [30:270]
+set ytics nomirror; set y2tics; set yrange [0:1e-6<*]; set y2range [0:]; set xrange [30:270]
 $(lines "figure$number" 1 2 3 4), $(lines "figure$number" 1 2 7 8 |
     sed 's/^plot //; s/ with/ axes x1y2 with/; s/title "/&operations, /')"
 done
 rm "$folder/sixteen.rows"
 
 cp "$runs/time-sixteen.csv" "$folder/figure20.csv"
-plot figure20 MaxGeneLength "seconds a generation" "set yrange [0:]; set xrange [0:]
+plot figure20 MaxGeneLength "seconds a generation" "set yrange [0:1e-6<*]; set xrange [0:]
 $(lines figure20 1 2 3 '(0)')"
 
 # best_within LIMIT FUNCTIONS OUTPUT < ROWS: of rows functions,output,mul,div,sqrt,training,... that of least error on
