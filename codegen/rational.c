@@ -45,10 +45,22 @@ static void insert(rational r)
     bucket[i] = r + 1;
 }
 
+/* At the end of the program: the tables, and what FLINT keeps for more numbers. */
+static void forget(void)
+{
+    for (size_t i = 0; i < n_known; i++)
+        fmpq_clear(known[i].value);
+    free(known);
+    free(bucket);
+    free(memo);
+    flint_cleanup();
+}
+
 void rational_start(void)
 {
     if (bucket)
         return;
+    atexit(forget);
     buckets = 1024;
     bucket = new_array(buckets, sizeof *bucket);
     memo = new_array(MEMO, sizeof *memo);

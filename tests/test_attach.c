@@ -209,7 +209,7 @@ static void check_stationary(const struct face *f, const struct answer *a)
         for (int sign = -1; sign <= 1; sign += 2) {
             const real s = sign * along[k][0], t = sign * along[k][1];
             const real slope = s * g[0] + t * g[1];
-            if (inside(f, u + 1e-7L * s, v + 1e-7L * t) && slope < -LOCAL_ERROR * h * size)
+            if (inside(f, u + 1e-7L * s, v + 1e-7L * t) && slope < -(LOCAL_ERROR * h + DBL_EPSILON * size) * size)
                 fail_on(f, a, "leads down", slope);
         }
     const real h00 = dot(d[1], d[1]) + dot(d[0], d[3]), h11 = dot(d[2], d[2]) + dot(d[0], d[5]);

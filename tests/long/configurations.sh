@@ -1,5 +1,6 @@
-# Everything under the sanitizers, and with fused multiply-add.
+# Everything under the sanitizers, and with fused multiply-add; at its usual length.
 . tests/cli/expect.inc
+unset FOOTPOINT_LONG
 for config in asan fma debug; do
     make -s CONFIG=$config all > "$work/log" 2>&1 &&
         make -s CONFIG=$config $(ls tests/test_*.c | sed "s|tests/\(.*\)\.c|build/$config/bin/tests/\1|") > "$work/log" 2>&1
