@@ -3,6 +3,7 @@
 #include "dag.h"
 
 #include <flint/nmod_vec.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -406,26 +407,27 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
     return value_of(outside, make(g, kind, 0, &list, mark));
 }
 
-/* Least and greatest power of a node's value in the scale of the inputs, from those of its operands. */
+/* Least and greatest power of a node's value in the scale of the inputs, from those of its operands.  Powers of hostile
+ * genomes exceed all integers; beyond MOST nothing is told apart. */
 static void find_degrees(const struct node *n, int *low, int *high, size_t at)
 {
     enum { MOST = 1 << 20 };
-    low[at] = high[at] = n->kind == NODE_INPUT;
+    double least = n->kind == NODE_INPUT, most = least;
     for (size_t i = 0; i < n->edges; i++) {
-        const int l = low[n->edge[i].node], h = high[n->edge[i].node];
+        const double l = low[n->edge[i].node], h = high[n->edge[i].node];
         if (n->kind == NODE_PRODUCT) {
-            low[at] += n->edge[i].power * l;
-            high[at] += n->edge[i].power * h;
+            least += n->edge[i].power * l;
+            most += n->edge[i].power * h;
         } else if (n->kind == NODE_INVERSE || (n->kind == NODE_PDIV && i == 1)) {
-            low[at] -= h;
-            high[at] -= l;
+            least -= h;
+            most -= l;
         } else {
-            low[at] = i == 0 || l < low[at] ? l : low[at];
-            high[at] = i == 0 || h > high[at] ? h : high[at];
+            least = i == 0 || l < least ? l : least;
+            most = i == 0 || h > most ? h : most;
         }
     }
-    low[at] = low[at] < -MOST ? -MOST : low[at];
-    high[at] = high[at] > MOST ? MOST : high[at];
+    low[at] = (int)fmax(-MOST, fmin(least, MOST));
+    high[at] = (int)fmax(-MOST, fmin(most, MOST));
 }
 
 int dag_degree(const struct dag *g)
