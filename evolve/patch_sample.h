@@ -9,12 +9,12 @@
 enum patch_kind { PATCH_GREGORY, PATCH_BEZIER };
 
 struct patch_sample {
-    enum patch_kind kind;
     double x[4][3]; /* corners A, B, C, D at (xi,eta) = (-1,-1), (1,-1), (1,1), (-1,1); any length unit */
     double n[4][3]; /* unit normals at the corners */
     double xs[3];   /* slave node; same unit as x */
     double xi, eta; /* foot point on the patch, dimensionless */
     double gap;     /* (xs - r(xi,eta)) . n, n the patch's unit normal there; same unit as x */
+    enum patch_kind kind;
 };
 
 struct patch_set {
