@@ -380,6 +380,12 @@ bool node_chooses(const struct node *n)
     return n->kind == NODE_PDIV || n->kind == NODE_MIN || n->kind == NODE_MAX;
 }
 
+bool node_is_difference(const struct dag *g, const struct node *n)
+{
+    return n->kind == NODE_SUM && n->edges == 2 && n->edge[0].coef == ONE && n->edge[1].coef == MINUS_ONE &&
+           g->node[n->edge[0].node].kind == NODE_INPUT && g->node[n->edge[1].node].kind == NODE_INPUT;
+}
+
 /* A function that is opaque to the random points takes as its value a hash of its kind and of its arguments' values. */
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b)
 {

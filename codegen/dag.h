@@ -65,6 +65,9 @@ struct dag {
     size_t removals, removal_room;
 };
 
+/** True for a difference of two inputs. */
+bool node_is_difference(const struct dag *g, const struct node *n);
+
 struct dag *dag_new(size_t inputs);
 void dag_free(struct dag *g);
 /** Same nodes, same numbers. */

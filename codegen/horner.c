@@ -173,8 +173,9 @@ static struct value factor_terms(struct factoring *f, struct terms *list, int de
 
 static bool joins(const struct factoring *f, const struct edge *e)
 {
-    return f->walk.from->node[e->node].kind == NODE_SUM && f->walk.uses[e->node] == 1 &&
-           (e->coef == ONE || e->coef == MINUS_ONE);
+    const struct node *n = &f->walk.from->node[e->node];
+    return n->kind == NODE_SUM && f->walk.uses[e->node] == 1 && (e->coef == ONE || e->coef == MINUS_ONE) &&
+           !(f->policy->differences && node_is_difference(f->walk.from, n));
 }
 
 /* Terms of a sum, those of sums inside it that nothing else uses and that are not multiplied spread (iteratively: they

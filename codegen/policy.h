@@ -27,6 +27,7 @@ struct policy {
     bool early;               /* common parts of sums are looked for before factors are taken out, too */
     bool absorb;              /* outputs' coefficients go into what their sums are made of */
     bool plain;               /* nothing is factored where no choice says so */
+    bool differences;         /* differences of two inputs stay whole: they are exact, or nearly */
     struct choice *choice;    /* owned; sorted by key */
     size_t choices, choice_room;
 };

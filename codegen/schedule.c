@@ -3,15 +3,21 @@
  * beside each other: compilers make jumps of choices, and what stands between two jumps is neither reordered nor, once
  * they are masks of a loop, free of them.  Inside a stage of arithmetic what the longest chain to an output waits for
  * comes first: processors look only so far ahead, and compilers keep the order.  Like chains, as those of x, y and z,
- * so run side by side.  The scales are chosen in scales.c. */
+ * so run side by side.  But among what waits about as long that comes first which needs most values for the last time:
+ * registers are few.  The scales are chosen in scales.c. */
 #include "schedule.h"
 
 #include "scales.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_COUNTED = 20000 }; /* edges of sums; beyond, no terms are shared */
+enum {
+    MOST_COUNTED = 20000, /* edges of sums; beyond, no terms are shared */
+    SLACK = 20,           /* cycles, five operations: about as long */
+    WINDOW = 200          /* nodes that are looked at for one place */
+};
 
 static void order_nodes(struct schedule *s)
 {
@@ -118,6 +124,61 @@ static int compare_places(const void *a, const void *b)
     return (x->before > y->before) - (x->before < y->before);
 }
 
+/* How many values, inputs aside, the node is the last to need. */
+static int count_freed(const struct schedule *s, const struct node *n, const int *left)
+{
+    int freed = 0;
+    for (size_t i = 0; i < n->edges; i++) {
+        const int k = n->edge[i].node;
+        freed += left[k] == 1 && s->dag->node[k].edges > 0;
+    }
+    return freed;
+}
+
+/* The place that goes next, of those from `first` on, which is ready. */
+static size_t choose_place(const struct schedule *s, const struct place *place, size_t first, const int *left,
+                           const bool *done)
+{
+    size_t best = first;
+    int most = -1, seen = 0;
+    for (size_t i = first; i < s->n && seen < WINDOW && most < INT_MAX; i++) {
+        const struct node *n = &s->dag->node[place[i].node];
+        bool ready = !done[place[i].node];
+        seen += ready;
+        if (place[i].stage != place[first].stage || place[i].wait < place[first].wait - SLACK)
+            break;
+        for (size_t k = 0; ready && k < n->edges; k++)
+            ready = done[n->edge[k].node];
+        const int freed = !ready ? -1 : n->edges == 0 ? INT_MAX : count_freed(s, n, left);
+        if (freed > most) {
+            most = freed;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* From the sorted places to the order; choices stay as they are sorted. */
+static void order_places(struct schedule *s, const struct place *place)
+{
+    int *left = new_array(s->dag->nodes, sizeof *left); /* by node, uses to come */
+    bool *done = new_array(s->dag->nodes, sizeof *done);
+    size_t first = 0;
+    memcpy(left, s->uses, s->dag->nodes * sizeof *left);
+    for (size_t k = 0; k < s->n; k++) {
+        while (done[place[first].node])
+            first++;
+        const size_t next = place[first].stage % 2 ? first : choose_place(s, place, first, left, done);
+        const struct node *n = &s->dag->node[place[next].node];
+        for (size_t i = 0; i < n->edges; i++)
+            left[n->edge[i].node]--;
+        s->order[k] = place[next].node;
+        done[s->order[k]] = true;
+    }
+    free(left);
+    free(done);
+}
+
 /* Sorts each stage of arithmetic by the chains that wait; no node waits for longer than its operands, and as before if
  * as long. */
 static void order_urgent(struct schedule *s)
@@ -138,8 +199,7 @@ static void order_urgent(struct schedule *s)
         place[k] = (struct place){n, s->stage[n], wait[n], k};
     }
     qsort(place, s->n, sizeof *place, compare_places);
-    for (size_t k = 0; k < s->n; k++)
-        s->order[k] = place[k].node;
+    order_places(s, place);
     free(place);
     free(wait);
 }

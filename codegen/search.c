@@ -224,11 +224,12 @@ static double emit_schedule(struct search *s, const struct schedule *schedule, c
     const double sum = operations_cost(&e.ops, &s->options->cost);
     const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
     const bool tie = s->best.text && cost < s->least + 1e-9,
+               exacter = from->policy.differences && !s->winner.policy.differences,
                neater =
                    e.ops.mul < s->best.ops.mul || (e.ops.mul == s->best.ops.mul && e.negations < s->best.negations);
     if (steers && cost < s->guide)
         s->guide = cost;
-    if (!s->best.text || cost < s->least - 1e-9 || (steers && tie && neater)) {
+    if (!s->best.text || cost < s->least - 1e-9 || (tie && (exacter || (steers && neater)))) {
         free(s->best.text);
         s->best = e;
         s->least = cost;
@@ -449,20 +450,44 @@ static void try_absorbing(struct search *s)
     }
 }
 
-/* The first shape with quotients by single factors, from all starting points that keep quotients; last, too. */
-static void try_splitting(struct search *s)
+/* The last shape from all starting points that keep quotients. */
+static void try_keeping(struct search *s, bool differences)
 {
     const double before = s->work;
+    s->starting = true;
+    for (int form = 0; form < KEEPING && s->work - before < s->limit / 20; form++) {
+        struct candidate c = {.shape = s->shapes - 1, .policy = starting_policy(form)};
+        c.policy.differences = differences;
+        evaluate(s, &c, NULL, HUGE_VAL);
+    }
+    s->starting = false;
+}
+
+/* The first shape with quotients by single factors; last, too. */
+static void try_splitting(struct search *s)
+{
     struct dag *g = s->shapes > 0 && divides(s->shape[0].dag) ? shape_split(s->shape[0].dag) : NULL;
     if (!g)
         return;
     search_add(s, g, 1, "quotients by single factors");
-    s->starting = true;
-    for (int form = 0; form < KEEPING && s->work - before < s->limit / 20; form++) {
-        struct candidate c = {.shape = s->shapes - 1, .policy = starting_policy(form)};
-        evaluate(s, &c, NULL, HUGE_VAL);
-    }
-    s->starting = false;
+    try_keeping(s, false);
+}
+
+/* The winner's shape, with the vectors of a segment by the fewest differences, under its own choices, too; last. */
+static void try_differences(struct search *s)
+{
+    struct dag *g =
+        s->file->segment && s->best.text ? shape_differences(s->shape[s->winner.shape].dag, s->file->segment) : NULL;
+    struct candidate c = {0};
+    if (!g)
+        return;
+    search_add(s, g, 1, "fewest differences");
+    copy_candidate(&c, &s->winner);
+    c.shape = s->shapes - 1;
+    c.policy.differences = true;
+    evaluate(s, &c, NULL, HUGE_VAL);
+    policy_clear(&c.policy);
+    try_keeping(s, true);
 }
 
 /* How the result came about: the winner's passes once more. */
@@ -495,6 +520,7 @@ size_t search_run(struct search *s, struct emission *e)
         anneal(s, &s->beam[best], HOT, s->limit);
     try_splitting(s);
     try_absorbing(s);
+    try_differences(s);
     if (s->options->explain && s->best.text)
         explain(s);
     *e = s->best;

@@ -136,7 +136,8 @@ struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, str
         else
             product_terms(&s, node, &terms);
         const bool plain = node->kind == NODE_PRODUCT && terms.n == 1 && !node->kept;
-        const bool dissolves = plain || (terms.n <= MOST_TERMS &&
+        const bool whole = policy->differences && node_is_difference(g, node);
+        const bool dissolves = plain || (terms.n <= MOST_TERMS && !whole &&
                                          policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0], kin_of(g, node)));
         s.work += terms.n;
         if (dissolves && terms.n > 0)

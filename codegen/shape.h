@@ -4,6 +4,7 @@
 
 #include "dag.h"
 #include "policy.h"
+#include "segment.h"
 
 /** A new graph in which the sums that the policy dissolves (CHOICE_DISSOLVE) are multiplied out where they are used, as
  *  long as no sum gets too long. */
@@ -21,6 +22,10 @@ struct dag *shape_split(const struct dag *g);
 
 /** A new graph in which each sum of inputs, of constants and of such sums is written out; NULL if all are already. */
 struct dag *shape_linear(const struct dag *g);
+
+/** A new graph in which the vectors of a segment, sums of its nodes and the slave node of weight 0, are made by the
+ *  fewest additions of differences; NULL if there are none, or too many nodes. */
+struct dag *shape_differences(const struct dag *g, const struct segment_kind *k);
 
 /** A new graph in which each sum of terms that are not sums is factored over the rationals, and each quotient
  *  cancelled by the greatest common divisor; NULL if nothing factors or all is too large to try. */

@@ -22,7 +22,7 @@
  *     znB in [0.72, 1.00], xnC in [-0.43, 0.53], ynC in [-0.37, 0.61], znC in [0.77, 1.00], xnD in [-0.53, 0.41],
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.049 (rounding error <= 7.5e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.049 (rounding error <= 7.5e-14)
  *   rounding error of xi: <= 2.4e-05 proved (with or without FMA), 1.6e-14 worst of 10000 points
  *   rounding error of eta: <= 1.9e-05 proved (with or without FMA), 1.5e-14 worst of 10000 points
  *   found_xi: seed 1 generations 200 islands 2
@@ -48,7 +48,7 @@
  *   poles: divisor of t67: proved free of zeros, |...| >= 0.0099 (rounding error <= 0.074)
  *   poles: divisor of t77: proved free of zeros, |...| >= 0.1
  *   rounding error of xi: no bound found, 2.6e-14 worst of 10000 points
- *   rounding error of eta: no bound found, 1.4e-14 worst of 10000 points
+ *   rounding error of eta: no bound found, 1.3e-14 worst of 10000 points
  *   found_xi: seed 1 generations 200 islands 2
  *   found_eta: seed 1 generations 200 islands 2
  *   training_xi: genes 1 mean 3.889e-03
@@ -69,9 +69,9 @@
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
  *   poles: t24 * t23 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 7.9e-14)
- *   poles: t118 * t119 - t117 * t117: proved free of zeros, |...| >= 0.0025 (rounding error <= 2.4e+07)
- *   rounding error of xi: no bound found, 9.3e-15 worst of 8565 points
- *   rounding error of eta: no bound found, 7.4e-14 worst of 8565 points
+ *   poles: t121 * t124 - t120 * t120: proved free of zeros, |...| >= 0.0025 (rounding error <= 2.4e+07)
+ *   rounding error of xi: no bound found, 1.1e-14 worst of 8565 points
+ *   rounding error of eta: no bound found, 6.5e-14 worst of 8565 points
  *   found_xi: seed 1 generations 200 islands 2
  *   found_eta: seed 1 generations 200 islands 2
  *   training_xi: genes 1 mean 3.266e-04
@@ -93,7 +93,7 @@
  *     zS in [-0.56, 0.61]; all requires > 0
  *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 8e-14)
  *   poles: t148: proved free of zeros, |t148| >= 0.00069 (rounding error <= 1.1e+08)
- *   rounding error of xi: no bound found, 4.9e-14 worst of 6872 points
+ *   rounding error of xi: no bound found, 8e-14 worst of 6872 points
  *   rounding error of eta: no bound found, 1.9e-14 worst of 6872 points
  *   found_xi: seed 1 generations 200 islands 2
  *   found_eta: seed 1 generations 200 islands 2
@@ -285,24 +285,24 @@ FOOTPOINT_FN void footpoint_bezier_facet_at(const double xA[3], const double xB[
     const double u2 = 0.5 * t4;
     const double t9 = xA[1] - xD[1] - u2;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.5 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.5 * (t2 + t9);
     const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.5 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.5 * (t2 + t9);
-    const double t18 = (xA[0] - xS[0]) - 0.5 * (t5 + t11);
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t23 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t24 = (t14 * t20 - t13 * t19) * t21;
-    const double t25 = (t15 * t19 - t13 * t20) * t21;
-    const double t26 = (t22 * t15 - t23 * t13) * t21;
-    const double t27 = (t23 * t14 - t22 * t13) * t21;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.5 * (t5 + t13);
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t21 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t13;
+    const double t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19;
+    const double t26 = (t22 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t22 * t16) * t19;
     double u4 = 0.5;
     const double t28 = (u4 < t25 ? u4 : t25);
     double u5 = -0.5;
@@ -375,13 +375,13 @@ FOOTPOINT_LOOP void footpoint_bezier_facet_n(size_t n, const double *const x[27]
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_bezier_facet_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.02554038836780018, 1, 6.8058441650117647e-16, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.02554038836780018, 1, 6.8058441650117637e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.25349379232612562, 1, 1.3166738040185325e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.037439781648674592, 1.110223024625157e-16, 1.9325795257461832e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.22733806206903703, 1, 1.8043602053943267e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.7189003596589959, 1.110223024625157e-16, 7.5499440987618377e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.39037898628461248, 1, 1.471905972352373e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.39037898628461248, 1, 1.4719059723523732e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -416,16 +416,16 @@ FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double x
     const double t21 = t10 * t10 + t12 * t12 + t17 * t17;
     const double t22 = t14 - 0.5 * (t1 + t9);
     const double t23 = t15 - 0.5 * (t2 + t11);
-    const double t24 = t18 - 0.5 * (t5 + t16);
-    const double t25 = t9 * t22 + t11 * t23 + t16 * t24;
-    const double t26 = t10 * t22 + t12 * t23 + t17 * t24;
-    const double t27 = 1.0 / (t20 * t21 - t19 * t19);
+    const double t24 = 1.0 / (t20 * t21 - t19 * t19);
+    const double t25 = t18 - 0.5 * (t5 + t16);
+    const double t26 = t9 * t22 + t11 * t23 + t16 * t25;
+    const double t27 = t10 * t22 + t12 * t23 + t17 * t25;
     const double t28 = t3 * t9 + t4 * t11 + t8 * t16;
     const double t29 = t3 * t10 + t4 * t12 + t8 * t17;
-    const double t30 = (t20 * t26 - t19 * t25) * t27;
-    const double t31 = (t21 * t25 - t19 * t26) * t27;
-    const double t32 = (t28 * t21 - t29 * t19) * t27;
-    const double t33 = (t29 * t20 - t28 * t19) * t27;
+    const double t30 = (t20 * t27 - t19 * t26) * t24;
+    const double t31 = (t21 * t26 - t19 * t27) * t24;
+    const double t32 = (t28 * t21 - t29 * t19) * t24;
+    const double t33 = (t29 * t20 - t28 * t19) * t24;
     const double t34 = nA[1] - nB[1];
     const double t35 = nA[2] - nB[2];
     const double t36 = nA[0] - nB[0];
@@ -448,33 +448,33 @@ FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double x
     const double t51 = (u4 < t48 ? u4 : t48);
     const double t52 = (u5 > t51 ? u5 : t51);
     const double t53 = t50 + 0.5;
-    const double t54 = t52 + 0.5;
-    const double t55 = nA[1] - nD[1] - t37 * t53;
-    const double t56 = nA[2] - nD[2] - t38 * t53;
+    const double t54 = nA[1] - nD[1] - t37 * t53;
+    const double t55 = nA[2] - nD[2] - t38 * t53;
+    const double t56 = t52 + 0.5;
     const double t57 = nA[0] - nD[0] - t39 * t53;
-    const double t58 = nA[2] - t35 * t53 - t54 * t56;
-    const double t59 = nA[1] - t34 * t53 - t54 * t55;
-    const double t60 = nA[0] - t36 * t53 - t54 * t57;
+    const double t58 = nA[2] - t35 * t53 - t56 * t55;
+    const double t59 = nA[1] - t34 * t53 - t56 * t54;
+    const double t60 = nA[0] - t36 * t53 - t56 * t57;
     const double t61 = t6 - t3 * t53;
     const double t62 = t7 - t4 * t53;
     const double t63 = t13 - t8 * t53;
-    const double t64 = t14 - t1 * t53 - t54 * t61;
-    const double t65 = t15 - t2 * t53 - t54 * t62;
-    const double t66 = t18 - t5 * t53 - t54 * t63;
+    const double t64 = t14 - t1 * t53 - t56 * t61;
+    const double t65 = t15 - t2 * t53 - t56 * t62;
+    const double t66 = t18 - t5 * t53 - t56 * t63;
     const double t67 = (t58 * t64 + t59 * t65 + t60 * t66) / (t58 * t58 + t59 * t59 + t60 * t60);
-    const double t68 = t62 - t55 * t67;
+    const double t68 = t62 - t54 * t67;
     const double t69 = t63 - t57 * t67;
-    const double t70 = t61 - t56 * t67;
-    const double t71 = t59 * t69 - t60 * t68;
-    const double t72 = t60 * t70 - t58 * t69;
-    const double t73 = t1 - t3 * t54 - (t35 - t38 * t54) * t67;
-    const double t74 = t2 - t4 * t54 - (t34 - t37 * t54) * t67;
-    const double t75 = t58 * t68 - t59 * t70;
-    const double t76 = t5 - t8 * t54 - (t36 - t39 * t54) * t67;
-    const double t77 = 1.0 / (t73 * t71 + t74 * t72 + t76 * t75);
-    const double t78 = t64 * (t60 * t74 - t59 * t76) + t65 * (t58 * t76 - t60 * t73) + t66 * (t59 * t73 - t58 *
-        t74);
-    const double t79 = t50 + (t64 * t71 + t65 * t72 + t66 * t75) * t77;
+    const double t70 = t61 - t55 * t67;
+    const double t71 = t1 - t3 * t56 - (t35 - t38 * t56) * t67;
+    const double t72 = t2 - t4 * t56 - (t34 - t37 * t56) * t67;
+    const double t73 = t5 - t8 * t56 - (t36 - t39 * t56) * t67;
+    const double t74 = t59 * t69 - t60 * t68;
+    const double t75 = t60 * t70 - t58 * t69;
+    const double t76 = t58 * t68 - t59 * t70;
+    const double t77 = 1.0 / (t71 * t74 + t72 * t75 + t73 * t76);
+    const double t78 = t64 * (t60 * t72 - t59 * t73) + t65 * (t58 * t73 - t60 * t71) + t66 * (t59 * t71 - t58 *
+        t72);
+    const double t79 = t50 + (t64 * t74 + t65 * t75 + t66 * t76) * t77;
     const double t80 = t52 + t78 * t77;
     const double u6 = 2.0 * t79;
     double u7 = 1.0;
@@ -532,10 +532,10 @@ static const double footpoint_bezier_normals_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.059046809638656786, 1, 5.0171398921715859e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.070137938868364613, 1, 1.638991527597005e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.0018257072055018757, 1.110223024625157e-16, 2.4124823401514712e-15},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.0018257072055018757, 1.110223024625157e-16, 2.4124823401514708e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.21018499193175197, 1, 2.1665171387455688e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, -0.29746406659768615, 1.110223024625157e-16, 1.8656330846710913e-14},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.32334757509811124, 1, 1.9439677890572366e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.32334757509811124, 1, 1.943967789057237e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -573,24 +573,24 @@ FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB
     const double t24 = t12 * t12 + t14 * t14 + t19 * t19;
     const double t25 = t17 - 0.5 * (t1 + t13);
     const double t26 = t18 - 0.5 * (t3 + t15);
-    const double t27 = t21 - 0.5 * (t7 + t20);
-    const double t28 = t13 * t25 + t15 * t26 + t20 * t27;
-    const double t29 = t12 * t25 + t14 * t26 + t19 * t27;
-    const double t30 = 1.0 / (t24 * t23 - t22 * t22);
+    const double t27 = 1.0 / (t24 * t23 - t22 * t22);
+    const double t28 = t21 - 0.5 * (t7 + t20);
+    const double t29 = t13 * t25 + t15 * t26 + t20 * t28;
+    const double t30 = t12 * t25 + t14 * t26 + t19 * t28;
     const double t31 = t5 * t13 + t6 * t15 + t11 * t20;
     const double t32 = t5 * t12 + t6 * t14 + t11 * t19;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t31 * t24 - t32 * t22) * t30;
-    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t31 * t24 - t32 * t22) * t27;
+    const double t36 = (t32 * t23 - t31 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[2] * t2 + nC[1] * t4 + nC[0] * t8;
-    const double t41 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
-    const double t42 = nD[2] * t2 + nD[1] * t4 + nD[0] * t8;
-    const double t43 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t44 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t41 = nD[2] * t2 + nD[1] * t4 + nD[0] * t8;
+    const double t42 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
+    const double t43 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t44 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
     const double t45 = nB[2] * t1 + nB[1] * t3 + nB[0] * t7;
     const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
     const double t47 = nA[2] * t1 + nA[1] * t3 + nA[0] * t7;
@@ -611,74 +611,74 @@ FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB
     const double t60 = (u5 > t59 ? u5 : t59);
     const double t61 = t60 + 0.5;
     const double t62 = t58 + 0.5;
-    const double t63 = t61 - 1.0;
-    const double t64 = t61 * t61 * (t61 - 1.5);
-    const double t65 = t61 * t63;
-    const double t66 = t62 - 1.0;
-    const double t67 = t62 * t62 * (t62 - 1.5);
-    const double t68 = t61 * t65;
-    const double t69 = t62 * t66;
-    const double t70 = t61 + 2.0 * t64;
-    const double t71 = t40 * t64;
-    const double t72 = t62 * t69;
-    const double t73 = t69 * t68;
-    const double t74 = t62 * (t62 - (2.0 / 3.0));
-    const double t75 = t62 + 2.0 * t67;
-    const double t76 = t41 * t67;
-    const double t77 = t42 * t64;
-    const double t78 = t61 * (t61 - (2.0 / 3.0));
-    const double t79 = t65 * t72;
-    const double t80 = (t62 - (1.0 / 3.0)) * t66;
-    const double t81 = t67 + 0.5;
-    const double t82 = t69 - t72;
-    const double t83 = t44 * t67;
-    const double t84 = t65 - t68;
-    const double t85 = t64 + 0.5;
-    const double t86 = (t65 + (1.0 / 6.0)) * t75;
-    const double t87 = (t61 - (1.0 / 3.0)) * t63;
-    const double t88 = t74 * t71 + t41 * t73;
-    const double t89 = t43 * t81;
-    const double t90 = t45 * t85;
-    const double t91 = t78 * t76 + t40 * t79;
-    const double t92 = t65 * t82;
-    const double t93 = t61 - 6.0 * (t69 + (1.0 / 6.0)) * t70;
-    const double t94 = t43 * t73 - t80 * t77;
-    const double t95 = t69 * t84;
-    const double t96 = t9 - t5 * t62;
-    const double t97 = t46 * t81;
-    const double t98 = t47 * t85;
-    const double t99 = t45 * t79 - t87 * t83;
-    const double t100 = t10 - t6 * t62;
-    const double t101 = t78 * t89 + t42 * t92;
-    const double t102 = t16 - t11 * t62;
-    const double t103 = t74 * t90 + t44 * t95;
-    const double t104 = t47 * t92 - t87 * t97;
-    const double t105 = t46 * t95 - t80 * t98;
-    const double t106 = t75 * t70;
-    const double t107 = t76 * t68 + t71 * t72;
-    const double t108 = t68 * t89 + t77 * t82;
-    const double t109 = t83 * t84 + t72 * t90;
-    const double t110 = t96 + 6.0 * (t5 * t86 + nC[2] * t91 - nB[2] * t99 - nD[2] * t101 + nA[2] * t104);
-    const double t111 = t100 + 6.0 * (t6 * t86 + nC[1] * t91 - nB[1] * t99 - nD[1] * t101 + nA[1] * t104);
-    const double t112 = t1 - t5 * t93 - 6.0 * (nD[2] * t94 - nC[2] * t88 + nB[2] * t103 - nA[2] * t105);
-    const double t113 = t3 + 6.0 * (nC[1] * t88 - nD[1] * t94 - nB[1] * t103 + nA[1] * t105) - t6 * t93;
-    const double t114 = t97 * t84 + t98 * t82;
-    const double t115 = t102 + 6.0 * (t11 * t86 + nC[0] * t91 - nB[0] * t99 - nD[0] * t101 + nA[0] * t104);
-    const double t116 = t7 - t11 * t93 - 6.0 * (nD[0] * t94 - nC[0] * t88 + nB[0] * t103 - nA[0] * t105);
-    const double t117 = t110 * t112 + t111 * t113 + t115 * t116;
-    const double t118 = t110 * t110 + t111 * t111 + t115 * t115;
-    const double t119 = t112 * t112 + t113 * t113 + t116 * t116;
-    const double t120 = t17 - t1 * t62 - t61 * t96 - t5 * t106 - 2.0 * (nC[2] * t107 - nD[2] * t108 - nB[2] * t109 +
-        nA[2] * t114);
-    const double t121 = t18 - t3 * t62 - t61 * t100 - t6 * t106 - 2.0 * (nC[1] * t107 - nD[1] * t108 - nB[1] * t109
-        + nA[1] * t114);
-    const double t122 = t21 - t7 * t62 - t61 * t102 - t11 * t106 - 2.0 * (nC[0] * t107 - nD[0] * t108 - nB[0] * t109
-        + nA[0] * t114);
-    const double t123 = t120 * t110 + t121 * t111 + t122 * t115;
-    const double t124 = t120 * t112 + t121 * t113 + t122 * t116;
-    const double t125 = 1.0 / (t118 * t119 - t117 * t117);
-    const double t126 = t58 + (t118 * t124 - t123 * t117) * t125;
-    const double t127 = t60 - (t117 * t124 - t123 * t119) * t125;
+    const double t63 = t61 * t61 * (t61 - 1.5);
+    const double t64 = t61 - 1.0;
+    const double t65 = t62 * t62 * (t62 - 1.5);
+    const double t66 = t61 * t64;
+    const double t67 = t62 - 1.0;
+    const double t68 = t61 * t66;
+    const double t69 = t62 * t67;
+    const double t70 = t62 * (t62 - (2.0 / 3.0));
+    const double t71 = t61 + 2.0 * t63;
+    const double t72 = t40 * t63;
+    const double t73 = t62 * t69;
+    const double t74 = t61 * (t61 - (2.0 / 3.0));
+    const double t75 = t61 - 6.0 * (t69 + (1.0 / 6.0)) * t71;
+    const double t76 = (t62 - (1.0 / 3.0)) * t67;
+    const double t77 = t69 * t68;
+    const double t78 = t62 + 2.0 * t65;
+    const double t79 = t42 * t65;
+    const double t80 = t41 * t63;
+    const double t81 = t63 + 0.5;
+    const double t82 = (t66 + (1.0 / 6.0)) * t78;
+    const double t83 = t66 * t73;
+    const double t84 = t45 * t81;
+    const double t85 = t47 * t81;
+    const double t86 = (t61 - (1.0 / 3.0)) * t64;
+    const double t87 = t70 * t72 + t42 * t77;
+    const double t88 = t78 * t71;
+    const double t89 = t65 + 0.5;
+    const double t90 = t43 * t65;
+    const double t91 = t44 * t89;
+    const double t92 = t46 * t89;
+    const double t93 = t69 - t73;
+    const double t94 = t66 - t68;
+    const double t95 = t66 * t93;
+    const double t96 = t69 * t94;
+    const double t97 = t70 * t84 + t43 * t96;
+    const double t98 = t74 * t79 + t40 * t83;
+    const double t99 = t74 * t91 + t41 * t95;
+    const double t100 = t79 * t68 + t72 * t73;
+    const double t101 = t44 * t77 - t76 * t80;
+    const double t102 = t46 * t96 - t76 * t85;
+    const double t103 = t68 * t91 + t80 * t93;
+    const double t104 = t9 - t5 * t62;
+    const double t105 = t45 * t83 - t86 * t90;
+    const double t106 = t47 * t95 - t86 * t92;
+    const double t107 = t10 - t6 * t62;
+    const double t108 = t90 * t94 + t73 * t84;
+    const double t109 = t16 - t11 * t62;
+    const double t110 = t92 * t94 + t85 * t93;
+    const double t111 = t104 + 6.0 * (t5 * t82 + nC[2] * t98 - nB[2] * t105 - nD[2] * t99 + nA[2] * t106);
+    const double t112 = t107 + 6.0 * (t6 * t82 + nC[1] * t98 - nB[1] * t105 - nD[1] * t99 + nA[1] * t106);
+    const double t113 = t109 + 6.0 * (t11 * t82 + nC[0] * t98 - nB[0] * t105 - nD[0] * t99 + nA[0] * t106);
+    const double t114 = t1 - t5 * t75 - 6.0 * (nD[2] * t101 - nC[2] * t87 + nB[2] * t97 - nA[2] * t102);
+    const double t115 = t3 + 6.0 * (nC[1] * t87 - nD[1] * t101 - nB[1] * t97 + nA[1] * t102) - t6 * t75;
+    const double t116 = t7 - t11 * t75 - 6.0 * (nD[0] * t101 - nC[0] * t87 + nB[0] * t97 - nA[0] * t102);
+    const double t117 = t17 - t1 * t62 - t61 * t104 - t5 * t88 - 2.0 * (nC[2] * t100 - nD[2] * t103 - nB[2] * t108 +
+        nA[2] * t110);
+    const double t118 = t18 - t3 * t62 - t61 * t107 - t6 * t88 - 2.0 * (nC[1] * t100 - nD[1] * t103 - nB[1] * t108 +
+        nA[1] * t110);
+    const double t119 = t21 - t7 * t62 - t61 * t109 - t11 * t88 - 2.0 * (nC[0] * t100 - nD[0] * t103 - nB[0] * t108
+        + nA[0] * t110);
+    const double t120 = t111 * t114 + t112 * t115 + t113 * t116;
+    const double t121 = t111 * t111 + t112 * t112 + t113 * t113;
+    const double t122 = t117 * t111 + t118 * t112 + t119 * t113;
+    const double t123 = t117 * t114 + t118 * t115 + t119 * t116;
+    const double t124 = t114 * t114 + t115 * t115 + t116 * t116;
+    const double t125 = 1.0 / (t121 * t124 - t120 * t120);
+    const double t126 = t58 + (t121 * t123 - t122 * t120) * t125;
+    const double t127 = t60 - (t120 * t123 - t122 * t124) * t125;
     const double u6 = 2.0 * t126;
     double u7 = 1.0;
     const double t128 = (u7 < u6 ? u7 : u6);
@@ -734,11 +734,11 @@ static const double footpoint_bezier_smooth_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.00073760163263817703, 1, 7.159353311850023e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.09976807799849266, 1, 2.069892099748765e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.0070194031256123777, 1.110223024625157e-16, 3.7581523883100936e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.089318472150839712, 1, 3.3366879413063992e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, -0.1225828627539069, 1.110223024625157e-16, 4.1338093695196559e-14},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.20391120543871177, 1, 2.7091629516120663e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.09976807799849266, 1, 2.0698920997487646e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.0070194031256123777, 1.110223024625157e-16, 3.758152388310096e-15},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.089318472150839712, 1, 3.3366879413063984e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, -0.1225828627539069, 1.110223024625157e-16, 4.1338093695196383e-14},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.20391120543871177, 1, 2.7091629516120616e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -776,23 +776,23 @@ FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double x
     const double t24 = t14 * t14 + t16 * t16 + t20 * t20;
     const double t25 = t17 - 0.5 * (t2 + t13);
     const double t26 = t18 - 0.5 * (t4 + t15);
-    const double t27 = t21 - 0.5 * (t10 + t19);
-    const double t28 = t13 * t25 + t15 * t26 + t19 * t27;
-    const double t29 = t14 * t25 + t16 * t26 + t20 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t28 = t21 - 0.5 * (t10 + t19);
+    const double t29 = t13 * t25 + t15 * t26 + t19 * t28;
+    const double t30 = t14 * t25 + t16 * t26 + t20 * t28;
     const double t31 = t6 * t13 + t8 * t15 + t12 * t19;
     const double t32 = t6 * t14 + t8 * t16 + t12 * t20;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t23 * t32 - t31 * t22) * t30;
-    const double t36 = (t31 * t24 - t32 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t23 * t32 - t31 * t22) * t27;
+    const double t36 = (t31 * t24 - t32 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nD[2] * t5 + nD[1] * t7 + nD[0] * t11;
     const double t41 = nD[2] * t1 + nD[1] * t3 + nD[0] * t9;
-    const double t42 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
-    const double t43 = nC[2] * t1 + nC[1] * t3 + nC[0] * t9;
+    const double t42 = nC[2] * t1 + nC[1] * t3 + nC[0] * t9;
+    const double t43 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t44 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t45 = nB[2] * t2 + nB[1] * t4 + nB[0] * t10;
     const double t46 = nA[2] * t5 + nA[1] * t7 + nA[0] * t11;
@@ -817,99 +817,99 @@ FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double x
     const double t63 = t62 - 1.0;
     const double t64 = t61 - 1.0;
     const double t65 = t62 * t63;
-    const double t66 = t61 * t64;
-    const double t67 = t61 * t61 * (t61 - 1.5);
-    const double t68 = t61 * t66;
-    const double t69 = t62 * t62 * (t62 - 1.5);
+    const double t66 = t61 * t61 * (t61 - 1.5);
+    const double t67 = t61 * t64;
+    const double t68 = t62 * t62 * (t62 - 1.5);
+    const double t69 = t61 * t67;
     const double t70 = t62 * t65;
-    const double t71 = t67 + 0.5;
-    const double t72 = t66 - t68;
-    const double t73 = t40 * t70;
-    const double t74 = t41 * t69;
-    const double t75 = t5 - t6 * t61;
-    const double t76 = t61 + 2.0 * t67;
-    const double t77 = t62 - (2.0 / 3.0);
-    const double t78 = t62 + 2.0 * t69;
-    const double t79 = t43 * t69;
-    const double t80 = t42 * t70;
-    const double t81 = t69 + 0.5;
-    const double t82 = t63 * t65;
-    const double t83 = t7 - t8 * t61;
-    const double t84 = t66 + (1.0 / 6.0);
-    const double t85 = t61 - (1.0 / 3.0);
-    const double t86 = t65 + (1.0 / 6.0);
-    const double t87 = t62 * t77;
-    const double t88 = t42 * t67;
-    const double t89 = t43 * t65;
-    const double t90 = t62 - (1.0 / 3.0);
-    const double t91 = t76 * t78;
-    const double t92 = t74 * t72 - t71 * t73;
-    const double t93 = t45 * t81;
-    const double t94 = t44 * t82;
-    const double t95 = t11 - t12 * t61;
-    const double t96 = t85 * t64;
-    const double t97 = t61 - (2.0 / 3.0);
-    const double t98 = t86 * t76;
-    const double t99 = t90 * t63;
-    const double t100 = t44 * t67;
-    const double t101 = t45 * t65;
-    const double t102 = t79 * t68 - t67 * t80;
-    const double t103 = t47 * t81;
-    const double t104 = t46 * t82;
-    const double t105 = t61 * t97;
-    const double t106 = t89 * t68 - t87 * t88;
-    const double t107 = t40 * t71;
-    const double t108 = t41 * t65;
-    const double t109 = t67 * t94 - t68 * t93;
-    const double t110 = t62 - 6.0 * t84 * t78;
-    const double t111 = t96 * t74 + t66 * t73;
-    const double t112 = t101 * t68 - t99 * t100;
-    const double t113 = t46 * t71;
-    const double t114 = t47 * t65;
-    const double t115 = t71 * t104 - t103 * t72;
-    const double t116 = t105 * t79 - t66 * t80;
-    const double t117 = t108 * t72 - t87 * t107;
-    const double t118 = t66 * t94 - t105 * t93;
-    const double t119 = t114 * t72 - t99 * t113;
-    const double t120 = t96 * t103 + t66 * t104;
-    const double t121 = t17 - t2 * t61 - t62 * t75 - t6 * t91 - 2.0 * (nD[2] * t92 - nC[2] * t102 + nB[2] * t109 -
-        nA[2] * t115);
-    const double t122 = t18 - t4 * t61 - t62 * t83 - t8 * t91 - 2.0 * (nD[1] * t92 - nC[1] * t102 + nB[1] * t109 -
-        nA[1] * t115);
-    const double t123 = t21 - t10 * t61 - t62 * t95 - t12 * t91 - 2.0 * (nD[0] * t92 - nC[0] * t102 + nB[0] * t109 -
-        nA[0] * t115);
-    const double t124 = t75 + 6.0 * (t6 * t98 - nC[2] * t106 - nB[2] * t112 + nD[2] * t117 + nA[2] * t119);
-    const double t125 = t83 + 6.0 * (t8 * t98 - nC[1] * t106 - nB[1] * t112 + nD[1] * t117 + nA[1] * t119);
-    const double t126 = t2 - t6 * t110 - 6.0 * (nD[2] * t111 + nC[2] * t116 - nB[2] * t118 + nA[2] * t120);
-    const double t127 = t4 - t8 * t110 - 6.0 * (nD[1] * t111 + nC[1] * t116 - nB[1] * t118 + nA[1] * t120);
-    const double t128 = t87 * t66;
-    const double t129 = t60 * t72;
-    const double t130 = t95 + 6.0 * (t12 * t98 - nC[0] * t106 - nB[0] * t112 + nD[0] * t117 + nA[0] * t119);
-    const double t131 = t10 - t12 * t110 - 6.0 * (nD[0] * t111 + nC[0] * t116 - nB[0] * t118 + nA[0] * t120);
-    const double t132 = t6 * t121 + t8 * t122 + t12 * t123;
-    const double t133 = t60 * t68;
-    const double t134 = nD[2] * t121 + nD[1] * t122 + nD[0] * t123;
-    const double t135 = t99 * t66;
-    const double t136 = nC[2] * t121 + nC[1] * t122 + nC[0] * t123;
-    const double t137 = nB[2] * t121 + nB[1] * t122 + nB[0] * t123;
-    const double t138 = nA[2] * t121 + nA[1] * t122 + nA[0] * t123;
-    const double t139 = t124 * t126 + t125 * t127 + t130 * t131 - 36.0 * (t86 * t84 - (1.0 / 36.0)) * t132 + 18.0 *
-        ((t96 * t108 + t40 * t128) * t134 + (t105 * t89 - t42 * t128) * t136 + (t105 * t101 - t44 * t135) * t137 +
-        (t46 * t135 + t96 * t114) * t138);
-    const double t140 = t124 * t124 + t125 * t125 + t130 * t130 - 12.0 * (t60 * t76 * t132 + (t41 * t129 - t90 *
-        t107) * t134 - (t43 * t133 - t90 * t88) * t136 - (t45 * t133 - t77 * t100) * t137 + (t47 * t129 - t77 *
-        t113) * t138);
-    const double t141 = t126 * t126 + t127 * t127 + t131 * t131 - 12.0 * (t58 * t78 * t132 - (t97 * t74 + t58 * t73)
-        * t134 - (t85 * t79 - t58 * t80) * t136 + (t58 * t94 - t85 * t93) * t137 - (t97 * t103 + t58 * t104) *
+    const double t71 = t5 - t6 * t61;
+    const double t72 = t66 + 0.5;
+    const double t73 = t67 - t69;
+    const double t74 = t40 * t70;
+    const double t75 = t43 * t70;
+    const double t76 = t41 * t68;
+    const double t77 = t7 - t8 * t61;
+    const double t78 = t61 + 2.0 * t66;
+    const double t79 = t62 - (2.0 / 3.0);
+    const double t80 = t62 + 2.0 * t68;
+    const double t81 = t76 * t73 - t72 * t74;
+    const double t82 = t42 * t68;
+    const double t83 = t68 + 0.5;
+    const double t84 = t63 * t65;
+    const double t85 = t11 - t12 * t61;
+    const double t86 = t67 + (1.0 / 6.0);
+    const double t87 = t61 - (1.0 / 3.0);
+    const double t88 = t87 * t64;
+    const double t89 = t65 + (1.0 / 6.0);
+    const double t90 = t62 * t79;
+    const double t91 = t43 * t66;
+    const double t92 = t42 * t65;
+    const double t93 = t62 - (1.0 / 3.0);
+    const double t94 = t93 * t63;
+    const double t95 = t78 * t80;
+    const double t96 = t82 * t69 - t66 * t75;
+    const double t97 = t45 * t83;
+    const double t98 = t47 * t83;
+    const double t99 = t44 * t84;
+    const double t100 = t46 * t84;
+    const double t101 = t62 - 6.0 * t86 * t80;
+    const double t102 = t61 - (2.0 / 3.0);
+    const double t103 = t61 * t102;
+    const double t104 = t89 * t78;
+    const double t105 = t92 * t69 - t90 * t91;
+    const double t106 = t44 * t66;
+    const double t107 = t45 * t65;
+    const double t108 = t66 * t99 - t69 * t97;
+    const double t109 = t88 * t76 + t67 * t74;
+    const double t110 = t107 * t69 - t94 * t106;
+    const double t111 = t40 * t72;
+    const double t112 = t41 * t65;
+    const double t113 = t47 * t65;
+    const double t114 = t72 * t100 - t98 * t73;
+    const double t115 = t46 * t72;
+    const double t116 = t103 * t82 - t67 * t75;
+    const double t117 = t90 * t67;
+    const double t118 = t112 * t73 - t90 * t111;
+    const double t119 = t67 * t99 - t103 * t97;
+    const double t120 = t60 * t69;
+    const double t121 = t113 * t73 - t94 * t115;
+    const double t122 = t60 * t73;
+    const double t123 = t17 - t2 * t61 - t62 * t71 - t6 * t95 - 2.0 * (nD[2] * t81 - nC[2] * t96 + nB[2] * t108 -
+        nA[2] * t114);
+    const double t124 = t18 - t4 * t61 - t62 * t77 - t8 * t95 - 2.0 * (nD[1] * t81 - nC[1] * t96 + nB[1] * t108 -
+        nA[1] * t114);
+    const double t125 = t21 - t10 * t61 - t62 * t85 - t12 * t95 - 2.0 * (nD[0] * t81 - nC[0] * t96 + nB[0] * t108 -
+        nA[0] * t114);
+    const double t126 = t6 * t123 + t8 * t124 + t12 * t125;
+    const double t127 = t88 * t98 + t67 * t100;
+    const double t128 = t94 * t67;
+    const double t129 = t71 + 6.0 * (t6 * t104 - nC[2] * t105 - nB[2] * t110 + nD[2] * t118 + nA[2] * t121);
+    const double t130 = t77 + 6.0 * (t8 * t104 - nC[1] * t105 - nB[1] * t110 + nD[1] * t118 + nA[1] * t121);
+    const double t131 = t85 + 6.0 * (t12 * t104 - nC[0] * t105 - nB[0] * t110 + nD[0] * t118 + nA[0] * t121);
+    const double t132 = t2 - t6 * t101 - 6.0 * (nD[2] * t109 + nC[2] * t116 - nB[2] * t119 + nA[2] * t127);
+    const double t133 = t4 - t8 * t101 - 6.0 * (nD[1] * t109 + nC[1] * t116 - nB[1] * t119 + nA[1] * t127);
+    const double t134 = t10 - t12 * t101 - 6.0 * (nD[0] * t109 + nC[0] * t116 - nB[0] * t119 + nA[0] * t127);
+    const double t135 = nD[2] * t123 + nD[1] * t124 + nD[0] * t125;
+    const double t136 = nC[2] * t123 + nC[1] * t124 + nC[0] * t125;
+    const double t137 = nB[2] * t123 + nB[1] * t124 + nB[0] * t125;
+    const double t138 = nA[2] * t123 + nA[1] * t124 + nA[0] * t125;
+    const double t139 = t129 * t132 + t130 * t133 + t131 * t134 - 36.0 * (t89 * t86 - (1.0 / 36.0)) * t126 + 18.0 *
+        ((t88 * t112 + t40 * t117) * t135 + (t103 * t92 - t43 * t117) * t136 + (t103 * t107 - t44 * t128) * t137 +
+        (t46 * t128 + t88 * t113) * t138);
+    const double t140 = t129 * t129 + t130 * t130 + t131 * t131 - 12.0 * (t60 * t78 * t126 + (t41 * t122 - t93 *
+        t111) * t135 - (t42 * t120 - t93 * t91) * t136 - (t45 * t120 - t79 * t106) * t137 + (t47 * t122 - t79 *
+        t115) * t138);
+    const double t141 = t132 * t132 + t133 * t133 + t134 * t134 - 12.0 * (t58 * t80 * t126 - (t102 * t76 + t58 *
+        t74) * t135 - (t87 * t82 - t58 * t75) * t136 + (t58 * t99 - t87 * t97) * t137 - (t102 * t98 + t58 * t100) *
         t138);
-    const double t142 = t140 * t141;
-    const double t143 = t142 - t139 * t139;
-    const double t144 = t124 * t121 + t125 * t122 + t130 * t123;
-    const double t145 = t121 * t126 + t122 * t127 + t123 * t131;
-    const double t146 = t145 * t140 - t144 * t139;
-    const double t147 = t144 * t141 - t145 * t139;
-    const double u6 = 0.1 * t142;
-    const double t148 = (t143 > u6 ? t143 : u6);
+    const double t142 = t129 * t123 + t130 * t124 + t131 * t125;
+    const double t143 = t123 * t132 + t124 * t133 + t125 * t134;
+    const double t144 = t140 * t141;
+    const double t145 = t144 - t139 * t139;
+    const double t146 = t143 * t140 - t142 * t139;
+    const double t147 = t142 * t141 - t143 * t139;
+    const double u6 = 0.1 * t144;
+    const double t148 = (t145 > u6 ? t145 : u6);
     const double t149 = 1.0 / t148;
     const double t150 = t58 + t146 * t149;
     const double t151 = t60 + t147 * t149;
@@ -966,13 +966,13 @@ FOOTPOINT_LOOP void footpoint_bezier_precise_n(size_t n, const double *const x[2
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_bezier_precise_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0034989800034694088, 1, 7.3731945467653313e-16, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0034989800034694088, 1, 7.3731945467653303e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.99380081585963065, 1, 4.8433637924529574e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, 0.0019408831503020881, 1, 2.6174548807941114e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, 0.0019408831503020881, 1, 2.6174548807941091e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.27349490805511456, 1.110223024625157e-16, 5.9446308886720382e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.75335709439602871, 1, 7.1611323830878564e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.94363120754428043, 1.110223024625157e-16, 4.0497164555935181e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, -0.012926599452023397, 1, 5.5789336539333767e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.75335709439602871, 1, 7.1611323830878517e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.94363120754428043, 1.110223024625157e-16, 4.0497164555935229e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, -0.012926599452023397, 1, 5.5789336539333735e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -1010,23 +1010,23 @@ FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[
     const double t24 = t14 * t14 + t16 * t16 + t20 * t20;
     const double t25 = t17 - 0.5 * (t2 + t13);
     const double t26 = t18 - 0.5 * (t4 + t15);
-    const double t27 = t21 - 0.5 * (t10 + t19);
-    const double t28 = t13 * t25 + t15 * t26 + t19 * t27;
-    const double t29 = t14 * t25 + t16 * t26 + t20 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t28 = t21 - 0.5 * (t10 + t19);
+    const double t29 = t13 * t25 + t15 * t26 + t19 * t28;
+    const double t30 = t14 * t25 + t16 * t26 + t20 * t28;
     const double t31 = t6 * t13 + t8 * t15 + t12 * t19;
     const double t32 = t6 * t14 + t8 * t16 + t12 * t20;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t23 * t32 - t31 * t22) * t30;
-    const double t36 = (t31 * t24 - t32 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t23 * t32 - t31 * t22) * t27;
+    const double t36 = (t31 * t24 - t32 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nD[2] * t1 + nD[1] * t3 + nD[0] * t9;
-    const double t41 = nD[2] * t5 + nD[1] * t7 + nD[0] * t11;
-    const double t42 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
-    const double t43 = nC[2] * t1 + nC[1] * t3 + nC[0] * t9;
+    const double t41 = nC[2] * t1 + nC[1] * t3 + nC[0] * t9;
+    const double t42 = nD[2] * t5 + nD[1] * t7 + nD[0] * t11;
+    const double t43 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t44 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t45 = nB[2] * t2 + nB[1] * t4 + nB[0] * t10;
     const double t46 = nA[2] * t2 + nA[1] * t4 + nA[0] * t10;
@@ -1050,100 +1050,100 @@ FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[
     const double t62 = t58 + 0.5;
     const double t63 = t61 - 1.0;
     const double t64 = t61 * t63;
-    const double t65 = t62 - 1.0;
-    const double t66 = t62 * t62 * (t62 - 1.5);
-    const double t67 = t62 * t65;
-    const double t68 = t61 * t61 * (t61 - 1.5);
+    const double t65 = t62 * t62 * (t62 - 1.5);
+    const double t66 = t62 - 1.0;
+    const double t67 = t61 * t61 * (t61 - 1.5);
+    const double t68 = t62 * t66;
     const double t69 = t61 * t64;
-    const double t70 = t65 * t67;
-    const double t71 = t66 + 0.5;
-    const double t72 = t40 * t68;
-    const double t73 = t41 * t69;
-    const double t74 = t5 - t6 * t62;
-    const double t75 = t62 + 2.0 * t66;
-    const double t76 = t61 - (2.0 / 3.0);
-    const double t77 = t62 * t67;
-    const double t78 = t61 + 2.0 * t68;
-    const double t79 = t43 * t68;
-    const double t80 = t42 * t69;
-    const double t81 = t63 * t64;
-    const double t82 = t68 + 0.5;
-    const double t83 = t7 - t8 * t62;
-    const double t84 = t67 + (1.0 / 6.0);
-    const double t85 = t62 - (1.0 / 3.0);
-    const double t86 = t64 + (1.0 / 6.0);
-    const double t87 = t61 * t76;
-    const double t88 = t42 * t66;
-    const double t89 = t43 * t64;
-    const double t90 = t61 - (1.0 / 3.0);
-    const double t91 = t75 * t78;
-    const double t92 = t72 * t70 + t71 * t73;
-    const double t93 = t44 * t81;
-    const double t94 = t45 * t82;
-    const double t95 = t11 - t12 * t62;
-    const double t96 = t85 * t65;
-    const double t97 = t62 - (2.0 / 3.0);
-    const double t98 = t86 * t75;
-    const double t99 = t90 * t63;
-    const double t100 = t44 * t66;
-    const double t101 = t45 * t64;
-    const double t102 = t79 * t77 - t66 * t80;
-    const double t103 = t47 * t81;
-    const double t104 = t46 * t82;
-    const double t105 = t62 * t97;
-    const double t106 = t89 * t77 - t87 * t88;
-    const double t107 = t40 * t64;
-    const double t108 = t41 * t71;
-    const double t109 = t77 * t94 - t66 * t93;
-    const double t110 = t61 - 6.0 * t84 * t78;
-    const double t111 = t96 * t72 + t67 * t73;
-    const double t112 = t101 * t77 - t99 * t100;
-    const double t113 = t46 * t64;
-    const double t114 = t47 * t71;
-    const double t115 = t71 * t103 + t70 * t104;
-    const double t116 = t105 * t79 - t67 * t80;
-    const double t117 = t107 * t70 + t87 * t108;
-    const double t118 = t105 * t94 - t67 * t93;
-    const double t119 = t113 * t70 + t99 * t114;
-    const double t120 = t96 * t104 + t67 * t103;
-    const double t121 = t17 - t2 * t62 - t61 * t74 - t6 * t91 + 2.0 * (nD[2] * t92 + nC[2] * t102 + nB[2] * t109 +
+    const double t70 = t5 - t6 * t62;
+    const double t71 = t66 * t68;
+    const double t72 = t65 + 0.5;
+    const double t73 = t40 * t67;
+    const double t74 = t42 * t69;
+    const double t75 = t43 * t69;
+    const double t76 = t7 - t8 * t62;
+    const double t77 = t62 + 2.0 * t65;
+    const double t78 = t61 - (2.0 / 3.0);
+    const double t79 = t62 * t68;
+    const double t80 = t61 + 2.0 * t67;
+    const double t81 = t73 * t71 + t72 * t74;
+    const double t82 = t41 * t67;
+    const double t83 = t67 + 0.5;
+    const double t84 = t63 * t64;
+    const double t85 = t11 - t12 * t62;
+    const double t86 = t68 + (1.0 / 6.0);
+    const double t87 = t62 - (1.0 / 3.0);
+    const double t88 = t87 * t66;
+    const double t89 = t64 + (1.0 / 6.0);
+    const double t90 = t61 * t78;
+    const double t91 = t43 * t65;
+    const double t92 = t41 * t64;
+    const double t93 = t61 - (1.0 / 3.0);
+    const double t94 = t93 * t63;
+    const double t95 = t77 * t80;
+    const double t96 = t82 * t79 - t65 * t75;
+    const double t97 = t44 * t84;
+    const double t98 = t47 * t84;
+    const double t99 = t45 * t83;
+    const double t100 = t46 * t83;
+    const double t101 = t61 - 6.0 * t86 * t80;
+    const double t102 = t62 - (2.0 / 3.0);
+    const double t103 = t62 * t102;
+    const double t104 = t89 * t77;
+    const double t105 = t92 * t79 - t90 * t91;
+    const double t106 = t44 * t65;
+    const double t107 = t45 * t64;
+    const double t108 = t79 * t99 - t65 * t97;
+    const double t109 = t88 * t73 + t68 * t74;
+    const double t110 = t107 * t79 - t94 * t106;
+    const double t111 = t40 * t64;
+    const double t112 = t46 * t64;
+    const double t113 = t42 * t72;
+    const double t114 = t47 * t72;
+    const double t115 = t72 * t98 + t71 * t100;
+    const double t116 = t103 * t82 - t68 * t75;
+    const double t117 = t111 * t71 + t90 * t113;
+    const double t118 = t90 * t68;
+    const double t119 = t103 * t99 - t68 * t97;
+    const double t120 = t60 * t79;
+    const double t121 = t60 * t71;
+    const double t122 = t112 * t71 + t94 * t114;
+    const double t123 = t17 - t2 * t62 - t61 * t70 - t6 * t95 + 2.0 * (nD[2] * t81 + nC[2] * t96 + nB[2] * t108 +
         nA[2] * t115);
-    const double t122 = t18 - t4 * t62 - t61 * t83 - t8 * t91 + 2.0 * (nD[1] * t92 + nC[1] * t102 + nB[1] * t109 +
+    const double t124 = t18 - t4 * t62 - t61 * t76 - t8 * t95 + 2.0 * (nD[1] * t81 + nC[1] * t96 + nB[1] * t108 +
         nA[1] * t115);
-    const double t123 = t21 - t10 * t62 - t61 * t95 - t12 * t91 + 2.0 * (nD[0] * t92 + nC[0] * t102 + nB[0] * t109 +
+    const double t125 = t21 - t10 * t62 - t61 * t85 - t12 * t95 + 2.0 * (nD[0] * t81 + nC[0] * t96 + nB[0] * t108 +
         nA[0] * t115);
-    const double t124 = t74 + 6.0 * (t6 * t98 - nC[2] * t106 - nB[2] * t112 - nD[2] * t117 - nA[2] * t119);
-    const double t125 = t83 + 6.0 * (t8 * t98 - nC[1] * t106 - nB[1] * t112 - nD[1] * t117 - nA[1] * t119);
-    const double t126 = t2 - t6 * t110 - 6.0 * (nD[2] * t111 + nC[2] * t116 + nB[2] * t118 + nA[2] * t120);
-    const double t127 = t4 - t8 * t110 - 6.0 * (nD[1] * t111 + nC[1] * t116 + nB[1] * t118 + nA[1] * t120);
-    const double t128 = t87 * t67;
-    const double t129 = t60 * t70;
-    const double t130 = t95 + 6.0 * (t12 * t98 - nC[0] * t106 - nB[0] * t112 - nD[0] * t117 - nA[0] * t119);
-    const double t131 = t10 - t12 * t110 - 6.0 * (nD[0] * t111 + nC[0] * t116 + nB[0] * t118 + nA[0] * t120);
-    const double t132 = t6 * t121 + t8 * t122 + t12 * t123;
-    const double t133 = t60 * t77;
-    const double t134 = nD[2] * t121 + nD[1] * t122 + nD[0] * t123;
-    const double t135 = t99 * t67;
-    const double t136 = nC[2] * t121 + nC[1] * t122 + nC[0] * t123;
-    const double t137 = nB[2] * t121 + nB[1] * t122 + nB[0] * t123;
-    const double t138 = nA[2] * t121 + nA[1] * t122 + nA[0] * t123;
-    const double t139 = t124 * t126 + t125 * t127 + t130 * t131 - 36.0 * (t86 * t84 - (1.0 / 36.0)) * t132 + 18.0 *
-        ((t96 * t107 + t41 * t128) * t134 + (t105 * t89 - t42 * t128) * t136 + (t105 * t101 - t44 * t135) * t137 +
-        (t47 * t135 + t96 * t113) * t138);
-    const double t140 = t124 * t124 + t125 * t125 + t130 * t130 - 12.0 * (t60 * t75 * t132 - (t90 * t108 + t40 *
-        t129) * t134 - (t43 * t133 - t90 * t88) * t136 - (t45 * t133 - t76 * t100) * t137 - (t76 * t114 + t46 *
-        t129) * t138);
-    const double t141 = t126 * t126 + t127 * t127 + t131 * t131 - 12.0 * (t58 * t78 * t132 - (t97 * t72 + t58 * t73)
-        * t134 - (t85 * t79 - t58 * t80) * t136 - (t85 * t94 - t58 * t93) * t137 - (t97 * t104 + t58 * t103) *
+    const double t126 = t88 * t100 + t68 * t98;
+    const double t127 = t94 * t68;
+    const double t128 = t70 + 6.0 * (t6 * t104 - nC[2] * t105 - nB[2] * t110 - nD[2] * t117 - nA[2] * t122);
+    const double t129 = t76 + 6.0 * (t8 * t104 - nC[1] * t105 - nB[1] * t110 - nD[1] * t117 - nA[1] * t122);
+    const double t130 = t85 + 6.0 * (t12 * t104 - nC[0] * t105 - nB[0] * t110 - nD[0] * t117 - nA[0] * t122);
+    const double t131 = t2 - t6 * t101 - 6.0 * (nD[2] * t109 + nC[2] * t116 + nB[2] * t119 + nA[2] * t126);
+    const double t132 = t4 - t8 * t101 - 6.0 * (nD[1] * t109 + nC[1] * t116 + nB[1] * t119 + nA[1] * t126);
+    const double t133 = t10 - t12 * t101 - 6.0 * (nD[0] * t109 + nC[0] * t116 + nB[0] * t119 + nA[0] * t126);
+    const double t134 = t6 * t123 + t8 * t124 + t12 * t125;
+    const double t135 = nD[2] * t123 + nD[1] * t124 + nD[0] * t125;
+    const double t136 = nC[2] * t123 + nC[1] * t124 + nC[0] * t125;
+    const double t137 = nB[2] * t123 + nB[1] * t124 + nB[0] * t125;
+    const double t138 = nA[2] * t123 + nA[1] * t124 + nA[0] * t125;
+    const double t139 = t128 * t131 + t129 * t132 + t130 * t133 - 36.0 * (t89 * t86 - (1.0 / 36.0)) * t134 + 18.0 *
+        ((t88 * t111 + t42 * t118) * t135 + (t103 * t92 - t43 * t118) * t136 + (t103 * t107 - t44 * t127) * t137 +
+        (t47 * t127 + t88 * t112) * t138);
+    const double t140 = t128 * t128 + t129 * t129 + t130 * t130 - 12.0 * (t60 * t77 * t134 - (t93 * t113 + t40 *
+        t121) * t135 - (t41 * t120 - t93 * t91) * t136 - (t45 * t120 - t78 * t106) * t137 - (t78 * t114 + t46 *
+        t121) * t138);
+    const double t141 = t131 * t131 + t132 * t132 + t133 * t133 - 12.0 * (t58 * t80 * t134 - (t102 * t73 + t58 *
+        t74) * t135 - (t87 * t82 - t58 * t75) * t136 - (t87 * t99 - t58 * t97) * t137 - (t102 * t100 + t58 * t98) *
         t138);
-    const double t142 = t140 * t141;
-    const double t143 = t142 - t139 * t139;
-    const double t144 = t124 * t121 + t125 * t122 + t130 * t123;
-    const double t145 = t121 * t126 + t122 * t127 + t123 * t131;
-    const double t146 = t144 * t141 - t145 * t139;
-    const double t147 = t145 * t140 - t144 * t139;
-    const double u6 = 0.1 * t142;
-    const double t148 = (t143 > u6 ? t143 : u6);
+    const double t142 = t128 * t123 + t129 * t124 + t130 * t125;
+    const double t143 = t123 * t131 + t124 * t132 + t125 * t133;
+    const double t144 = t140 * t141;
+    const double t145 = t144 - t139 * t139;
+    const double t146 = t142 * t141 - t143 * t139;
+    const double t147 = t143 * t140 - t142 * t139;
+    const double u6 = 0.1 * t144;
+    const double t148 = (t145 > u6 ? t145 : u6);
     const double t149 = 1.0 / t148;
     const double t150 = t60 + t146 * t149;
     const double t151 = t58 + t147 * t149;
@@ -1155,100 +1155,100 @@ FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[
     const double t157 = t153 + 0.5;
     const double t158 = t156 - 1.0;
     const double t159 = t156 * t158;
-    const double t160 = t157 - 1.0;
-    const double t161 = t157 * t157 * (t157 - 1.5);
-    const double t162 = t157 * t160;
-    const double t163 = t156 * t156 * (t156 - 1.5);
+    const double t160 = t157 * t157 * (t157 - 1.5);
+    const double t161 = t157 - 1.0;
+    const double t162 = t156 * t156 * (t156 - 1.5);
+    const double t163 = t157 * t161;
     const double t164 = t156 * t159;
-    const double t165 = t160 * t162;
-    const double t166 = t161 + 0.5;
-    const double t167 = t40 * t163;
-    const double t168 = t41 * t164;
-    const double t169 = t5 - t6 * t157;
-    const double t170 = t157 + 2.0 * t161;
-    const double t171 = t156 - (2.0 / 3.0);
-    const double t172 = t157 * t162;
-    const double t173 = t156 + 2.0 * t163;
-    const double t174 = t43 * t163;
-    const double t175 = t42 * t164;
-    const double t176 = t158 * t159;
-    const double t177 = t163 + 0.5;
-    const double t178 = t7 - t8 * t157;
-    const double t179 = t162 + (1.0 / 6.0);
-    const double t180 = t157 - (1.0 / 3.0);
-    const double t181 = t159 + (1.0 / 6.0);
-    const double t182 = t156 * t171;
-    const double t183 = t42 * t161;
-    const double t184 = t43 * t159;
-    const double t185 = t156 - (1.0 / 3.0);
-    const double t186 = t170 * t173;
-    const double t187 = t167 * t165 + t166 * t168;
-    const double t188 = t44 * t176;
-    const double t189 = t45 * t177;
-    const double t190 = t11 - t12 * t157;
-    const double t191 = t180 * t160;
-    const double t192 = t157 - (2.0 / 3.0);
-    const double t193 = t181 * t170;
-    const double t194 = t185 * t158;
-    const double t195 = t44 * t161;
-    const double t196 = t45 * t159;
-    const double t197 = t174 * t172 - t161 * t175;
-    const double t198 = t47 * t176;
-    const double t199 = t46 * t177;
-    const double t200 = t157 * t192;
-    const double t201 = t184 * t172 - t182 * t183;
-    const double t202 = t40 * t159;
-    const double t203 = t41 * t166;
-    const double t204 = t172 * t189 - t161 * t188;
-    const double t205 = t156 - 6.0 * t179 * t173;
-    const double t206 = t191 * t167 + t162 * t168;
-    const double t207 = t196 * t172 - t194 * t195;
-    const double t208 = t46 * t159;
-    const double t209 = t47 * t166;
-    const double t210 = t166 * t198 + t165 * t199;
-    const double t211 = t200 * t174 - t162 * t175;
-    const double t212 = t202 * t165 + t182 * t203;
-    const double t213 = t200 * t189 - t162 * t188;
-    const double t214 = t208 * t165 + t194 * t209;
-    const double t215 = t191 * t199 + t162 * t198;
-    const double t216 = t17 - t2 * t157 - t156 * t169 - t6 * t186 + 2.0 * (nD[2] * t187 + nC[2] * t197 + nB[2] *
-        t204 + nA[2] * t210);
-    const double t217 = t18 - t4 * t157 - t156 * t178 - t8 * t186 + 2.0 * (nD[1] * t187 + nC[1] * t197 + nB[1] *
-        t204 + nA[1] * t210);
-    const double t218 = t21 - t10 * t157 - t156 * t190 - t12 * t186 + 2.0 * (nD[0] * t187 + nC[0] * t197 + nB[0] *
-        t204 + nA[0] * t210);
-    const double t219 = t169 + 6.0 * (t6 * t193 - nC[2] * t201 - nB[2] * t207 - nD[2] * t212 - nA[2] * t214);
-    const double t220 = t178 + 6.0 * (t8 * t193 - nC[1] * t201 - nB[1] * t207 - nD[1] * t212 - nA[1] * t214);
-    const double t221 = t2 - t6 * t205 - 6.0 * (nD[2] * t206 + nC[2] * t211 + nB[2] * t213 + nA[2] * t215);
-    const double t222 = t4 - t8 * t205 - 6.0 * (nD[1] * t206 + nC[1] * t211 + nB[1] * t213 + nA[1] * t215);
-    const double t223 = t182 * t162;
-    const double t224 = t155 * t165;
-    const double t225 = t190 + 6.0 * (t12 * t193 - nC[0] * t201 - nB[0] * t207 - nD[0] * t212 - nA[0] * t214);
-    const double t226 = t10 - t12 * t205 - 6.0 * (nD[0] * t206 + nC[0] * t211 + nB[0] * t213 + nA[0] * t215);
-    const double t227 = t6 * t216 + t8 * t217 + t12 * t218;
-    const double t228 = t155 * t172;
-    const double t229 = nD[2] * t216 + nD[1] * t217 + nD[0] * t218;
-    const double t230 = t194 * t162;
-    const double t231 = nC[2] * t216 + nC[1] * t217 + nC[0] * t218;
-    const double t232 = nB[2] * t216 + nB[1] * t217 + nB[0] * t218;
-    const double t233 = nA[2] * t216 + nA[1] * t217 + nA[0] * t218;
-    const double t234 = t219 * t221 + t220 * t222 + t225 * t226 - 36.0 * (t181 * t179 - (1.0 / 36.0)) * t227 + 18.0
-        * ((t191 * t202 + t41 * t223) * t229 + (t200 * t184 - t42 * t223) * t231 + (t200 * t196 - t44 * t230) * t232
-        + (t47 * t230 + t191 * t208) * t233);
-    const double t235 = t219 * t219 + t220 * t220 + t225 * t225 - 12.0 * (t155 * t170 * t227 - (t185 * t203 + t40 *
-        t224) * t229 - (t43 * t228 - t185 * t183) * t231 - (t45 * t228 - t171 * t195) * t232 - (t171 * t209 + t46 *
-        t224) * t233);
-    const double t236 = t221 * t221 + t222 * t222 + t226 * t226 - 12.0 * (t153 * t173 * t227 - (t192 * t167 + t153 *
-        t168) * t229 - (t180 * t174 - t153 * t175) * t231 - (t180 * t189 - t153 * t188) * t232 - (t192 * t199 + t153
-        * t198) * t233);
-    const double t237 = t235 * t236;
-    const double t238 = t237 - t234 * t234;
-    const double t239 = t219 * t216 + t220 * t217 + t225 * t218;
-    const double t240 = t216 * t221 + t217 * t222 + t218 * t226;
-    const double t241 = t240 * t235 - t239 * t234;
-    const double t242 = t239 * t236 - t240 * t234;
-    const double u7 = 0.1 * t237;
-    const double t243 = (t238 > u7 ? t238 : u7);
+    const double t165 = t5 - t6 * t157;
+    const double t166 = t161 * t163;
+    const double t167 = t160 + 0.5;
+    const double t168 = t40 * t162;
+    const double t169 = t42 * t164;
+    const double t170 = t43 * t164;
+    const double t171 = t7 - t8 * t157;
+    const double t172 = t157 + 2.0 * t160;
+    const double t173 = t156 - (2.0 / 3.0);
+    const double t174 = t157 * t163;
+    const double t175 = t156 + 2.0 * t162;
+    const double t176 = t168 * t166 + t167 * t169;
+    const double t177 = t41 * t162;
+    const double t178 = t162 + 0.5;
+    const double t179 = t158 * t159;
+    const double t180 = t11 - t12 * t157;
+    const double t181 = t163 + (1.0 / 6.0);
+    const double t182 = t157 - (1.0 / 3.0);
+    const double t183 = t182 * t161;
+    const double t184 = t159 + (1.0 / 6.0);
+    const double t185 = t156 * t173;
+    const double t186 = t43 * t160;
+    const double t187 = t41 * t159;
+    const double t188 = t156 - (1.0 / 3.0);
+    const double t189 = t188 * t158;
+    const double t190 = t172 * t175;
+    const double t191 = t177 * t174 - t160 * t170;
+    const double t192 = t44 * t179;
+    const double t193 = t47 * t179;
+    const double t194 = t45 * t178;
+    const double t195 = t46 * t178;
+    const double t196 = t156 - 6.0 * t181 * t175;
+    const double t197 = t157 - (2.0 / 3.0);
+    const double t198 = t157 * t197;
+    const double t199 = t184 * t172;
+    const double t200 = t187 * t174 - t185 * t186;
+    const double t201 = t44 * t160;
+    const double t202 = t45 * t159;
+    const double t203 = t174 * t194 - t160 * t192;
+    const double t204 = t183 * t168 + t163 * t169;
+    const double t205 = t202 * t174 - t189 * t201;
+    const double t206 = t40 * t159;
+    const double t207 = t46 * t159;
+    const double t208 = t42 * t167;
+    const double t209 = t47 * t167;
+    const double t210 = t167 * t193 + t166 * t195;
+    const double t211 = t198 * t177 - t163 * t170;
+    const double t212 = t206 * t166 + t185 * t208;
+    const double t213 = t185 * t163;
+    const double t214 = t198 * t194 - t163 * t192;
+    const double t215 = t155 * t174;
+    const double t216 = t155 * t166;
+    const double t217 = t207 * t166 + t189 * t209;
+    const double t218 = t17 - t2 * t157 - t156 * t165 - t6 * t190 + 2.0 * (nD[2] * t176 + nC[2] * t191 + nB[2] *
+        t203 + nA[2] * t210);
+    const double t219 = t18 - t4 * t157 - t156 * t171 - t8 * t190 + 2.0 * (nD[1] * t176 + nC[1] * t191 + nB[1] *
+        t203 + nA[1] * t210);
+    const double t220 = t21 - t10 * t157 - t156 * t180 - t12 * t190 + 2.0 * (nD[0] * t176 + nC[0] * t191 + nB[0] *
+        t203 + nA[0] * t210);
+    const double t221 = t6 * t218 + t8 * t219 + t12 * t220;
+    const double t222 = t183 * t195 + t163 * t193;
+    const double t223 = t189 * t163;
+    const double t224 = t165 + 6.0 * (t6 * t199 - nC[2] * t200 - nB[2] * t205 - nD[2] * t212 - nA[2] * t217);
+    const double t225 = t171 + 6.0 * (t8 * t199 - nC[1] * t200 - nB[1] * t205 - nD[1] * t212 - nA[1] * t217);
+    const double t226 = t180 + 6.0 * (t12 * t199 - nC[0] * t200 - nB[0] * t205 - nD[0] * t212 - nA[0] * t217);
+    const double t227 = t2 - t6 * t196 - 6.0 * (nD[2] * t204 + nC[2] * t211 + nB[2] * t214 + nA[2] * t222);
+    const double t228 = t4 - t8 * t196 - 6.0 * (nD[1] * t204 + nC[1] * t211 + nB[1] * t214 + nA[1] * t222);
+    const double t229 = t10 - t12 * t196 - 6.0 * (nD[0] * t204 + nC[0] * t211 + nB[0] * t214 + nA[0] * t222);
+    const double t230 = nD[2] * t218 + nD[1] * t219 + nD[0] * t220;
+    const double t231 = nC[2] * t218 + nC[1] * t219 + nC[0] * t220;
+    const double t232 = nB[2] * t218 + nB[1] * t219 + nB[0] * t220;
+    const double t233 = nA[2] * t218 + nA[1] * t219 + nA[0] * t220;
+    const double t234 = t224 * t227 + t225 * t228 + t226 * t229 - 36.0 * (t184 * t181 - (1.0 / 36.0)) * t221 + 18.0
+        * ((t183 * t206 + t42 * t213) * t230 + (t198 * t187 - t43 * t213) * t231 + (t198 * t202 - t44 * t223) * t232
+        + (t47 * t223 + t183 * t207) * t233);
+    const double t235 = t224 * t224 + t225 * t225 + t226 * t226 - 12.0 * (t155 * t172 * t221 - (t188 * t208 + t40 *
+        t216) * t230 - (t41 * t215 - t188 * t186) * t231 - (t45 * t215 - t173 * t201) * t232 - (t173 * t209 + t46 *
+        t216) * t233);
+    const double t236 = t227 * t227 + t228 * t228 + t229 * t229 - 12.0 * (t153 * t175 * t221 - (t197 * t168 + t153 *
+        t169) * t230 - (t182 * t177 - t153 * t170) * t231 - (t182 * t194 - t153 * t192) * t232 - (t197 * t195 + t153
+        * t193) * t233);
+    const double t237 = t224 * t218 + t225 * t219 + t226 * t220;
+    const double t238 = t218 * t227 + t219 * t228 + t220 * t229;
+    const double t239 = t235 * t236;
+    const double t240 = t239 - t234 * t234;
+    const double t241 = t238 * t235 - t237 * t234;
+    const double t242 = t237 * t236 - t238 * t234;
+    const double u7 = 0.1 * t239;
+    const double t243 = (t240 > u7 ? t240 : u7);
     const double t244 = 1.0 / t243;
     const double t245 = t153 + t241 * t244;
     const double t246 = t155 + t242 * t244;
@@ -1304,14 +1304,14 @@ FOOTPOINT_LOOP void footpoint_bezier_exact_n(size_t n, const double *const x[27]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_bezier_exact_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -1, 0.062884201846626311, 1.110223024625157e-16, 5.1676414680710499e-15},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0049109269171707425, 1, 7.0082533829294892e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.9707815220950281, 1, 2.248331876261516e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.12666206872141547, 1, 3.3323622851963747e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.34254162138826783, 1.110223024625157e-16, 2.603972025631574e-14},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.2393152953439924, 1, 1.0579812176046652e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.96346215170689675, 1.110223024625157e-16, 2.5404520231617732e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.7333274221121665, 1, 2.9969490610372815e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -1, 0.062884201846626311, 1.110223024625157e-16, 5.1676414680710507e-15},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0049109269171707425, 1, 7.0082533829294813e-16, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.9707815220950281, 1, 2.2483318762615164e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.12666206872141547, 1, 3.3323622851963297e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.34254162138826783, 1.110223024625157e-16, 2.6039720256315744e-14},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.2393152953439924, 1, 1.0579812176046628e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.96346215170689675, 1.110223024625157e-16, 2.5404520231617728e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.7333274221121665, 1, 2.9969490610372512e-14, 1.110223024625157e-16},
 };
 #endif
 
@@ -1349,23 +1349,23 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
     const double t24 = t14 * t14 + t16 * t16 + t20 * t20;
     const double t25 = t17 - 0.5 * (t2 + t13);
     const double t26 = t18 - 0.5 * (t4 + t15);
-    const double t27 = t21 - 0.5 * (t10 + t19);
-    const double t28 = t13 * t25 + t15 * t26 + t19 * t27;
-    const double t29 = t14 * t25 + t16 * t26 + t20 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t28 = t21 - 0.5 * (t10 + t19);
+    const double t29 = t13 * t25 + t15 * t26 + t19 * t28;
+    const double t30 = t14 * t25 + t16 * t26 + t20 * t28;
     const double t31 = t6 * t13 + t8 * t15 + t12 * t19;
     const double t32 = t6 * t14 + t8 * t16 + t12 * t20;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t23 * t32 - t31 * t22) * t30;
-    const double t36 = (t31 * t24 - t32 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t23 * t32 - t31 * t22) * t27;
+    const double t36 = (t31 * t24 - t32 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nD[2] * t1 + nD[1] * t3 + nD[0] * t9;
-    const double t41 = nD[2] * t5 + nD[1] * t7 + nD[0] * t11;
-    const double t42 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
-    const double t43 = nC[2] * t1 + nC[1] * t3 + nC[0] * t9;
+    const double t41 = nC[2] * t1 + nC[1] * t3 + nC[0] * t9;
+    const double t42 = nD[2] * t5 + nD[1] * t7 + nD[0] * t11;
+    const double t43 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t44 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t45 = nB[2] * t2 + nB[1] * t4 + nB[0] * t10;
     const double t46 = nA[2] * t2 + nA[1] * t4 + nA[0] * t10;
@@ -1389,100 +1389,100 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
     const double t62 = t58 + 0.5;
     const double t63 = t61 - 1.0;
     const double t64 = t61 * t63;
-    const double t65 = t62 - 1.0;
-    const double t66 = t62 * t62 * (t62 - 1.5);
-    const double t67 = t62 * t65;
-    const double t68 = t61 * t61 * (t61 - 1.5);
+    const double t65 = t62 * t62 * (t62 - 1.5);
+    const double t66 = t62 - 1.0;
+    const double t67 = t61 * t61 * (t61 - 1.5);
+    const double t68 = t62 * t66;
     const double t69 = t61 * t64;
-    const double t70 = t65 * t67;
-    const double t71 = t66 + 0.5;
-    const double t72 = t40 * t68;
-    const double t73 = t41 * t69;
-    const double t74 = t5 - t6 * t62;
-    const double t75 = t62 + 2.0 * t66;
-    const double t76 = t61 - (2.0 / 3.0);
-    const double t77 = t62 * t67;
-    const double t78 = t61 + 2.0 * t68;
-    const double t79 = t43 * t68;
-    const double t80 = t42 * t69;
-    const double t81 = t63 * t64;
-    const double t82 = t68 + 0.5;
-    const double t83 = t7 - t8 * t62;
-    const double t84 = t67 + (1.0 / 6.0);
-    const double t85 = t62 - (1.0 / 3.0);
-    const double t86 = t64 + (1.0 / 6.0);
-    const double t87 = t61 * t76;
-    const double t88 = t42 * t66;
-    const double t89 = t43 * t64;
-    const double t90 = t61 - (1.0 / 3.0);
-    const double t91 = t75 * t78;
-    const double t92 = t72 * t70 + t71 * t73;
-    const double t93 = t44 * t81;
-    const double t94 = t45 * t82;
-    const double t95 = t11 - t12 * t62;
-    const double t96 = t85 * t65;
-    const double t97 = t62 - (2.0 / 3.0);
-    const double t98 = t86 * t75;
-    const double t99 = t90 * t63;
-    const double t100 = t44 * t66;
-    const double t101 = t45 * t64;
-    const double t102 = t79 * t77 - t66 * t80;
-    const double t103 = t47 * t81;
-    const double t104 = t46 * t82;
-    const double t105 = t62 * t97;
-    const double t106 = t89 * t77 - t87 * t88;
-    const double t107 = t40 * t64;
-    const double t108 = t41 * t71;
-    const double t109 = t77 * t94 - t66 * t93;
-    const double t110 = t61 - 6.0 * t84 * t78;
-    const double t111 = t96 * t72 + t67 * t73;
-    const double t112 = t101 * t77 - t99 * t100;
-    const double t113 = t46 * t64;
-    const double t114 = t47 * t71;
-    const double t115 = t71 * t103 + t70 * t104;
-    const double t116 = t105 * t79 - t67 * t80;
-    const double t117 = t107 * t70 + t87 * t108;
-    const double t118 = t105 * t94 - t67 * t93;
-    const double t119 = t113 * t70 + t99 * t114;
-    const double t120 = t96 * t104 + t67 * t103;
-    const double t121 = t17 - t2 * t62 - t61 * t74 - t6 * t91 + 2.0 * (nD[2] * t92 + nC[2] * t102 + nB[2] * t109 +
+    const double t70 = t5 - t6 * t62;
+    const double t71 = t66 * t68;
+    const double t72 = t65 + 0.5;
+    const double t73 = t40 * t67;
+    const double t74 = t42 * t69;
+    const double t75 = t43 * t69;
+    const double t76 = t7 - t8 * t62;
+    const double t77 = t62 + 2.0 * t65;
+    const double t78 = t61 - (2.0 / 3.0);
+    const double t79 = t62 * t68;
+    const double t80 = t61 + 2.0 * t67;
+    const double t81 = t73 * t71 + t72 * t74;
+    const double t82 = t41 * t67;
+    const double t83 = t67 + 0.5;
+    const double t84 = t63 * t64;
+    const double t85 = t11 - t12 * t62;
+    const double t86 = t68 + (1.0 / 6.0);
+    const double t87 = t62 - (1.0 / 3.0);
+    const double t88 = t87 * t66;
+    const double t89 = t64 + (1.0 / 6.0);
+    const double t90 = t61 * t78;
+    const double t91 = t43 * t65;
+    const double t92 = t41 * t64;
+    const double t93 = t61 - (1.0 / 3.0);
+    const double t94 = t93 * t63;
+    const double t95 = t77 * t80;
+    const double t96 = t82 * t79 - t65 * t75;
+    const double t97 = t44 * t84;
+    const double t98 = t47 * t84;
+    const double t99 = t45 * t83;
+    const double t100 = t46 * t83;
+    const double t101 = t61 - 6.0 * t86 * t80;
+    const double t102 = t62 - (2.0 / 3.0);
+    const double t103 = t62 * t102;
+    const double t104 = t89 * t77;
+    const double t105 = t92 * t79 - t90 * t91;
+    const double t106 = t44 * t65;
+    const double t107 = t45 * t64;
+    const double t108 = t79 * t99 - t65 * t97;
+    const double t109 = t88 * t73 + t68 * t74;
+    const double t110 = t107 * t79 - t94 * t106;
+    const double t111 = t40 * t64;
+    const double t112 = t46 * t64;
+    const double t113 = t42 * t72;
+    const double t114 = t47 * t72;
+    const double t115 = t72 * t98 + t71 * t100;
+    const double t116 = t103 * t82 - t68 * t75;
+    const double t117 = t111 * t71 + t90 * t113;
+    const double t118 = t90 * t68;
+    const double t119 = t103 * t99 - t68 * t97;
+    const double t120 = t60 * t79;
+    const double t121 = t60 * t71;
+    const double t122 = t112 * t71 + t94 * t114;
+    const double t123 = t17 - t2 * t62 - t61 * t70 - t6 * t95 + 2.0 * (nD[2] * t81 + nC[2] * t96 + nB[2] * t108 +
         nA[2] * t115);
-    const double t122 = t18 - t4 * t62 - t61 * t83 - t8 * t91 + 2.0 * (nD[1] * t92 + nC[1] * t102 + nB[1] * t109 +
+    const double t124 = t18 - t4 * t62 - t61 * t76 - t8 * t95 + 2.0 * (nD[1] * t81 + nC[1] * t96 + nB[1] * t108 +
         nA[1] * t115);
-    const double t123 = t21 - t10 * t62 - t61 * t95 - t12 * t91 + 2.0 * (nD[0] * t92 + nC[0] * t102 + nB[0] * t109 +
+    const double t125 = t21 - t10 * t62 - t61 * t85 - t12 * t95 + 2.0 * (nD[0] * t81 + nC[0] * t96 + nB[0] * t108 +
         nA[0] * t115);
-    const double t124 = t74 + 6.0 * (t6 * t98 - nC[2] * t106 - nB[2] * t112 - nD[2] * t117 - nA[2] * t119);
-    const double t125 = t83 + 6.0 * (t8 * t98 - nC[1] * t106 - nB[1] * t112 - nD[1] * t117 - nA[1] * t119);
-    const double t126 = t2 - t6 * t110 - 6.0 * (nD[2] * t111 + nC[2] * t116 + nB[2] * t118 + nA[2] * t120);
-    const double t127 = t4 - t8 * t110 - 6.0 * (nD[1] * t111 + nC[1] * t116 + nB[1] * t118 + nA[1] * t120);
-    const double t128 = t87 * t67;
-    const double t129 = t60 * t70;
-    const double t130 = t95 + 6.0 * (t12 * t98 - nC[0] * t106 - nB[0] * t112 - nD[0] * t117 - nA[0] * t119);
-    const double t131 = t10 - t12 * t110 - 6.0 * (nD[0] * t111 + nC[0] * t116 + nB[0] * t118 + nA[0] * t120);
-    const double t132 = t6 * t121 + t8 * t122 + t12 * t123;
-    const double t133 = t60 * t77;
-    const double t134 = nD[2] * t121 + nD[1] * t122 + nD[0] * t123;
-    const double t135 = t99 * t67;
-    const double t136 = nC[2] * t121 + nC[1] * t122 + nC[0] * t123;
-    const double t137 = nB[2] * t121 + nB[1] * t122 + nB[0] * t123;
-    const double t138 = nA[2] * t121 + nA[1] * t122 + nA[0] * t123;
-    const double t139 = t124 * t126 + t125 * t127 + t130 * t131 - 36.0 * (t86 * t84 - (1.0 / 36.0)) * t132 + 18.0 *
-        ((t96 * t107 + t41 * t128) * t134 + (t105 * t89 - t42 * t128) * t136 + (t105 * t101 - t44 * t135) * t137 +
-        (t47 * t135 + t96 * t113) * t138);
-    const double t140 = t124 * t124 + t125 * t125 + t130 * t130 - 12.0 * (t60 * t75 * t132 - (t90 * t108 + t40 *
-        t129) * t134 - (t43 * t133 - t90 * t88) * t136 - (t45 * t133 - t76 * t100) * t137 - (t76 * t114 + t46 *
-        t129) * t138);
-    const double t141 = t126 * t126 + t127 * t127 + t131 * t131 - 12.0 * (t58 * t78 * t132 - (t97 * t72 + t58 * t73)
-        * t134 - (t85 * t79 - t58 * t80) * t136 - (t85 * t94 - t58 * t93) * t137 - (t97 * t104 + t58 * t103) *
+    const double t126 = t88 * t100 + t68 * t98;
+    const double t127 = t94 * t68;
+    const double t128 = t70 + 6.0 * (t6 * t104 - nC[2] * t105 - nB[2] * t110 - nD[2] * t117 - nA[2] * t122);
+    const double t129 = t76 + 6.0 * (t8 * t104 - nC[1] * t105 - nB[1] * t110 - nD[1] * t117 - nA[1] * t122);
+    const double t130 = t85 + 6.0 * (t12 * t104 - nC[0] * t105 - nB[0] * t110 - nD[0] * t117 - nA[0] * t122);
+    const double t131 = t2 - t6 * t101 - 6.0 * (nD[2] * t109 + nC[2] * t116 + nB[2] * t119 + nA[2] * t126);
+    const double t132 = t4 - t8 * t101 - 6.0 * (nD[1] * t109 + nC[1] * t116 + nB[1] * t119 + nA[1] * t126);
+    const double t133 = t10 - t12 * t101 - 6.0 * (nD[0] * t109 + nC[0] * t116 + nB[0] * t119 + nA[0] * t126);
+    const double t134 = t6 * t123 + t8 * t124 + t12 * t125;
+    const double t135 = nD[2] * t123 + nD[1] * t124 + nD[0] * t125;
+    const double t136 = nC[2] * t123 + nC[1] * t124 + nC[0] * t125;
+    const double t137 = nB[2] * t123 + nB[1] * t124 + nB[0] * t125;
+    const double t138 = nA[2] * t123 + nA[1] * t124 + nA[0] * t125;
+    const double t139 = t128 * t131 + t129 * t132 + t130 * t133 - 36.0 * (t89 * t86 - (1.0 / 36.0)) * t134 + 18.0 *
+        ((t88 * t111 + t42 * t118) * t135 + (t103 * t92 - t43 * t118) * t136 + (t103 * t107 - t44 * t127) * t137 +
+        (t47 * t127 + t88 * t112) * t138);
+    const double t140 = t128 * t128 + t129 * t129 + t130 * t130 - 12.0 * (t60 * t77 * t134 - (t93 * t113 + t40 *
+        t121) * t135 - (t41 * t120 - t93 * t91) * t136 - (t45 * t120 - t78 * t106) * t137 - (t78 * t114 + t46 *
+        t121) * t138);
+    const double t141 = t131 * t131 + t132 * t132 + t133 * t133 - 12.0 * (t58 * t80 * t134 - (t102 * t73 + t58 *
+        t74) * t135 - (t87 * t82 - t58 * t75) * t136 - (t87 * t99 - t58 * t97) * t137 - (t102 * t100 + t58 * t98) *
         t138);
-    const double t142 = t140 * t141;
-    const double t143 = t142 - t139 * t139;
-    const double t144 = t124 * t121 + t125 * t122 + t130 * t123;
-    const double t145 = t121 * t126 + t122 * t127 + t123 * t131;
-    const double t146 = t144 * t141 - t145 * t139;
-    const double t147 = t145 * t140 - t144 * t139;
-    const double u6 = 0.1 * t142;
-    const double t148 = (t143 > u6 ? t143 : u6);
+    const double t142 = t128 * t123 + t129 * t124 + t130 * t125;
+    const double t143 = t123 * t131 + t124 * t132 + t125 * t133;
+    const double t144 = t140 * t141;
+    const double t145 = t144 - t139 * t139;
+    const double t146 = t142 * t141 - t143 * t139;
+    const double t147 = t143 * t140 - t142 * t139;
+    const double u6 = 0.1 * t144;
+    const double t148 = (t145 > u6 ? t145 : u6);
     const double t149 = 1.0 / t148;
     const double t150 = t60 + t146 * t149;
     const double t151 = t58 + t147 * t149;
@@ -1494,100 +1494,100 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
     const double t157 = t153 + 0.5;
     const double t158 = t156 - 1.0;
     const double t159 = t156 * t158;
-    const double t160 = t157 - 1.0;
-    const double t161 = t157 * t157 * (t157 - 1.5);
-    const double t162 = t157 * t160;
-    const double t163 = t156 * t156 * (t156 - 1.5);
+    const double t160 = t157 * t157 * (t157 - 1.5);
+    const double t161 = t157 - 1.0;
+    const double t162 = t156 * t156 * (t156 - 1.5);
+    const double t163 = t157 * t161;
     const double t164 = t156 * t159;
-    const double t165 = t160 * t162;
-    const double t166 = t161 + 0.5;
-    const double t167 = t40 * t163;
-    const double t168 = t41 * t164;
-    const double t169 = t5 - t6 * t157;
-    const double t170 = t157 + 2.0 * t161;
-    const double t171 = t156 - (2.0 / 3.0);
-    const double t172 = t157 * t162;
-    const double t173 = t156 + 2.0 * t163;
-    const double t174 = t43 * t163;
-    const double t175 = t42 * t164;
-    const double t176 = t158 * t159;
-    const double t177 = t163 + 0.5;
-    const double t178 = t7 - t8 * t157;
-    const double t179 = t162 + (1.0 / 6.0);
-    const double t180 = t157 - (1.0 / 3.0);
-    const double t181 = t159 + (1.0 / 6.0);
-    const double t182 = t156 * t171;
-    const double t183 = t42 * t161;
-    const double t184 = t43 * t159;
-    const double t185 = t156 - (1.0 / 3.0);
-    const double t186 = t170 * t173;
-    const double t187 = t167 * t165 + t166 * t168;
-    const double t188 = t44 * t176;
-    const double t189 = t45 * t177;
-    const double t190 = t11 - t12 * t157;
-    const double t191 = t180 * t160;
-    const double t192 = t157 - (2.0 / 3.0);
-    const double t193 = t181 * t170;
-    const double t194 = t185 * t158;
-    const double t195 = t44 * t161;
-    const double t196 = t45 * t159;
-    const double t197 = t174 * t172 - t161 * t175;
-    const double t198 = t47 * t176;
-    const double t199 = t46 * t177;
-    const double t200 = t157 * t192;
-    const double t201 = t184 * t172 - t182 * t183;
-    const double t202 = t40 * t159;
-    const double t203 = t41 * t166;
-    const double t204 = t172 * t189 - t161 * t188;
-    const double t205 = t156 - 6.0 * t179 * t173;
-    const double t206 = t191 * t167 + t162 * t168;
-    const double t207 = t196 * t172 - t194 * t195;
-    const double t208 = t46 * t159;
-    const double t209 = t47 * t166;
-    const double t210 = t166 * t198 + t165 * t199;
-    const double t211 = t200 * t174 - t162 * t175;
-    const double t212 = t202 * t165 + t182 * t203;
-    const double t213 = t200 * t189 - t162 * t188;
-    const double t214 = t208 * t165 + t194 * t209;
-    const double t215 = t191 * t199 + t162 * t198;
-    const double t216 = t17 - t2 * t157 - t156 * t169 - t6 * t186 + 2.0 * (nD[2] * t187 + nC[2] * t197 + nB[2] *
-        t204 + nA[2] * t210);
-    const double t217 = t18 - t4 * t157 - t156 * t178 - t8 * t186 + 2.0 * (nD[1] * t187 + nC[1] * t197 + nB[1] *
-        t204 + nA[1] * t210);
-    const double t218 = t21 - t10 * t157 - t156 * t190 - t12 * t186 + 2.0 * (nD[0] * t187 + nC[0] * t197 + nB[0] *
-        t204 + nA[0] * t210);
-    const double t219 = t169 + 6.0 * (t6 * t193 - nC[2] * t201 - nB[2] * t207 - nD[2] * t212 - nA[2] * t214);
-    const double t220 = t178 + 6.0 * (t8 * t193 - nC[1] * t201 - nB[1] * t207 - nD[1] * t212 - nA[1] * t214);
-    const double t221 = t2 - t6 * t205 - 6.0 * (nD[2] * t206 + nC[2] * t211 + nB[2] * t213 + nA[2] * t215);
-    const double t222 = t4 - t8 * t205 - 6.0 * (nD[1] * t206 + nC[1] * t211 + nB[1] * t213 + nA[1] * t215);
-    const double t223 = t182 * t162;
-    const double t224 = t155 * t165;
-    const double t225 = t190 + 6.0 * (t12 * t193 - nC[0] * t201 - nB[0] * t207 - nD[0] * t212 - nA[0] * t214);
-    const double t226 = t10 - t12 * t205 - 6.0 * (nD[0] * t206 + nC[0] * t211 + nB[0] * t213 + nA[0] * t215);
-    const double t227 = t6 * t216 + t8 * t217 + t12 * t218;
-    const double t228 = t155 * t172;
-    const double t229 = nD[2] * t216 + nD[1] * t217 + nD[0] * t218;
-    const double t230 = t194 * t162;
-    const double t231 = nC[2] * t216 + nC[1] * t217 + nC[0] * t218;
-    const double t232 = nB[2] * t216 + nB[1] * t217 + nB[0] * t218;
-    const double t233 = nA[2] * t216 + nA[1] * t217 + nA[0] * t218;
-    const double t234 = t219 * t221 + t220 * t222 + t225 * t226 - 36.0 * (t181 * t179 - (1.0 / 36.0)) * t227 + 18.0
-        * ((t191 * t202 + t41 * t223) * t229 + (t200 * t184 - t42 * t223) * t231 + (t200 * t196 - t44 * t230) * t232
-        + (t47 * t230 + t191 * t208) * t233);
-    const double t235 = t219 * t219 + t220 * t220 + t225 * t225 - 12.0 * (t155 * t170 * t227 - (t185 * t203 + t40 *
-        t224) * t229 - (t43 * t228 - t185 * t183) * t231 - (t45 * t228 - t171 * t195) * t232 - (t171 * t209 + t46 *
-        t224) * t233);
-    const double t236 = t221 * t221 + t222 * t222 + t226 * t226 - 12.0 * (t153 * t173 * t227 - (t192 * t167 + t153 *
-        t168) * t229 - (t180 * t174 - t153 * t175) * t231 - (t180 * t189 - t153 * t188) * t232 - (t192 * t199 + t153
-        * t198) * t233);
-    const double t237 = t235 * t236;
-    const double t238 = t237 - t234 * t234;
-    const double t239 = t219 * t216 + t220 * t217 + t225 * t218;
-    const double t240 = t216 * t221 + t217 * t222 + t218 * t226;
-    const double t241 = t239 * t236 - t240 * t234;
-    const double t242 = t240 * t235 - t239 * t234;
-    const double u7 = 0.1 * t237;
-    const double t243 = (t238 > u7 ? t238 : u7);
+    const double t165 = t5 - t6 * t157;
+    const double t166 = t161 * t163;
+    const double t167 = t160 + 0.5;
+    const double t168 = t40 * t162;
+    const double t169 = t42 * t164;
+    const double t170 = t43 * t164;
+    const double t171 = t7 - t8 * t157;
+    const double t172 = t157 + 2.0 * t160;
+    const double t173 = t156 - (2.0 / 3.0);
+    const double t174 = t157 * t163;
+    const double t175 = t156 + 2.0 * t162;
+    const double t176 = t168 * t166 + t167 * t169;
+    const double t177 = t41 * t162;
+    const double t178 = t162 + 0.5;
+    const double t179 = t158 * t159;
+    const double t180 = t11 - t12 * t157;
+    const double t181 = t163 + (1.0 / 6.0);
+    const double t182 = t157 - (1.0 / 3.0);
+    const double t183 = t182 * t161;
+    const double t184 = t159 + (1.0 / 6.0);
+    const double t185 = t156 * t173;
+    const double t186 = t43 * t160;
+    const double t187 = t41 * t159;
+    const double t188 = t156 - (1.0 / 3.0);
+    const double t189 = t188 * t158;
+    const double t190 = t172 * t175;
+    const double t191 = t177 * t174 - t160 * t170;
+    const double t192 = t44 * t179;
+    const double t193 = t47 * t179;
+    const double t194 = t45 * t178;
+    const double t195 = t46 * t178;
+    const double t196 = t156 - 6.0 * t181 * t175;
+    const double t197 = t157 - (2.0 / 3.0);
+    const double t198 = t157 * t197;
+    const double t199 = t184 * t172;
+    const double t200 = t187 * t174 - t185 * t186;
+    const double t201 = t44 * t160;
+    const double t202 = t45 * t159;
+    const double t203 = t174 * t194 - t160 * t192;
+    const double t204 = t183 * t168 + t163 * t169;
+    const double t205 = t202 * t174 - t189 * t201;
+    const double t206 = t40 * t159;
+    const double t207 = t46 * t159;
+    const double t208 = t42 * t167;
+    const double t209 = t47 * t167;
+    const double t210 = t167 * t193 + t166 * t195;
+    const double t211 = t198 * t177 - t163 * t170;
+    const double t212 = t206 * t166 + t185 * t208;
+    const double t213 = t185 * t163;
+    const double t214 = t198 * t194 - t163 * t192;
+    const double t215 = t155 * t174;
+    const double t216 = t155 * t166;
+    const double t217 = t207 * t166 + t189 * t209;
+    const double t218 = t17 - t2 * t157 - t156 * t165 - t6 * t190 + 2.0 * (nD[2] * t176 + nC[2] * t191 + nB[2] *
+        t203 + nA[2] * t210);
+    const double t219 = t18 - t4 * t157 - t156 * t171 - t8 * t190 + 2.0 * (nD[1] * t176 + nC[1] * t191 + nB[1] *
+        t203 + nA[1] * t210);
+    const double t220 = t21 - t10 * t157 - t156 * t180 - t12 * t190 + 2.0 * (nD[0] * t176 + nC[0] * t191 + nB[0] *
+        t203 + nA[0] * t210);
+    const double t221 = t183 * t195 + t163 * t193;
+    const double t222 = t189 * t163;
+    const double t223 = t165 + 6.0 * (t6 * t199 - nC[2] * t200 - nB[2] * t205 - nD[2] * t212 - nA[2] * t217);
+    const double t224 = t171 + 6.0 * (t8 * t199 - nC[1] * t200 - nB[1] * t205 - nD[1] * t212 - nA[1] * t217);
+    const double t225 = t180 + 6.0 * (t12 * t199 - nC[0] * t200 - nB[0] * t205 - nD[0] * t212 - nA[0] * t217);
+    const double t226 = t2 - t6 * t196 - 6.0 * (nD[2] * t204 + nC[2] * t211 + nB[2] * t214 + nA[2] * t221);
+    const double t227 = t4 - t8 * t196 - 6.0 * (nD[1] * t204 + nC[1] * t211 + nB[1] * t214 + nA[1] * t221);
+    const double t228 = t10 - t12 * t196 - 6.0 * (nD[0] * t204 + nC[0] * t211 + nB[0] * t214 + nA[0] * t221);
+    const double t229 = t6 * t218 + t8 * t219 + t12 * t220;
+    const double t230 = nD[2] * t218 + nD[1] * t219 + nD[0] * t220;
+    const double t231 = nC[2] * t218 + nC[1] * t219 + nC[0] * t220;
+    const double t232 = nB[2] * t218 + nB[1] * t219 + nB[0] * t220;
+    const double t233 = nA[2] * t218 + nA[1] * t219 + nA[0] * t220;
+    const double t234 = t223 * t226 + t224 * t227 + t225 * t228 - 36.0 * (t184 * t181 - (1.0 / 36.0)) * t229 + 18.0
+        * ((t183 * t206 + t42 * t213) * t230 + (t198 * t187 - t43 * t213) * t231 + (t198 * t202 - t44 * t222) * t232
+        + (t47 * t222 + t183 * t207) * t233);
+    const double t235 = t223 * t223 + t224 * t224 + t225 * t225 - 12.0 * (t155 * t172 * t229 - (t188 * t208 + t40 *
+        t216) * t230 - (t41 * t215 - t188 * t186) * t231 - (t45 * t215 - t173 * t201) * t232 - (t173 * t209 + t46 *
+        t216) * t233);
+    const double t236 = t226 * t226 + t227 * t227 + t228 * t228 - 12.0 * (t153 * t175 * t229 - (t197 * t168 + t153 *
+        t169) * t230 - (t182 * t177 - t153 * t170) * t231 - (t182 * t194 - t153 * t192) * t232 - (t197 * t195 + t153
+        * t193) * t233);
+    const double t237 = t223 * t218 + t224 * t219 + t225 * t220;
+    const double t238 = t218 * t226 + t219 * t227 + t220 * t228;
+    const double t239 = t235 * t236;
+    const double t240 = t239 - t234 * t234;
+    const double t241 = t237 * t236 - t238 * t234;
+    const double t242 = t238 * t235 - t237 * t234;
+    const double u7 = 0.1 * t239;
+    const double t243 = (t240 > u7 ? t240 : u7);
     const double t244 = 1.0 / t243;
     const double t245 = t155 + t241 * t244;
     const double t246 = t153 + t242 * t244;
@@ -1599,100 +1599,100 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
     const double t252 = t248 + 0.5;
     const double t253 = t251 - 1.0;
     const double t254 = t251 * t253;
-    const double t255 = t252 - 1.0;
-    const double t256 = t252 * t252 * (t252 - 1.5);
-    const double t257 = t252 * t255;
-    const double t258 = t251 * t251 * (t251 - 1.5);
+    const double t255 = t252 * t252 * (t252 - 1.5);
+    const double t256 = t252 - 1.0;
+    const double t257 = t251 * t251 * (t251 - 1.5);
+    const double t258 = t252 * t256;
     const double t259 = t251 * t254;
-    const double t260 = t255 * t257;
-    const double t261 = t256 + 0.5;
-    const double t262 = t40 * t258;
-    const double t263 = t41 * t259;
-    const double t264 = t5 - t6 * t252;
-    const double t265 = t252 + 2.0 * t256;
-    const double t266 = t251 - (2.0 / 3.0);
-    const double t267 = t252 * t257;
-    const double t268 = t251 + 2.0 * t258;
-    const double t269 = t43 * t258;
-    const double t270 = t42 * t259;
-    const double t271 = t253 * t254;
-    const double t272 = t258 + 0.5;
-    const double t273 = t7 - t8 * t252;
-    const double t274 = t257 + (1.0 / 6.0);
-    const double t275 = t252 - (1.0 / 3.0);
-    const double t276 = t254 + (1.0 / 6.0);
-    const double t277 = t251 * t266;
-    const double t278 = t42 * t256;
-    const double t279 = t43 * t254;
-    const double t280 = t251 - (1.0 / 3.0);
-    const double t281 = t265 * t268;
-    const double t282 = t262 * t260 + t261 * t263;
-    const double t283 = t44 * t271;
-    const double t284 = t45 * t272;
-    const double t285 = t11 - t12 * t252;
-    const double t286 = t275 * t255;
-    const double t287 = t252 - (2.0 / 3.0);
-    const double t288 = t276 * t265;
-    const double t289 = t280 * t253;
-    const double t290 = t44 * t256;
-    const double t291 = t45 * t254;
-    const double t292 = t269 * t267 - t256 * t270;
-    const double t293 = t47 * t271;
-    const double t294 = t46 * t272;
-    const double t295 = t252 * t287;
-    const double t296 = t279 * t267 - t277 * t278;
-    const double t297 = t40 * t254;
-    const double t298 = t41 * t261;
-    const double t299 = t267 * t284 - t256 * t283;
-    const double t300 = t251 - 6.0 * t274 * t268;
-    const double t301 = t286 * t262 + t257 * t263;
-    const double t302 = t291 * t267 - t289 * t290;
-    const double t303 = t46 * t254;
-    const double t304 = t47 * t261;
-    const double t305 = t261 * t293 + t260 * t294;
-    const double t306 = t295 * t269 - t257 * t270;
-    const double t307 = t297 * t260 + t277 * t298;
-    const double t308 = t295 * t284 - t257 * t283;
-    const double t309 = t303 * t260 + t289 * t304;
-    const double t310 = t286 * t294 + t257 * t293;
-    const double t311 = t17 - t2 * t252 - t251 * t264 - t6 * t281 + 2.0 * (nD[2] * t282 + nC[2] * t292 + nB[2] *
-        t299 + nA[2] * t305);
-    const double t312 = t18 - t4 * t252 - t251 * t273 - t8 * t281 + 2.0 * (nD[1] * t282 + nC[1] * t292 + nB[1] *
-        t299 + nA[1] * t305);
-    const double t313 = t21 - t10 * t252 - t251 * t285 - t12 * t281 + 2.0 * (nD[0] * t282 + nC[0] * t292 + nB[0] *
-        t299 + nA[0] * t305);
-    const double t314 = t264 + 6.0 * (t6 * t288 - nC[2] * t296 - nB[2] * t302 - nD[2] * t307 - nA[2] * t309);
-    const double t315 = t273 + 6.0 * (t8 * t288 - nC[1] * t296 - nB[1] * t302 - nD[1] * t307 - nA[1] * t309);
-    const double t316 = t2 - t6 * t300 - 6.0 * (nD[2] * t301 + nC[2] * t306 + nB[2] * t308 + nA[2] * t310);
-    const double t317 = t4 - t8 * t300 - 6.0 * (nD[1] * t301 + nC[1] * t306 + nB[1] * t308 + nA[1] * t310);
-    const double t318 = t277 * t257;
-    const double t319 = t250 * t260;
-    const double t320 = t285 + 6.0 * (t12 * t288 - nC[0] * t296 - nB[0] * t302 - nD[0] * t307 - nA[0] * t309);
-    const double t321 = t10 - t12 * t300 - 6.0 * (nD[0] * t301 + nC[0] * t306 + nB[0] * t308 + nA[0] * t310);
-    const double t322 = t6 * t311 + t8 * t312 + t12 * t313;
-    const double t323 = t250 * t267;
-    const double t324 = nD[2] * t311 + nD[1] * t312 + nD[0] * t313;
-    const double t325 = t289 * t257;
-    const double t326 = nC[2] * t311 + nC[1] * t312 + nC[0] * t313;
-    const double t327 = nB[2] * t311 + nB[1] * t312 + nB[0] * t313;
-    const double t328 = nA[2] * t311 + nA[1] * t312 + nA[0] * t313;
-    const double t329 = t314 * t316 + t315 * t317 + t320 * t321 - 36.0 * (t276 * t274 - (1.0 / 36.0)) * t322 + 18.0
-        * ((t286 * t297 + t41 * t318) * t324 + (t295 * t279 - t42 * t318) * t326 + (t295 * t291 - t44 * t325) * t327
-        + (t47 * t325 + t286 * t303) * t328);
-    const double t330 = t314 * t314 + t315 * t315 + t320 * t320 - 12.0 * (t250 * t265 * t322 - (t280 * t298 + t40 *
-        t319) * t324 - (t43 * t323 - t280 * t278) * t326 - (t45 * t323 - t266 * t290) * t327 - (t266 * t304 + t46 *
-        t319) * t328);
-    const double t331 = t316 * t316 + t317 * t317 + t321 * t321 - 12.0 * (t248 * t268 * t322 - (t287 * t262 + t248 *
-        t263) * t324 - (t275 * t269 - t248 * t270) * t326 - (t275 * t284 - t248 * t283) * t327 - (t287 * t294 + t248
-        * t293) * t328);
-    const double t332 = t330 * t331;
-    const double t333 = t332 - t329 * t329;
-    const double t334 = t314 * t311 + t315 * t312 + t320 * t313;
-    const double t335 = t311 * t316 + t312 * t317 + t313 * t321;
-    const double t336 = t335 * t330 - t334 * t329;
-    const double t337 = t334 * t331 - t335 * t329;
-    const double u8 = 0.1 * t332;
-    const double t338 = (t333 > u8 ? t333 : u8);
+    const double t260 = t5 - t6 * t252;
+    const double t261 = t256 * t258;
+    const double t262 = t255 + 0.5;
+    const double t263 = t40 * t257;
+    const double t264 = t42 * t259;
+    const double t265 = t43 * t259;
+    const double t266 = t7 - t8 * t252;
+    const double t267 = t252 + 2.0 * t255;
+    const double t268 = t251 - (2.0 / 3.0);
+    const double t269 = t252 * t258;
+    const double t270 = t251 + 2.0 * t257;
+    const double t271 = t263 * t261 + t262 * t264;
+    const double t272 = t41 * t257;
+    const double t273 = t257 + 0.5;
+    const double t274 = t253 * t254;
+    const double t275 = t11 - t12 * t252;
+    const double t276 = t258 + (1.0 / 6.0);
+    const double t277 = t252 - (1.0 / 3.0);
+    const double t278 = t277 * t256;
+    const double t279 = t254 + (1.0 / 6.0);
+    const double t280 = t251 * t268;
+    const double t281 = t43 * t255;
+    const double t282 = t41 * t254;
+    const double t283 = t251 - (1.0 / 3.0);
+    const double t284 = t283 * t253;
+    const double t285 = t267 * t270;
+    const double t286 = t272 * t269 - t255 * t265;
+    const double t287 = t44 * t274;
+    const double t288 = t47 * t274;
+    const double t289 = t45 * t273;
+    const double t290 = t46 * t273;
+    const double t291 = t251 - 6.0 * t276 * t270;
+    const double t292 = t252 - (2.0 / 3.0);
+    const double t293 = t252 * t292;
+    const double t294 = t279 * t267;
+    const double t295 = t282 * t269 - t280 * t281;
+    const double t296 = t44 * t255;
+    const double t297 = t45 * t254;
+    const double t298 = t269 * t289 - t255 * t287;
+    const double t299 = t278 * t263 + t258 * t264;
+    const double t300 = t297 * t269 - t284 * t296;
+    const double t301 = t40 * t254;
+    const double t302 = t46 * t254;
+    const double t303 = t42 * t262;
+    const double t304 = t47 * t262;
+    const double t305 = t262 * t288 + t261 * t290;
+    const double t306 = t293 * t272 - t258 * t265;
+    const double t307 = t301 * t261 + t280 * t303;
+    const double t308 = t280 * t258;
+    const double t309 = t293 * t289 - t258 * t287;
+    const double t310 = t250 * t269;
+    const double t311 = t250 * t261;
+    const double t312 = t302 * t261 + t284 * t304;
+    const double t313 = t17 - t2 * t252 - t251 * t260 - t6 * t285 + 2.0 * (nD[2] * t271 + nC[2] * t286 + nB[2] *
+        t298 + nA[2] * t305);
+    const double t314 = t18 - t4 * t252 - t251 * t266 - t8 * t285 + 2.0 * (nD[1] * t271 + nC[1] * t286 + nB[1] *
+        t298 + nA[1] * t305);
+    const double t315 = t21 - t10 * t252 - t251 * t275 - t12 * t285 + 2.0 * (nD[0] * t271 + nC[0] * t286 + nB[0] *
+        t298 + nA[0] * t305);
+    const double t316 = t6 * t313 + t8 * t314 + t12 * t315;
+    const double t317 = t278 * t290 + t258 * t288;
+    const double t318 = t284 * t258;
+    const double t319 = t260 + 6.0 * (t6 * t294 - nC[2] * t295 - nB[2] * t300 - nD[2] * t307 - nA[2] * t312);
+    const double t320 = t266 + 6.0 * (t8 * t294 - nC[1] * t295 - nB[1] * t300 - nD[1] * t307 - nA[1] * t312);
+    const double t321 = t275 + 6.0 * (t12 * t294 - nC[0] * t295 - nB[0] * t300 - nD[0] * t307 - nA[0] * t312);
+    const double t322 = t2 - t6 * t291 - 6.0 * (nD[2] * t299 + nC[2] * t306 + nB[2] * t309 + nA[2] * t317);
+    const double t323 = t4 - t8 * t291 - 6.0 * (nD[1] * t299 + nC[1] * t306 + nB[1] * t309 + nA[1] * t317);
+    const double t324 = t10 - t12 * t291 - 6.0 * (nD[0] * t299 + nC[0] * t306 + nB[0] * t309 + nA[0] * t317);
+    const double t325 = nD[2] * t313 + nD[1] * t314 + nD[0] * t315;
+    const double t326 = nC[2] * t313 + nC[1] * t314 + nC[0] * t315;
+    const double t327 = nB[2] * t313 + nB[1] * t314 + nB[0] * t315;
+    const double t328 = nA[2] * t313 + nA[1] * t314 + nA[0] * t315;
+    const double t329 = t319 * t322 + t320 * t323 + t321 * t324 - 36.0 * (t279 * t276 - (1.0 / 36.0)) * t316 + 18.0
+        * ((t278 * t301 + t42 * t308) * t325 + (t293 * t282 - t43 * t308) * t326 + (t293 * t297 - t44 * t318) * t327
+        + (t47 * t318 + t278 * t302) * t328);
+    const double t330 = t319 * t319 + t320 * t320 + t321 * t321 - 12.0 * (t250 * t267 * t316 - (t283 * t303 + t40 *
+        t311) * t325 - (t41 * t310 - t283 * t281) * t326 - (t45 * t310 - t268 * t296) * t327 - (t268 * t304 + t46 *
+        t311) * t328);
+    const double t331 = t322 * t322 + t323 * t323 + t324 * t324 - 12.0 * (t248 * t270 * t316 - (t292 * t263 + t248 *
+        t264) * t325 - (t277 * t272 - t248 * t265) * t326 - (t277 * t289 - t248 * t287) * t327 - (t292 * t290 + t248
+        * t288) * t328);
+    const double t332 = t319 * t313 + t320 * t314 + t321 * t315;
+    const double t333 = t313 * t322 + t314 * t323 + t315 * t324;
+    const double t334 = t330 * t331;
+    const double t335 = t334 - t329 * t329;
+    const double t336 = t333 * t330 - t332 * t329;
+    const double t337 = t332 * t331 - t333 * t329;
+    const double u8 = 0.1 * t334;
+    const double t338 = (t335 > u8 ? t335 : u8);
     const double t339 = 1.0 / t338;
     const double t340 = t248 + t336 * t339;
     const double t341 = t250 + t337 * t339;
@@ -1749,13 +1749,13 @@ FOOTPOINT_LOOP void footpoint_bezier_full_n(size_t n, const double *const x[27],
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_bezier_full_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, 1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0048355887346730967, 1, 6.9798916361683148e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.89601084099898365, 1, 7.0682238508644406e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.058517426437782141, 1, 3.1671570064700862e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0048355887346730967, 1, 6.9798916361682478e-16, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.89601084099898365, 1, 7.0682238508644394e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.058517426437782141, 1, 3.1671570064699963e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.85517675893571476, 1.110223024625157e-16, 6.2072501946239317e-14},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.73617416912681533, 1, 1.9389553629837788e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.96343982503092118, 1.110223024625157e-16, 2.4966598700684805e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, -0.41270688570971914, 1, 1.6578474445103009e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.73617416912681533, 1, 1.9389553629838337e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.96343982503092118, 1.110223024625157e-16, 2.4966598700684809e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, -0.41270688570971914, 1, 1.6578474445075992e-14, 1.110223024625157e-16},
 };
 #endif
 

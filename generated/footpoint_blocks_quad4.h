@@ -14,14 +14,14 @@
  *
  * footpoint_blocks_quad4_fast
  *   genome_sha256: 39b3b71fa915f660c92db1abf7c81b1f04adcdc979d15bfb058f6e3f82952a73
- *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
+ *   operations: 26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.54, 1.42], yC in [0.71, 1.52],
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.23 (rounding error <= 6.7e-15)
- *   rounding error of xi: <= 2.6e-14 proved (with or without FMA), 9.8e-16 worst of 10000 points
- *   rounding error of eta: <= 2.3e-14 proved (with or without FMA), 1.3e-15 worst of 10000 points
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 3.6 (rounding error <= 9.9e-14)
+ *   rounding error of xi: <= 2.5e-14 proved (with or without FMA), 1.2e-15 worst of 10000 points
+ *   rounding error of eta: <= 2.3e-14 proved (with or without FMA), 9.6e-16 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.039e-02
@@ -55,9 +55,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.54, 1.42], yC in [0.71, 1.52],
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
- *   poles: t15 * t14 - t13 * t13: proved free of zeros, |...| >= 0.23 (rounding error <= 6.7e-15)
- *   poles: t33 * t32 - t31 * t31: proved free of zeros, |...| >= 0.057 (rounding error <= 6.9e-11)
- *   rounding error of xi: <= 4.9e-08 proved (with or without FMA), 2.5e-15 worst of 10000 points
+ *   poles: t18 * t17 - t16 * t16: proved free of zeros, |...| >= 0.23 (rounding error <= 6.7e-15)
+ *   poles: t33 * t31 - t32 * t32: proved free of zeros, |...| >= 0.057 (rounding error <= 6.9e-11)
+ *   rounding error of xi: <= 4.9e-08 proved (with or without FMA), 3.2e-15 worst of 10000 points
  *   rounding error of eta: <= 3.8e-08 proved (with or without FMA), 2.5e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -75,9 +75,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.54, 1.42], yC in [0.71, 1.52],
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 0.23 (rounding error <= 6.7e-15)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 0.23 (rounding error <= 6.7e-15)
  *   poles: t35 * t35 - t34 * t36: proved free of zeros, |...| >= 0.053 (rounding error <= 9.5e-06)
- *   rounding error of xi: <= 0.6 proved (with or without FMA), 3e-15 worst of 10000 points
+ *   rounding error of xi: <= 0.6 proved (with or without FMA), 2.4e-15 worst of 10000 points
  *   rounding error of eta: <= 0.47 proved (with or without FMA), 1.8e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -96,7 +96,7 @@
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
  *   poles: t32: proved free of zeros, |t32| >= 0.00015 (rounding error <= 3.4e-11)
- *   poles: t44 * t44 - t43 * t45: proved free of zeros, |...| >= 0.05 (rounding error <= 0.043)
+ *   poles: t45 * t45 - t41 * t43: proved free of zeros, |...| >= 0.05 (rounding error <= 0.043)
  *   rounding error of xi: no bound found, 2.5e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 3.2e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -116,7 +116,7 @@
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
  *   poles: t31: proved free of zeros, |t31| >= 0.00015 (rounding error <= 3.4e-11)
- *   poles: t43 * t44 - t42 * t42: proved free of zeros, |...| >= 0.05 (rounding error <= 0.059)
+ *   poles: t40 * t41 - t44 * t44: proved free of zeros, |...| >= 0.05 (rounding error <= 0.059)
  *   rounding error of xi: no bound found, 1.8e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 2.4e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -136,8 +136,8 @@
  *     zC in [-0.02, 0.01], xD in [-0.48, 0.39], yD in [0.68, 1.44], zD = 0.00, xS in [-0.62, 1.55],
  *     yS in [-0.15, 1.67], zS in [-0.23, 0.23]; all requires > 0
  *   poles: t30: proved free of zeros, |t30| >= 0.00015 (rounding error <= 3.4e-11)
- *   poles: t45 * t46 - t44 * t44: proved free of zeros, |...| >= 0.05 (rounding error <= 2.5e+12)
- *   poles: t57 * t57 - t56 * t58: proved free of zeros, |...| >= 0.05
+ *   poles: t43 * t45 - t46 * t46: proved free of zeros, |...| >= 0.05 (rounding error <= 2.5e+12)
+ *   poles: t58 * t58 - t54 * t56: proved free of zeros, |...| >= 0.05
  *   rounding error of xi: no bound found, 1.6e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 2.3e-15 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding
@@ -254,36 +254,33 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_blocks_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                  const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xA[1] - xB[1];
-    const double t3 = xC[2] - xD[2] + t1;
-    const double t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = xC[0] - xD[0] + t5;
-    const double u1 = 0.5 * t3;
-    const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
-    const double u2 = 0.5 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
-    const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t17 = t2 - 2.0 * (xA[1] - xS[1]) + t9;
-    const double t18 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    *xi = (t13 * t19 - t14 * t20) * t21;
-    *eta = (t13 * t20 - t15 * t19) * t21;
+    const double t1 = xB[2] - xD[2];
+    const double t2 = xA[2] - xC[2];
+    const double t3 = xB[1] - xD[1];
+    const double t4 = xA[1] - xC[1];
+    const double t5 = t2 - t1;
+    const double t6 = t1 + t2;
+    const double t7 = t4 - t3;
+    const double t8 = t3 + t4;
+    const double t9 = xB[0] - xD[0];
+    const double t10 = xA[0] - xC[0];
+    const double t11 = t6 - 2.0 * ((xB[2] - xS[2]) + (xA[2] - xS[2]));
+    const double t12 = t8 - 2.0 * ((xB[1] - xS[1]) + (xA[1] - xS[1]));
+    const double t13 = t10 - t9;
+    const double t14 = t9 + t10;
+    const double t15 = t14 - 2.0 * ((xB[0] - xS[0]) + (xA[0] - xS[0]));
+    const double t16 = t5 * t6 + t7 * t8 + t13 * t14;
+    const double t17 = t6 * t6 + t8 * t8 + t14 * t14;
+    const double t18 = t6 * t11 + t8 * t12 + t14 * t15;
+    const double t19 = t5 * t11 + t7 * t12 + t13 * t15;
+    const double t20 = t5 * t5 + t7 * t7 + t13 * t13;
+    const double t21 = 1.0 / (t17 * t20 - t16 * t16);
+    *xi = (t16 * t18 - t17 * t19) * t21;
+    *eta = (t16 * t19 - t20 * t18) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -322,14 +319,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.81758855139833952, 0.33957713071406587, 1.7120807975524575e-15, 1.0230875998407898e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0032329439017755616, -1.131412701835657, 3.6298852938430992e-16, 1.8556991515829748e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.4167024218747386, 0.66312708028693734, 2.5579316771158636e-15, 1.3541301994500154e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.29850216694603138, 0.91577948938198228, 9.9560187222058103e-16, 2.0049559887199991e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.2060294571644898, -1.1011480073456446, 2.2798248785845575e-15, 2.0656118109815454e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.60113459285444848, -1.1060800332711458, 1.5885931645704959e-15, 1.907874069154181e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5195520132079694, -0.57033582088215073, 2.7392922441158482e-15, 1.2123655480448187e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.30197495044566958, -1.0918357818738809, 6.4142171481962238e-16, 1.791590418966273e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.81758855139833952, 0.33957713071406587, 1.9053415580117357e-15, 1.2055701773108759e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0032329439017755616, -1.131412701835657, 4.1368592846486402e-16, 1.8763974738948662e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.4167024218747386, 0.66312708028693734, 2.3572573843255248e-15, 1.4883236463072291e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.29850216694603138, 0.91577948938198228, 9.3493740777707086e-16, 2.1218844235779e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.2060294571644898, -1.1011480073456446, 2.288672499252216e-15, 2.0737112757717045e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.60113459285444848, -1.1060800332711458, 1.6794700962726135e-15, 1.9396997672674284e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5195520132079694, -0.57033582088215073, 2.7525385550563931e-15, 1.2690575332127244e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.30197495044566958, -1.0918357818738809, 6.8136710108395424e-16, 1.8046616328858288e-15},
 };
 #endif
 
@@ -342,33 +339,33 @@ FOOTPOINT_FN void footpoint_blocks_quad4_coarse_at(const double xA[3], const dou
     const double t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2);
     const double t5 = xA[0] - xB[0];
-    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = t1 + t3;
-    const double t9 = xA[1] - xD[1] + t4;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = (t1 - 2.0 * (xA[2] - xS[2])) + t7;
-    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t9;
-    const double t15 = t11 - (2.0 * (xA[0] - xS[0]) - t5);
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t15;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t15;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t6 = t1 + t3;
+    const double t7 = t2 + t4;
+    const double t8 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t9 = xA[2] - xD[2] + t3;
+    const double t10 = (t1 - 2.0 * (xA[2] - xS[2])) + t9;
+    const double t11 = xA[1] - xD[1] + t4;
+    const double t12 = (t2 - 2.0 * (xA[1] - xS[1])) + t11;
+    const double t13 = t5 + t8;
+    const double t14 = xA[0] - xD[0] + t8;
+    const double t15 = t14 - (2.0 * (xA[0] - xS[0]) - t5);
+    const double t16 = t9 * t6 + t11 * t7 + t14 * t13;
+    const double t17 = t9 * t9 + t11 * t11 + t14 * t14;
+    const double t18 = t6 * t6 + t7 * t7 + t13 * t13;
+    const double t19 = t9 * t10 + t11 * t12 + t14 * t15;
+    const double t20 = t6 * t10 + t7 * t12 + t13 * t15;
+    const double t21 = t3 * t6 + t4 * t7 + t8 * t13;
+    const double t22 = t3 * t9 + t4 * t11 + t8 * t14;
     const double t23 = t17 * t18 - t16 * t16;
     const double t24 = t16 * t19 - t17 * t20;
-    const double t25 = t23 * t23;
-    const double t26 = t16 * t20 - t18 * t19;
-    const double t27 = t25 + (t22 * t18 - t21 * t16) * t24;
-    const double t28 = (t21 * t17 - t22 * t16) * t26;
-    const double t29 = t23 * (t28 + t27);
+    const double t25 = t16 * t20 - t18 * t19;
+    const double t26 = (t21 * t17 - t22 * t16) * t25;
+    const double t27 = t23 * t23;
+    const double t28 = t27 + (t22 * t18 - t21 * t16) * t24;
+    const double t29 = t23 * (t26 + t28);
     const double t30 = 1.0 / t29;
-    *xi = t24 * t27 * t30;
-    *eta = t26 * (t25 + t28) * t30;
+    *xi = t24 * t28 * t30;
+    *eta = t25 * (t27 + t26) * t30;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -408,11 +405,11 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_n(size_t n, const double *cons
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89627262456131385, 0.45969434561809663, 2.7039108803162638e-15, 2.3909455469337252e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0035021046623617009, -1.1307917370644485, 3.9540149675452724e-16, 2.7362460874376636e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389772231864731, 0.72914548167288518, 2.8864160675119102e-15, 2.2299885094427751e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0035021046623617009, -1.1307917370644485, 3.9540149675452728e-16, 2.7362460874376636e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389772231864731, 0.72914548167288518, 2.8864160675119098e-15, 2.2299885094427755e-15},
     {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25154108595170083, 0.97906158517635056, 9.0960433320049925e-16, 3.2162676999731339e-15},
     {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1518206395220905, -0.95696634636119526, 2.4555586074467013e-15, 2.3801135276758467e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.35808958808438207, -1.2059788231194037, 1.1645403067995386e-15, 3.0492237289289332e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.35808958808438207, -1.2059788231194037, 1.1645403067995386e-15, 3.0492237289289328e-15},
     {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5534303016965263, -0.49824939949565294, 3.3040383051733493e-15, 1.4629802537042414e-15},
     {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37886805297608522, -1.1033764470364822, 9.9520760283958282e-16, 2.8534548100436774e-15},
 };
@@ -434,32 +431,32 @@ FOOTPOINT_FN void footpoint_blocks_quad4_gauss2_at(const double xA[3], const dou
     const double t10 = xA[1] - xD[1] + t5;
     const double t11 = t3 + t6;
     const double t12 = xA[2] - xD[2] + t6;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t12 * t12 + t10 * t10 + t8 * t8;
-    const double t15 = t11 * t11 + t9 * t9 + t7 * t7;
-    const double t16 = (t3 - 2.0 * (xA[2] - xS[2])) + t12;
-    const double t17 = (t2 - 2.0 * (xA[1] - xS[1])) + t10;
-    const double t18 = t1 - 2.0 * (xA[0] - xS[0]) + t8;
-    const double t19 = t7 * t18 + (t11 * t16 + t9 * t17);
-    const double t20 = t12 * t16 + t10 * t17 + t8 * t18;
-    const double t21 = 1.0 / (t15 * t14 - t13 * t13);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = (t15 * t20 - t13 * t19) * t21;
-    const double t24 = t6 * t6 + t5 * t5 + t4 * t4;
-    const double t25 = t6 * t11 + t5 * t9 + t4 * t7;
-    const double t26 = t6 * t12 + t5 * t10 + t4 * t8;
-    const double t27 = t26 + t24 * t22;
-    const double t28 = t25 - t24 * t23;
-    const double t29 = t23 * t27;
-    const double t30 = t6 * t16 + t5 * t17 + t4 * t18;
-    const double t31 = t13 + (t25 * t22 - t29);
-    const double t32 = t14 + t22 * (t26 + t27);
-    const double t33 = t15 - t23 * (t25 + t28);
-    const double t34 = t20 + t22 * (t30 + t29);
-    const double t35 = t19 - t23 * (t30 - t22 * t28);
-    const double t36 = 1.0 / (t33 * t32 - t31 * t31);
-    *xi = (t31 * t34 - t32 * t35) * t36;
-    *eta = (t31 * t35 - t33 * t34) * t36;
+    const double t13 = (t3 - 2.0 * (xA[2] - xS[2])) + t12;
+    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t10;
+    const double t15 = t1 - 2.0 * (xA[0] - xS[0]) + t8;
+    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t17 = t12 * t12 + t10 * t10 + t8 * t8;
+    const double t18 = t11 * t11 + t9 * t9 + t7 * t7;
+    const double t19 = 1.0 / (t18 * t17 - t16 * t16);
+    const double t20 = t7 * t15 + (t11 * t13 + t9 * t14);
+    const double t21 = t12 * t13 + t10 * t14 + t8 * t15;
+    const double t22 = t6 * t11 + t5 * t9 + t4 * t7;
+    const double t23 = t6 * t12 + t5 * t10 + t4 * t8;
+    const double t24 = (t16 * t21 - t17 * t20) * t19;
+    const double t25 = (t18 * t21 - t16 * t20) * t19;
+    const double t26 = t6 * t6 + t5 * t5 + t4 * t4;
+    const double t27 = t6 * t13 + t5 * t14 + t4 * t15;
+    const double t28 = t23 + t26 * t24;
+    const double t29 = t22 - t26 * t25;
+    const double t30 = t25 * t28;
+    const double t31 = t17 + t24 * (t23 + t28);
+    const double t32 = t16 + (t22 * t24 - t30);
+    const double t33 = t18 - t25 * (t22 + t29);
+    const double t34 = t21 + t24 * (t27 + t30);
+    const double t35 = t20 - t25 * (t27 - t24 * t29);
+    const double t36 = 1.0 / (t33 * t31 - t32 * t32);
+    *xi = (t32 * t34 - t31 * t35) * t36;
+    *eta = (t32 * t35 - t33 * t34) * t36;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -498,13 +495,13 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_n(size_t n, const double *cons
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89597101362104714, 0.45936258870144758, 3.8456084687108712e-15, 3.4241827163264521e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042188985207413706, -1.130796749250482, 5.7809676660592946e-16, 2.0297517203323451e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389513253276601, 0.72758575566985861, 3.2376803985940524e-15, 3.2612309026614149e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25131784706475319, 0.97877383698174936, 1.3276599330981269e-15, 3.2623954455175637e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1517904252092657, -0.95693789371332427, 2.481762189493907e-15, 2.1111304098112662e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.3592647479713329, -1.2065229256964001, 1.3067187904506177e-15, 2.6671026156482987e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5531020222496519, -0.49778827318337499, 3.2952313773482676e-15, 1.3598790826555159e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89597101362104714, 0.45936258870144758, 3.8456084687108704e-15, 3.4241827163264525e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042188985207413706, -1.130796749250482, 5.7809676660592946e-16, 2.0297517203323447e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2389513253276601, 0.72758575566985861, 3.237680398594052e-15, 3.2612309026614141e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25131784706475319, 0.97877383698174936, 1.3276599330981267e-15, 3.2623954455175641e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1517904252092657, -0.95693789371332427, 2.481762189493907e-15, 2.1111304098112666e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.3592647479713329, -1.2065229256964001, 1.3067187904506179e-15, 2.6671026156482983e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5531020222496519, -0.49778827318337499, 3.295231377348268e-15, 1.3598790826555157e-15},
     {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37546337559498477, -1.1019911799326811, 1.1902177065627603e-15, 2.1349912840850201e-15},
 };
 #endif
@@ -523,34 +520,34 @@ FOOTPOINT_FN void footpoint_blocks_quad4_medium_at(const double xA[3], const dou
     const double t8 = xA[1] - xD[1] + t4;
     const double t9 = t1 - t3;
     const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 - t6;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 - t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = ((2.0 * (xS[0] - xA[0])) - t5) + t11;
-    const double t17 = t2 + (2.0 * (xS[1] - xA[1])) + t8;
-    const double t18 = (2.0 * (xS[2] - xA[2])) - t1 + t7;
-    const double t19 = t11 * t16 + t8 * t17 + t7 * t18;
-    const double t20 = t9 * t18 + (t12 * t16 - t10 * t17);
-    const double t21 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = t3 * t9 - t4 * t10 + t6 * t12;
-    const double t25 = (t15 * t19 - t14 * t20) * t21;
-    const double t26 = t25 * t21 * t22;
-    const double t27 = t22 - (t24 * t13 - t23 * t14) * t26;
-    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t25 - (t23 * t15 - t24 * t14) * t26;
-    const double t30 = t23 + t28 * t27;
-    const double t31 = t24 + t28 * t29;
-    const double t32 = t29 * t30;
-    const double t33 = t3 * t18 + (t4 * t17 + t6 * t16);
-    const double t34 = t13 + t27 * (t23 + t30);
-    const double t35 = t14 + (t24 * t27 + t32);
-    const double t36 = t15 + t29 * (t24 + t31);
-    const double t37 = t20 + t29 * (t33 + t27 * t31);
-    const double t38 = t19 + t27 * (t33 + t32);
+    const double t11 = t5 - t6;
+    const double t12 = t2 + (2.0 * (xS[1] - xA[1])) + t8;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = ((2.0 * (xS[0] - xA[0])) - t5) + t13;
+    const double t15 = (2.0 * (xS[2] - xA[2])) - t1 + t7;
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 - t8 * t10 + t13 * t11;
+    const double t18 = t9 * t9 + t10 * t10 + t11 * t11;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t13 * t14 + t8 * t12 + t7 * t15;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t9 * t15 + (t11 * t14 - t10 * t12);
+    const double t23 = t3 * t9 - t4 * t10 + t6 * t11;
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t18 * t20 - t17 * t22) * t19;
+    const double t26 = t25 * t19 * t24;
+    const double t27 = t24 - (t23 * t16 - t21 * t17) * t26;
+    const double t28 = t25 - (t21 * t18 - t23 * t17) * t26;
+    const double t29 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t30 = t3 * t15 + (t4 * t12 + t6 * t14);
+    const double t31 = t21 + t29 * t27;
+    const double t32 = t23 + t29 * t28;
+    const double t33 = t28 * t31;
+    const double t34 = t16 + t27 * (t21 + t31);
+    const double t35 = t17 + (t23 * t27 + t33);
+    const double t36 = t18 + t28 * (t23 + t32);
+    const double t37 = t22 + t28 * (t30 + t27 * t32);
+    const double t38 = t20 + t27 * (t30 + t33);
     const double t39 = 1.0 / (t35 * t35 - t34 * t36);
     *xi = (t35 * t38 - t34 * t37) * t39;
     *eta = (t36 * t38 - t35 * t37) * t39;
@@ -592,14 +589,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_n(size_t n, const double *cons
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_medium_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89843213586113602, 0.46316273353833431, 4.1928756829005118e-15, 3.7243749049355107e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184636339102173, -1.1307969881409743, 5.2000208383855534e-16, 2.0292800065743381e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409802743299578, 0.72703067979153124, 3.1885525112285089e-15, 2.9751525311453343e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25180592260821294, 0.97812484968743663, 1.2637872699065051e-15, 3.1319887856422815e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514850370817942, -0.95611703191607067, 2.4879169962621244e-15, 2.0050860733663345e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36570347224044741, -1.2036746673721941, 1.1184605472602162e-15, 2.4500012897621018e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89843213586113602, 0.46316273353833431, 4.192875682900511e-15, 3.7243749049355107e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184636339102173, -1.1307969881409743, 5.2000208383855525e-16, 2.0292800065743373e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409802743299578, 0.72703067979153124, 3.1885525112285093e-15, 2.9751525311453339e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25180592260821294, 0.97812484968743663, 1.2637872699065047e-15, 3.1319887856422811e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514850370817942, -0.95611703191607067, 2.4879169962621244e-15, 2.0050860733663337e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36570347224044741, -1.2036746673721941, 1.1184605472602162e-15, 2.450001289762103e-15},
     {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530701353004079, -0.49796931780519949, 3.431733511108742e-15, 1.3579468089774591e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559550239128847, -1.1016553979473309, 1.1836355768416453e-15, 2.1401921230243205e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559550239128847, -1.1016553979473309, 1.1836355768416453e-15, 2.1401921230243197e-15},
 };
 #endif
 
@@ -614,49 +611,49 @@ FOOTPOINT_FN void footpoint_blocks_quad4_balanced_at(const double xA[3], const d
     const double t5 = 0.5 * (xD[1] - xC[1] - t2);
     const double t6 = 0.5 * (xD[0] - xC[0] - t3);
     const double t7 = xA[2] - xD[2] + t4;
-    const double t8 = xA[1] - xD[1] + t5;
-    const double t9 = xA[0] - xD[0] + t6;
-    const double t10 = t1 + t4;
-    const double t11 = t2 + t5;
-    const double t12 = t3 + t6;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t15 = t3 - 2.0 * (xA[0] - xS[0]) + t9;
-    const double t16 = t7 * t7 + t8 * t8 + t9 * t9;
-    const double t17 = t10 * t7 + t11 * t8 + t12 * t9;
-    const double t18 = t10 * t10 + t11 * t11 + t12 * t12;
-    const double t19 = t4 * t10 + t5 * t11 + t6 * t12;
-    const double t20 = t4 * t7 + t5 * t8 + t6 * t9;
-    const double t21 = t7 * t13 + (t8 * t14 + t9 * t15);
-    const double t22 = t10 * t13 + t11 * t14 + t12 * t15;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
+    const double t9 = t1 + t4;
+    const double t10 = xA[1] - xD[1] + t5;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + t5;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t3 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t3 + t6;
+    const double t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t17 = t9 * t7 + t12 * t10 + t15 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t7 * t8 + (t10 * t11 + t13 * t14);
+    const double t20 = t4 * t7 + t5 * t10 + t6 * t13;
+    const double t21 = t4 * t9 + t5 * t12 + t6 * t15;
+    const double t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const double t23 = t18 * t16 - t17 * t17;
-    const double t24 = t20 * t18 - t17 * t19;
-    const double t25 = t16 * t22 - t17 * t21;
-    const double t26 = t24 * t25;
-    const double t27 = t19 * t16 - t20 * t17;
-    const double t28 = t17 * t22 - t18 * t21;
-    const double t29 = t27 * t28;
-    const double t30 = t23 * t23 - t26 + t29;
-    const double t31 = t26 * t29 + t30 * t30;
+    const double t24 = t20 * t18 - t17 * t21;
+    const double t25 = t16 * t22 - t17 * t19;
+    const double t26 = t21 * t16 - t20 * t17;
+    const double t27 = t17 * t22 - t18 * t19;
+    const double t28 = t24 * t25;
+    const double t29 = t26 * t27;
+    const double t30 = t23 * t23 - t28 + t29;
+    const double t31 = t28 * t29 + t30 * t30;
     const double t32 = t23 * t31;
     const double t33 = 1.0 / t32;
-    const double t34 = t23 * t25 * t28 * t30 * t33;
+    const double t34 = t23 * t25 * t27 * t30 * t33;
     const double t35 = t31 * t33;
-    const double t36 = t35 * (t25 - t27 * t34);
-    const double t37 = t4 * t4 + t5 * t5 + t6 * t6;
-    const double t38 = t35 * (t28 + t24 * t34);
-    const double t39 = t20 - t37 * t36;
-    const double t40 = t19 + t37 * t38;
-    const double t41 = t38 * t39;
-    const double t42 = t19 * t36 - t41;
-    const double t43 = t16 - t36 * (t20 + t39);
-    const double t44 = 2.0 * t42 - t17 - (t4 * t13 + t5 * t14 + t6 * t15);
-    const double t45 = t18 + t38 * (t19 + t40);
-    const double t46 = t22 + t38 * (t36 * t40 + t42);
-    const double t47 = t21 + t36 * (t41 - t42);
-    const double t48 = 1.0 / (t44 * t44 - t43 * t45);
-    *xi = (t43 * t46 + t44 * t47) * t48;
-    *eta = (t44 * t46 + t45 * t47) * t48;
+    const double t36 = t35 * (t25 - t26 * t34);
+    const double t37 = t35 * (t27 + t24 * t34);
+    const double t38 = t4 * t4 + t5 * t5 + t6 * t6;
+    const double t39 = t20 - t38 * t36;
+    const double t40 = t21 + t38 * t37;
+    const double t41 = t16 - t36 * (t20 + t39);
+    const double t42 = t37 * t39;
+    const double t43 = t18 + t37 * (t21 + t40);
+    const double t44 = t21 * t36 - t42;
+    const double t45 = 2.0 * t44 - t17 - (t4 * t8 + t5 * t11 + t6 * t14);
+    const double t46 = t22 + t37 * (t36 * t40 + t44);
+    const double t47 = t19 + t36 * (t42 - t44);
+    const double t48 = 1.0 / (t45 * t45 - t41 * t43);
+    *xi = (t41 * t46 + t45 * t47) * t48;
+    *eta = (t45 * t46 + t43 * t47) * t48;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -695,14 +692,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_n(size_t n, const double *co
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89872620455047114, 0.4636346952787494, 4.5510306669712829e-15, 4.1568150578106141e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89872620455047114, 0.4636346952787494, 4.5510306669712829e-15, 4.1568150578106156e-15},
     {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184343322118926, -1.1307973862337484, 6.0160890338666539e-16, 2.0304047246237827e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409889205479498, 0.72702032604769296, 3.1759151238398304e-15, 3.1441549306966264e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.2518123066307163, 0.97811569359044737, 1.3876936591705293e-15, 3.287738780799734e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704905206385, -0.95607982973731442, 2.4477316991258381e-15, 2.0526235929249065e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409889205479498, 0.72702032604769296, 3.1759151238398304e-15, 3.1441549306966237e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.2518123066307163, 0.97811569359044737, 1.3876936591705291e-15, 3.287738780799734e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704905206385, -0.95607982973731442, 2.4477316991258381e-15, 2.0526235929249069e-15},
     {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36762103767705262, -1.2029516341772573, 1.1402530280196018e-15, 2.4860141567656048e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.55306263824911, -0.49797410428052469, 3.2855140642526518e-15, 1.3903638907087604e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559109214402697, -1.101574294214154, 1.2105982415446637e-15, 2.1697890308365017e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.55306263824911, -0.49797410428052469, 3.2855140642526526e-15, 1.3903638907087606e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559109214402697, -1.101574294214154, 1.2105982415446637e-15, 2.1697890308365021e-15},
 };
 #endif
 
@@ -718,58 +715,58 @@ FOOTPOINT_FN void footpoint_blocks_quad4_fine_at(const double xA[3], const doubl
     const double t6 = 0.5 * (xD[0] - xC[0] - t3);
     const double t7 = xA[1] - xD[1] + t4;
     const double t8 = xA[2] - xD[2] + t5;
-    const double t9 = xA[0] - xD[0] + t6;
+    const double t9 = t2 - 2.0 * (xA[2] - xS[2]) + t8;
     const double t10 = t2 + t5;
-    const double t11 = t1 + t4;
-    const double t12 = t2 - 2.0 * (xA[2] - xS[2]) + t8;
-    const double t13 = t3 - 2.0 * (xA[0] - xS[0]) + t9;
-    const double t14 = 2.0 * (xA[1] - xS[1]) - t1 - t7;
-    const double t15 = t3 + t6;
-    const double t16 = t8 * t10 + t7 * t11 + t9 * t15;
-    const double t17 = t10 * t10 + t11 * t11 + t15 * t15;
-    const double t18 = t8 * t8 + t7 * t7 + t9 * t9;
-    const double t19 = t8 * t12 + t9 * t13 - t7 * t14;
-    const double t20 = t5 * t10 + t4 * t11 + t6 * t15;
-    const double t21 = t5 * t8 + t4 * t7 + t6 * t9;
-    const double t22 = t10 * t12 + t15 * t13 - t11 * t14;
-    const double t23 = t18 * t17 - t16 * t16;
-    const double t24 = t21 * t17 - t20 * t16;
-    const double t25 = t18 * t22 - t16 * t19;
-    const double t26 = t20 * t18 - t21 * t16;
-    const double t27 = t17 * t19 - t16 * t22;
-    const double t28 = t27 * t25;
-    const double t29 = t24 * t25 - t23 * t23 + t26 * t27;
-    const double t30 = t29 * t29 - t24 * t26 * t28;
+    const double t11 = xA[0] - xD[0] + t6;
+    const double t12 = t3 - 2.0 * (xA[0] - xS[0]) + t11;
+    const double t13 = t3 + t6;
+    const double t14 = t1 + t4;
+    const double t15 = 2.0 * (xA[1] - xS[1]) - t1 - t7;
+    const double t16 = t8 * t9 + t11 * t12 - t7 * t15;
+    const double t17 = t8 * t10 + t7 * t14 + t11 * t13;
+    const double t18 = t10 * t10 + t14 * t14 + t13 * t13;
+    const double t19 = t8 * t8 + t7 * t7 + t11 * t11;
+    const double t20 = t5 * t8 + t4 * t7 + t6 * t11;
+    const double t21 = t10 * t9 + t13 * t12 - t14 * t15;
+    const double t22 = t5 * t10 + t4 * t14 + t6 * t13;
+    const double t23 = t19 * t18 - t17 * t17;
+    const double t24 = t20 * t18 - t22 * t17;
+    const double t25 = t19 * t21 - t17 * t16;
+    const double t26 = t22 * t19 - t20 * t17;
+    const double t27 = t18 * t16 - t17 * t21;
+    const double t28 = t24 * t25 - t23 * t23 + t26 * t27;
+    const double t29 = t27 * t25;
+    const double t30 = t28 * t28 - t24 * t26 * t29;
     const double t31 = t23 * t30;
     const double t32 = 1.0 / t31;
-    const double t33 = t23 * t28 * t29 * t32;
+    const double t33 = t23 * t29 * t28 * t32;
     const double t34 = t30 * t32;
     const double t35 = t34 * (t25 - t26 * t33);
     const double t36 = t34 * (t27 - t24 * t33);
     const double t37 = t5 * t5 + t4 * t4 + t6 * t6;
-    const double t38 = t21 - t37 * t35;
-    const double t39 = t20 - t37 * t36;
-    const double t40 = t36 * t38;
-    const double t41 = t20 * t35 + t40;
-    const double t42 = t5 * t12 - t4 * t14 + t6 * t13 + t16 - 2.0 * t41;
-    const double t43 = t35 * (t21 + t38) - t18;
-    const double t44 = t36 * (t20 + t39) - t17;
-    const double t45 = 1.0 / (t43 * t44 - t42 * t42);
-    const double t46 = t19 - t35 * t40 - t35 * t41;
-    const double t47 = t42 * t45;
-    const double t48 = t22 - t36 * t35 * t39 - t36 * t41;
-    const double t49 = t44 * t45;
-    const double t50 = t43 * t45;
-    const double t51 = t48 * t47 + t46 * t49;
-    const double t52 = t46 * t47 + t48 * t50;
+    const double t38 = t20 - t37 * t35;
+    const double t39 = t22 - t37 * t36;
+    const double t40 = t35 * (t20 + t38) - t19;
+    const double t41 = t36 * (t22 + t39) - t18;
+    const double t42 = t36 * t38;
+    const double t43 = t22 * t35 + t42;
+    const double t44 = t5 * t9 - t4 * t15 + t6 * t12 + t17 - 2.0 * t43;
+    const double t45 = 1.0 / (t40 * t41 - t44 * t44);
+    const double t46 = t44 * t45;
+    const double t47 = t41 * t45;
+    const double t48 = t40 * t45;
+    const double t49 = t16 - t35 * t42 - t35 * t43;
+    const double t50 = t21 - t36 * t35 * t39 - t36 * t43;
+    const double t51 = t50 * t46 + t49 * t47;
+    const double t52 = t49 * t46 + t50 * t48;
     const double t53 = 2.0 * (t36 + t51);
     const double t54 = t35 + t52;
     const double t55 = t38 * t53;
     const double t56 = t39 * t54;
     const double t57 = t53 * (t56 + 0.25 * t55);
     const double t58 = t54 * (t56 + t55);
-    *xi = t52 + t50 * t57 + t47 * t58;
-    *eta = t51 + t47 * t57 + t49 * t58;
+    *xi = t52 + t48 * t57 + t46 * t58;
+    *eta = t51 + t46 * t57 + t47 * t58;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -808,14 +805,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_fine_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89872630436641965, 0.46363480783513145, 4.9288907885681861e-15, 4.3464140866907668e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184351175915558, -1.1307974169121091, 6.1261584286671949e-16, 2.2813807765094931e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334436392, 0.7270203475143826, 3.7417161943983873e-15, 3.440362402252002e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.89872630436641965, 0.46363480783513145, 4.92889078856819e-15, 4.3464140866907684e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.0042184351175915558, -1.1307974169121091, 6.1261584286671811e-16, 2.2813807765094927e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334436392, 0.7270203475143826, 3.7417161943983897e-15, 3.4403624022519984e-15},
     {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.25181228599576339, 0.97811568791336323, 1.4405750022485044e-15, 3.4612737560758777e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704903045578, -0.95607982949118553, 2.9307003075155867e-15, 2.32663266930671e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36762074672939488, -1.2029514488609678, 1.3394735753285434e-15, 2.742490313981841e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626034487893, -0.49797408798598142, 4.0522774662078243e-15, 1.5959559335036308e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559419644009912, -1.1015789799852425, 1.3955542482509352e-15, 2.4155679320773771e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704903045578, -0.95607982949118553, 2.9307003075155859e-15, 2.3266326693067108e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36762074672939488, -1.2029514488609678, 1.339473575328544e-15, 2.7424903139818406e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626034487893, -0.49797408798598142, 4.0522774662078235e-15, 1.5959559335036308e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559419644009912, -1.1015789799852425, 1.3955542482509368e-15, 2.4155679320773764e-15},
 };
 #endif
 
@@ -830,62 +827,62 @@ FOOTPOINT_FN void footpoint_blocks_quad4_accurate_at(const double xA[3], const d
     const double t5 = xA[0] - xB[0];
     const double t6 = 0.5 * (xD[0] - xC[0] - t5);
     const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = xA[1] - xD[1] + t4;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
     const double t9 = t1 + t3;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t15 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t17 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t18 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t19 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t20 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t21 = t9 * t13 + t10 * t14 + t12 * t15;
-    const double t22 = t7 * t13 + t8 * t14 + t11 * t15;
+    const double t10 = xA[1] - xD[1] + t4;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + t4;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t5 + t6;
+    const double t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t17 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t14;
+    const double t21 = t3 * t9 + t4 * t12 + t6 * t15;
+    const double t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const double t23 = t16 * t18 - t17 * t17;
-    const double t24 = t16 * t21 - t17 * t22;
-    const double t25 = t18 * t22 - t17 * t21;
-    const double t26 = (t19 * t18 - t20 * t17) * t24;
-    const double t27 = (t20 * t16 - t19 * t17) * t25;
-    const double t28 = t26 - t23 * t23 + t27;
-    const double t29 = t28 * t28 - t27 * t26;
+    const double t24 = t16 * t22 - t17 * t20;
+    const double t25 = (t19 * t18 - t21 * t17) * t24;
+    const double t26 = t18 * t20 - t17 * t22;
+    const double t27 = (t21 * t16 - t19 * t17) * t26;
+    const double t28 = t25 - t23 * t23 + t27;
+    const double t29 = t28 * t28 - t27 * t25;
     const double t30 = t23 * t29;
     const double t31 = 1.0 / t30;
     const double t32 = t23 * t28 * t31;
     const double t33 = t29 * t31;
     const double t34 = t24 * (t27 * t32 - 1.0);
-    const double t35 = t25 * (t26 * t32 - 1.0);
+    const double t35 = t26 * (t25 * t32 - 1.0);
     const double t36 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t37 = t33 * t34;
     const double t38 = t33 * t35;
-    const double t39 = t19 + t36 * t37;
-    const double t40 = t20 + t36 * t38;
-    const double t41 = t35 * t39;
-    const double t42 = t20 * t34 + t41;
-    const double t43 = t17 + (t3 * t13 + t4 * t14 + t6 * t15);
-    const double t44 = t43 + 2.0 * t33 * t42;
-    const double t45 = t16 + t37 * (t19 + t39);
-    const double t46 = t18 + t38 * (t20 + t40);
-    const double t47 = t22 - t33 * t37 * (t41 + t42);
-    const double t48 = t21 - t33 * t38 * (t34 * t40 + t42);
-    const double t49 = 1.0 / (t45 * t46 - t44 * t44);
-    const double t50 = (t45 * t48 - t44 * t47) * t49;
-    const double t51 = (t46 * t47 - t44 * t48) * t49;
+    const double t39 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
+    const double t40 = t19 + t36 * t37;
+    const double t41 = t35 * t40;
+    const double t42 = t21 + t36 * t38;
+    const double t43 = t16 + t37 * (t19 + t40);
+    const double t44 = t21 * t34 + t41;
+    const double t45 = t18 + t38 * (t21 + t42);
+    const double t46 = t39 + 2.0 * t33 * t44;
+    const double t47 = t20 - t33 * t37 * (t41 + t44);
+    const double t48 = t22 - t33 * t38 * (t34 * t42 + t44);
+    const double t49 = 1.0 / (t43 * t45 - t46 * t46);
+    const double t50 = (t43 * t48 - t46 * t47) * t49;
+    const double t51 = (t45 * t47 - t46 * t48) * t49;
     const double t52 = t19 - t36 * t50;
-    const double t53 = t20 - t36 * t51;
-    const double t54 = t51 * t52;
-    const double t55 = t20 * t50 + t54;
-    const double t56 = t16 - t50 * (t19 + t52);
-    const double t57 = 2.0 * t55 - t43;
-    const double t58 = t18 - t51 * (t20 + t53);
-    const double t59 = t21 - t51 * (t50 * t53 + t55);
-    const double t60 = t22 - t50 * (t54 + t55);
-    const double t61 = 1.0 / (t57 * t57 - t56 * t58);
-    *xi = (t56 * t59 + t57 * t60) * t61;
-    *eta = (t57 * t59 + t58 * t60) * t61;
+    const double t53 = t21 - t36 * t51;
+    const double t54 = t16 - t50 * (t19 + t52);
+    const double t55 = t51 * t52;
+    const double t56 = t18 - t51 * (t21 + t53);
+    const double t57 = t21 * t50 + t55;
+    const double t58 = 2.0 * t57 - t39;
+    const double t59 = t22 - t51 * (t50 * t53 + t57);
+    const double t60 = t20 - t50 * (t55 + t57);
+    const double t61 = 1.0 / (t58 * t58 - t54 * t56);
+    *xi = (t54 * t59 + t58 * t60) * t61;
+    *eta = (t58 * t59 + t56 * t60) * t61;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -924,14 +921,14 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_n(size_t n, const double *co
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_blocks_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.8987263043044037, 0.46363480776487748, 4.4618025803653968e-15, 4.0670178947728183e-15},
-    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.004218435120746951, -1.1307974169046231, 6.3181679652196785e-16, 2.0305416951918468e-15},
-    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334152088, 0.72702034751689693, 3.1647861290047232e-15, 3.0697927284173542e-15},
-    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.2518122859942265, 0.97811568791362258, 1.3504184274308694e-15, 3.2453463525176212e-15},
-    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704903045552, -0.95607982949118231, 2.4929350994119763e-15, 2.1111008850888945e-15},
-    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36762074689195107, -1.202951448899535, 1.1548078780173171e-15, 2.4924194493085039e-15},
-    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626034483304, -0.49797408798309561, 3.2714589017940199e-15, 1.3492770630440766e-15},
-    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559418638335673, -1.101578972790294, 1.2194310056037334e-15, 2.1681856916155929e-15},
+    {0, 0, 0, 1, 0, 0, 1.0390625, 1.49609375, -0.0067138671875, 0.28515625, 0.8984375, 0, 0.25, 0.6796875, -0.029296875, -0.8987263043044037, 0.46363480776487748, 4.4618025803654071e-15, 4.0670178947728372e-15},
+    {0, 0, 0, 1, 0, 0, 1.109375, 1.26171875, -0.01806640625, -0.046875, 0.8984375, 0, 0.5, -0.0703125, 0.044921875, 0.004218435120746951, -1.1307974169046231, 6.3181679652196795e-16, 2.0305416951918499e-15},
+    {0, 0, 0, 1, 0, 0, 1.328125, 0.953125, -0.01025390625, -0.13671875, 1.140625, 0, 1.453125, 0.8046875, 0.115234375, 1.2409888334152088, 0.72702034751689693, 3.1647861290047232e-15, 3.0697927284173447e-15},
+    {0, 0, 0, 1, 0, 0, 1.17578125, 0.7421875, -0.0029296875, -0.33984375, 1.41796875, 0, 0.609375, 0.984375, 0.140625, 0.2518122859942265, 0.97811568791362258, 1.3504184274308686e-15, 3.2453463525176248e-15},
+    {0, 0, 0, 1, 0, 0, 1.11328125, 1.05078125, 0.0006103515625, 0.171875, 0.81640625, 0, 1.078125, 0.0234375, 0.044921875, 1.1514704903045552, -0.95607982949118231, 2.4929350994119763e-15, 2.1111008850888957e-15},
+    {0, 0, 0, 1, 0, 0, 0.54296875, 1.296875, -0.0113525390625, 0.265625, 0.97265625, 0, 0.3125, -0.109375, -0.080078125, -0.36762074689195107, -1.202951448899535, 1.154807878017316e-15, 2.4924194493085039e-15},
+    {0, 0, 0, 1, 0, 0, 0.640625, 1.45703125, -0.0107421875, -0.37890625, 1.19921875, 0, 1.1875, 0.3828125, -0.08984375, 1.5530626034483304, -0.49797408798309561, 3.2714589017940211e-15, 1.349277063044077e-15},
+    {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559418638335673, -1.101578972790294, 1.2194310056037322e-15, 2.1681856916155917e-15},
 };
 #endif
 

@@ -151,10 +151,10 @@ FOOTPOINT_FN void footpoint_bricks_quad4_exact_at(const double xA[3], const doub
     const double t9 = xA[2] - xS[2];
     const double t10 = xA[1] - xS[1];
     const double t11 = t7 * t8;
-    const double t12 = xA[0] - xS[0];
-    const double t13 = 2.0 / t11;
-    *xi = (t9 * t1 + t10 * t2 + t12 * t5) * t7 * t13 - 1.0;
-    *eta = (t9 * t3 + t10 * t4 + t12 * t6) * t8 * t13 - 1.0;
+    const double t12 = 2.0 / t11;
+    const double t13 = xA[0] - xS[0];
+    *xi = (t9 * t1 + t10 * t2 + t13 * t5) * t7 * t12 - 1.0;
+    *eta = (t9 * t3 + t10 * t4 + t13 * t6) * t8 * t12 - 1.0;
     (void)xC;
 }
 

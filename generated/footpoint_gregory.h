@@ -22,9 +22,9 @@
  *     znB in [0.72, 1.00], xnC in [-0.43, 0.53], ynC in [-0.37, 0.61], znC in [0.77, 1.00], xnD in [-0.53, 0.41],
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.049 (rounding error <= 8.2e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.049 (rounding error <= 8.2e-14)
  *   rounding error of xi: <= 8.2e-05 proved (with or without FMA), 2.4e-14 worst of 10000 points
- *   rounding error of eta: <= 6.1e-05 proved (with or without FMA), 2.7e-14 worst of 10000 points
+ *   rounding error of eta: <= 6.1e-05 proved (with or without FMA), 1.5e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 9.161e-03
@@ -48,7 +48,7 @@
  *   poles: divisor of t67: proved free of zeros, |...| >= 0.0099 (rounding error <= 0.18)
  *   poles: divisor of t77: proved free of zeros, |...| >= 0.1
  *   rounding error of xi: no bound found, 1.5e-14 worst of 10000 points
- *   rounding error of eta: no bound found, 3.6e-14 worst of 10000 points
+ *   rounding error of eta: no bound found, 3.9e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.950e-03
@@ -69,7 +69,7 @@
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
  *   poles: t24 * t23 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 8.9e-14)
- *   poles: t114 * t113 - t112 * t112: proved free of zeros, |...| >= 0.0032 (rounding error <= 2.6e+07)
+ *   poles: t119 * t116 - t115 * t115: proved free of zeros, |...| >= 0.0032 (rounding error <= 2.6e+07)
  *   rounding error of xi: no bound found, 3.3e-14 worst of 9111 points
  *   rounding error of eta: no bound found, 3.3e-14 worst of 9111 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -93,8 +93,8 @@
  *     zS in [-0.56, 0.61]; all requires > 0
  *   poles: t35: proved free of zeros, |t35| >= 0.00059 (rounding error <= 2.6e-10)
  *   poles: t165: proved free of zeros, |t165| >= 0.00013 (rounding error <= 4e+24)
- *   rounding error of xi: no bound found, 3.9e-14 worst of 5517 points
- *   rounding error of eta: no bound found, 1.7e-13 worst of 5517 points
+ *   rounding error of xi: no bound found, 4.8e-14 worst of 5517 points
+ *   rounding error of eta: no bound found, 1.9e-13 worst of 5517 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.541e-04
@@ -114,15 +114,15 @@
  *     znB in [0.72, 1.00], xnC in [-0.43, 0.53], ynC in [-0.37, 0.61], znC in [0.77, 1.00], xnD in [-0.53, 0.41],
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
- *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.4e-13)
- *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
- *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
- *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
- *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
+ *   poles: t22 * t23 - t21 * t21: proved free of zeros, |...| >= 0.049 (rounding error <= 1.4e-13)
+ *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
+ *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
+ *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
+ *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
+ *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
+ *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
  *   poles: t191: proved free of zeros, |t191| >= 9.9e-07 (rounding error <= 0.042)
  *   poles: t192: proved free of zeros, |t192| >= 9.9e-07 (rounding error <= 0.041)
  *   poles: t193: proved free of zeros, |t193| >= 9.9e-07 (rounding error <= 0.042)
@@ -149,14 +149,14 @@
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
  *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.6e-13)
- *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
- *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
- *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
- *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
+ *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
+ *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
+ *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
+ *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
+ *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
+ *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
  *   poles: t215: proved free of zeros, |t215| >= 9.9e-07 (rounding error <= 0.085)
  *   poles: t216: proved free of zeros, |t216| >= 9.9e-07 (rounding error <= 0.083)
  *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 0.085)
@@ -183,14 +183,14 @@
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
  *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
- *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.064 (rounding error <= 2.7e-14)
- *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
- *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.88 (rounding error <= 2.7e-16)
- *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.87 (rounding error <= 2.7e-16)
+ *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
+ *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
+ *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.064 (rounding error <= 2.7e-14)
+ *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
+ *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.88 (rounding error <= 2.7e-16)
+ *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.87 (rounding error <= 2.7e-16)
  *   poles: t215: proved free of zeros, |t215| >= 9.9e-07 (rounding error <= 0.16)
  *   poles: t216: proved free of zeros, |t216| >= 9.9e-07 (rounding error <= 0.15)
  *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 0.16)
@@ -368,24 +368,24 @@ FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB
     const double u2 = 0.5 * t4;
     const double t9 = xA[1] - xD[1] - u2;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.5 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.5 * (t2 + t9);
     const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.5 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.5 * (t2 + t9);
-    const double t18 = (xA[0] - xS[0]) - 0.5 * (t5 + t11);
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t23 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t24 = (t14 * t20 - t13 * t19) * t21;
-    const double t25 = (t15 * t19 - t13 * t20) * t21;
-    const double t26 = (t22 * t15 - t23 * t13) * t21;
-    const double t27 = (t23 * t14 - t22 * t13) * t21;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.5 * (t5 + t13);
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t21 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t13;
+    const double t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19;
+    const double t26 = (t22 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t22 * t16) * t19;
     double u4 = 0.5;
     const double t28 = (u4 < t25 ? u4 : t25);
     double u5 = -0.5;
@@ -458,13 +458,13 @@ FOOTPOINT_LOOP void footpoint_gregory_facet_n(size_t n, const double *const x[27
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_facet_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.02554038836780018, 1, 6.8058441650117647e-16, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.02554038836780018, 1, 6.8058441650117637e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.25349379232612562, 1, 1.3166738040185325e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.037439781648674592, 1.110223024625157e-16, 1.9325795257461832e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.22733806206903703, 1, 1.8043602053943267e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.7189003596589959, 1.110223024625157e-16, 7.5499440987618377e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.39037898628461248, 1, 1.471905972352373e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.39037898628461248, 1, 1.4719059723523732e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -499,16 +499,16 @@ FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double 
     const double t21 = t10 * t10 + t12 * t12 + t17 * t17;
     const double t22 = t14 - 0.5 * (t1 + t9);
     const double t23 = t15 - 0.5 * (t2 + t11);
-    const double t24 = t18 - 0.5 * (t5 + t16);
-    const double t25 = t9 * t22 + t11 * t23 + t16 * t24;
-    const double t26 = t10 * t22 + t12 * t23 + t17 * t24;
-    const double t27 = 1.0 / (t20 * t21 - t19 * t19);
+    const double t24 = 1.0 / (t20 * t21 - t19 * t19);
+    const double t25 = t18 - 0.5 * (t5 + t16);
+    const double t26 = t9 * t22 + t11 * t23 + t16 * t25;
+    const double t27 = t10 * t22 + t12 * t23 + t17 * t25;
     const double t28 = t3 * t9 + t4 * t11 + t8 * t16;
     const double t29 = t3 * t10 + t4 * t12 + t8 * t17;
-    const double t30 = (t20 * t26 - t19 * t25) * t27;
-    const double t31 = (t21 * t25 - t19 * t26) * t27;
-    const double t32 = (t28 * t21 - t29 * t19) * t27;
-    const double t33 = (t29 * t20 - t28 * t19) * t27;
+    const double t30 = (t20 * t27 - t19 * t26) * t24;
+    const double t31 = (t21 * t26 - t19 * t27) * t24;
+    const double t32 = (t28 * t21 - t29 * t19) * t24;
+    const double t33 = (t29 * t20 - t28 * t19) * t24;
     const double t34 = nA[1] - nB[1];
     const double t35 = nA[2] - nB[2];
     const double t36 = nA[0] - nB[0];
@@ -531,33 +531,33 @@ FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double 
     const double t51 = (u4 < t48 ? u4 : t48);
     const double t52 = (u5 > t51 ? u5 : t51);
     const double t53 = t50 + 0.5;
-    const double t54 = t52 + 0.5;
-    const double t55 = nA[1] - nD[1] - t37 * t53;
-    const double t56 = nA[2] - nD[2] - t38 * t53;
+    const double t54 = nA[1] - nD[1] - t37 * t53;
+    const double t55 = nA[2] - nD[2] - t38 * t53;
+    const double t56 = t52 + 0.5;
     const double t57 = nA[0] - nD[0] - t39 * t53;
-    const double t58 = nA[2] - t35 * t53 - t54 * t56;
-    const double t59 = nA[1] - t34 * t53 - t54 * t55;
-    const double t60 = nA[0] - t36 * t53 - t54 * t57;
+    const double t58 = nA[2] - t35 * t53 - t56 * t55;
+    const double t59 = nA[1] - t34 * t53 - t56 * t54;
+    const double t60 = nA[0] - t36 * t53 - t56 * t57;
     const double t61 = t6 - t3 * t53;
     const double t62 = t7 - t4 * t53;
     const double t63 = t13 - t8 * t53;
-    const double t64 = t14 - t1 * t53 - t54 * t61;
-    const double t65 = t15 - t2 * t53 - t54 * t62;
-    const double t66 = t18 - t5 * t53 - t54 * t63;
+    const double t64 = t14 - t1 * t53 - t56 * t61;
+    const double t65 = t15 - t2 * t53 - t56 * t62;
+    const double t66 = t18 - t5 * t53 - t56 * t63;
     const double t67 = (t58 * t64 + t59 * t65 + t60 * t66) / (t58 * t58 + t59 * t59 + t60 * t60);
-    const double t68 = t62 - t55 * t67;
+    const double t68 = t62 - t54 * t67;
     const double t69 = t63 - t57 * t67;
-    const double t70 = t61 - t56 * t67;
-    const double t71 = t59 * t69 - t60 * t68;
-    const double t72 = t60 * t70 - t58 * t69;
-    const double t73 = t1 - t3 * t54 - (t35 - t38 * t54) * t67;
-    const double t74 = t2 - t4 * t54 - (t34 - t37 * t54) * t67;
-    const double t75 = t58 * t68 - t59 * t70;
-    const double t76 = t5 - t8 * t54 - (t36 - t39 * t54) * t67;
-    const double t77 = 1.0 / (t73 * t71 + t74 * t72 + t76 * t75);
-    const double t78 = t64 * (t60 * t74 - t59 * t76) + t65 * (t58 * t76 - t60 * t73) + t66 * (t59 * t73 - t58 *
-        t74);
-    const double t79 = t50 + (t64 * t71 + t65 * t72 + t66 * t75) * t77;
+    const double t70 = t61 - t55 * t67;
+    const double t71 = t1 - t3 * t56 - (t35 - t38 * t56) * t67;
+    const double t72 = t2 - t4 * t56 - (t34 - t37 * t56) * t67;
+    const double t73 = t5 - t8 * t56 - (t36 - t39 * t56) * t67;
+    const double t74 = t59 * t69 - t60 * t68;
+    const double t75 = t60 * t70 - t58 * t69;
+    const double t76 = t58 * t68 - t59 * t70;
+    const double t77 = 1.0 / (t71 * t74 + t72 * t75 + t73 * t76);
+    const double t78 = t64 * (t60 * t72 - t59 * t73) + t65 * (t58 * t73 - t60 * t71) + t66 * (t59 * t71 - t58 *
+        t72);
+    const double t79 = t50 + (t64 * t74 + t65 * t75 + t66 * t76) * t77;
     const double t80 = t52 + t78 * t77;
     const double u6 = 2.0 * t79;
     double u7 = 1.0;
@@ -615,10 +615,10 @@ static const double footpoint_gregory_normals_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.059046809638656786, 1, 5.0171398921715859e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.070137938868364613, 1, 1.638991527597005e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.0018257072055018757, 1.110223024625157e-16, 2.4124823401514712e-15},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.0018257072055018757, 1.110223024625157e-16, 2.4124823401514708e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.21018499193175197, 1, 2.1665171387455688e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, -0.29746406659768615, 1.110223024625157e-16, 1.8656330846710913e-14},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.32334757509811124, 1, 1.9439677890572366e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.32334757509811124, 1, 1.943967789057237e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -656,23 +656,23 @@ FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double x
     const double t24 = t12 * t12 + t14 * t14 + t19 * t19;
     const double t25 = t17 - 0.5 * (t1 + t13);
     const double t26 = t18 - 0.5 * (t3 + t15);
-    const double t27 = t21 - 0.5 * (t7 + t20);
-    const double t28 = t13 * t25 + t15 * t26 + t20 * t27;
-    const double t29 = t12 * t25 + t14 * t26 + t19 * t27;
-    const double t30 = 1.0 / (t24 * t23 - t22 * t22);
+    const double t27 = 1.0 / (t24 * t23 - t22 * t22);
+    const double t28 = t21 - 0.5 * (t7 + t20);
+    const double t29 = t13 * t25 + t15 * t26 + t20 * t28;
+    const double t30 = t12 * t25 + t14 * t26 + t19 * t28;
     const double t31 = t11 * t20 - t5 * t13 - t6 * t15;
     const double t32 = t11 * t19 - t5 * t12 - t6 * t14;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t31 * t24 - t32 * t22) * t30;
-    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t31 * t24 - t32 * t22) * t27;
+    const double t36 = (t32 * t23 - t31 * t22) * t27;
     const double t37 = xC[2] - xB[2];
     const double t38 = xC[1] - xB[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[0] * t39 - nC[2] * t37 - nC[1] * t38;
-    const double t41 = nD[2] * t2 + nD[1] * t4 + nD[0] * t8;
-    const double t42 = nC[2] * t2 + nC[1] * t4 + nC[0] * t8;
-    const double t43 = nB[0] * t39 - nB[2] * t37 - nB[1] * t38;
+    const double t41 = nB[0] * t39 - nB[2] * t37 - nB[1] * t38;
+    const double t42 = nD[2] * t2 + nD[1] * t4 + nD[0] * t8;
+    const double t43 = nC[2] * t2 + nC[1] * t4 + nC[0] * t8;
     const double t44 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
     const double t45 = nB[1] * t3 + nB[2] * t1 + nB[0] * t7;
     const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
@@ -696,67 +696,67 @@ FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double x
     const double t62 = t60 + 0.5;
     const double t63 = t62 - 1.0;
     const double t64 = t61 - 1.0;
-    const double t65 = t62 * t63;
-    const double t66 = t61 * t64;
-    const double t67 = t61 * t61 * (t61 - 1.5);
-    const double t68 = t61 * t66;
-    const double t69 = t62 * t62 * (t62 - 1.5);
-    const double t70 = t62 * t65;
-    const double t71 = t62 * (t62 - (2.0 / 3.0));
-    const double t72 = t40 * t67;
-    const double t73 = t65 * t68;
-    const double t74 = (t61 - (1.0 / 3.0)) * t64;
-    const double t75 = t41 * t69;
-    const double t76 = t66 * t70;
-    const double t77 = (t62 - (1.0 / 3.0)) * t63;
-    const double t78 = t43 * t67;
-    const double t79 = t67 + 0.5;
-    const double t80 = t66 - t68;
-    const double t81 = t61 * (t61 - (2.0 / 3.0));
-    const double t82 = t42 * t69;
-    const double t83 = t63 * t65;
-    const double t84 = t69 + 0.5;
-    const double t85 = t71 * t72 + t42 * t73;
-    const double t86 = t44 * t79;
-    const double t87 = t65 * t80;
-    const double t88 = t44 * t76 - t74 * t75;
-    const double t89 = t66 * t83;
-    const double t90 = t45 * t84;
-    const double t91 = t45 * t73 - t77 * t78;
-    const double t92 = t46 * t79;
-    const double t93 = t81 * t82 + t40 * t76;
-    const double t94 = t47 * t84;
-    const double t95 = t9 + t5 * t61;
-    const double t96 = t71 * t86 + t41 * t87;
-    const double t97 = t81 * t90 - t43 * t89;
-    const double t98 = t10 + t6 * t61;
-    const double t99 = t47 * t87 - t77 * t92;
-    const double t100 = t74 * t94 + t46 * t89;
-    const double t101 = t16 - t11 * t61;
-    const double t102 = t72 * t70 + t82 * t68;
-    const double t103 = t70 * t86 + t75 * t80;
-    const double t104 = t68 * t90 - t78 * t83;
-    const double t105 = t95 + 6.0 * (nC[2] * t85 - nB[2] * t91 - nD[2] * t96 + nA[2] * t99);
-    const double t106 = t1 + t5 * t62 - 6.0 * (nD[2] * t88 - nC[2] * t93 + nB[2] * t97 + nA[2] * t100);
-    const double t107 = t98 + 6.0 * (nC[1] * t85 - nB[1] * t91 - nD[1] * t96 + nA[1] * t99);
-    const double t108 = t3 + t6 * t62 - 6.0 * (nD[1] * t88 - nC[1] * t93 + nB[1] * t97 + nA[1] * t100);
-    const double t109 = t94 * t80 - t83 * t92;
-    const double t110 = t101 + 6.0 * (nC[0] * t85 - nB[0] * t91 - nD[0] * t96 + nA[0] * t99);
-    const double t111 = t7 - t11 * t62 - 6.0 * (nD[0] * t88 - nC[0] * t93 + nB[0] * t97 + nA[0] * t100);
-    const double t112 = t105 * t106 + t107 * t108 + t110 * t111;
-    const double t113 = t105 * t105 + t107 * t107 + t110 * t110;
-    const double t114 = t106 * t106 + t108 * t108 + t111 * t111;
-    const double t115 = t17 - t1 * t61 - t62 * t95 - 2.0 * (nC[2] * t102 - nD[2] * t103 - nB[2] * t104 + nA[2] *
-        t109);
-    const double t116 = t18 - t3 * t61 - t62 * t98 - 2.0 * (nC[1] * t102 - nD[1] * t103 - nB[1] * t104 + nA[1] *
-        t109);
-    const double t117 = t21 - t7 * t61 - t62 * t101 - 2.0 * (nC[0] * t102 - nD[0] * t103 - nB[0] * t104 + nA[0] *
-        t109);
-    const double t118 = t115 * t105 + t116 * t107 + t117 * t110;
-    const double t119 = t115 * t106 + t116 * t108 + t117 * t111;
-    const double t120 = 1.0 / (t114 * t113 - t112 * t112);
-    const double t121 = t58 + (t113 * t119 - t112 * t118) * t120;
-    const double t122 = t60 + (t114 * t118 - t112 * t119) * t120;
+    const double t65 = t61 * t61 * (t61 - 1.5);
+    const double t66 = t62 * t63;
+    const double t67 = t61 * t64;
+    const double t68 = t62 * t62 * (t62 - 1.5);
+    const double t69 = t62 * (t62 - (2.0 / 3.0));
+    const double t70 = t61 * t67;
+    const double t71 = (t61 - (1.0 / 3.0)) * t64;
+    const double t72 = t62 * t66;
+    const double t73 = t40 * t65;
+    const double t74 = t66 * t70;
+    const double t75 = (t62 - (1.0 / 3.0)) * t63;
+    const double t76 = t63 * t66;
+    const double t77 = t42 * t68;
+    const double t78 = t67 * t72;
+    const double t79 = t61 * (t61 - (2.0 / 3.0));
+    const double t80 = t69 * t73 + t43 * t74;
+    const double t81 = t43 * t68;
+    const double t82 = t68 + 0.5;
+    const double t83 = t45 * t82;
+    const double t84 = t47 * t82;
+    const double t85 = t41 * t65;
+    const double t86 = t65 + 0.5;
+    const double t87 = t44 * t86;
+    const double t88 = t46 * t86;
+    const double t89 = t67 - t70;
+    const double t90 = t66 * t89;
+    const double t91 = t67 * t76;
+    const double t92 = t69 * t87 + t42 * t90;
+    const double t93 = t44 * t78 - t71 * t77;
+    const double t94 = t71 * t84 + t46 * t91;
+    const double t95 = t72 * t87 + t77 * t89;
+    const double t96 = t45 * t74 - t75 * t85;
+    const double t97 = t47 * t90 - t75 * t88;
+    const double t98 = t79 * t81 + t40 * t78;
+    const double t99 = t79 * t83 - t41 * t91;
+    const double t100 = t73 * t72 + t81 * t70;
+    const double t101 = t70 * t83 - t85 * t76;
+    const double t102 = t9 + t5 * t61;
+    const double t103 = t10 + t6 * t61;
+    const double t104 = t84 * t89 - t76 * t88;
+    const double t105 = t16 - t11 * t61;
+    const double t106 = t102 + 6.0 * (nC[2] * t80 - nB[2] * t96 - nD[2] * t92 + nA[2] * t97);
+    const double t107 = t1 + t5 * t62 - 6.0 * (nD[2] * t93 - nC[2] * t98 + nB[2] * t99 + nA[2] * t94);
+    const double t108 = t103 + 6.0 * (nC[1] * t80 - nB[1] * t96 - nD[1] * t92 + nA[1] * t97);
+    const double t109 = t105 + 6.0 * (nC[0] * t80 - nB[0] * t96 - nD[0] * t92 + nA[0] * t97);
+    const double t110 = t3 + t6 * t62 - 6.0 * (nD[1] * t93 - nC[1] * t98 + nB[1] * t99 + nA[1] * t94);
+    const double t111 = t7 - t11 * t62 - 6.0 * (nD[0] * t93 - nC[0] * t98 + nB[0] * t99 + nA[0] * t94);
+    const double t112 = t17 - t1 * t61 - t62 * t102 - 2.0 * (nC[2] * t100 - nD[2] * t95 - nB[2] * t101 + nA[2] *
+        t104);
+    const double t113 = t18 - t3 * t61 - t62 * t103 - 2.0 * (nC[1] * t100 - nD[1] * t95 - nB[1] * t101 + nA[1] *
+        t104);
+    const double t114 = t21 - t7 * t61 - t62 * t105 - 2.0 * (nC[0] * t100 - nD[0] * t95 - nB[0] * t101 + nA[0] *
+        t104);
+    const double t115 = t106 * t107 + t108 * t110 + t109 * t111;
+    const double t116 = t106 * t106 + t108 * t108 + t109 * t109;
+    const double t117 = t112 * t106 + t113 * t108 + t114 * t109;
+    const double t118 = t112 * t107 + t113 * t110 + t114 * t111;
+    const double t119 = t107 * t107 + t110 * t110 + t111 * t111;
+    const double t120 = 1.0 / (t119 * t116 - t115 * t115);
+    const double t121 = t58 + (t116 * t118 - t115 * t117) * t120;
+    const double t122 = t60 + (t119 * t117 - t115 * t118) * t120;
     const double u6 = 2.0 * t121;
     double u7 = 1.0;
     const double t123 = (u7 < u6 ? u7 : u6);
@@ -810,13 +810,13 @@ FOOTPOINT_LOOP void footpoint_gregory_smooth_n(size_t n, const double *const x[2
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_smooth_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0010265810967062671, 1, 6.8662963273676452e-16, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0010265810967062671, 1, 6.8662963273676461e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.15067419471044116, 1, 1.6481377092433923e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.15067419471044116, 1, 1.6481377092433915e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.0044541689710726135, 1.110223024625157e-16, 2.8922151531445546e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.12647021097314257, 1, 2.8164410467734799e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.19378950795820535, 1.110223024625157e-16, 2.7389703601809202e-14},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28462270394866851, 1, 2.0797139048952745e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.19378950795820535, 1.110223024625157e-16, 2.7389703601809221e-14},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28462270394866851, 1, 2.0797139048952737e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -858,50 +858,50 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t28 = t13 * t13 + t15 * t15 + t20 * t20;
     const double t29 = t24 * t25;
     const double t30 = t26 * t27;
-    const double t31 = xA[2] - xS[2];
-    const double t32 = xA[1] - xS[1];
-    const double t33 = t23 * t28 - t22 * t22;
+    const double t31 = t23 * t28 - t22 * t22;
+    const double t32 = xA[2] - xS[2];
+    const double t33 = xA[1] - xS[1];
     const double t34 = xA[0] - xS[0];
-    const double t35 = t29 * t30 * t33;
-    const double t36 = t31 - 0.5 * (t2 + t12);
-    const double t37 = t32 - 0.5 * (t4 + t14);
-    const double t38 = t34 - 0.5 * (t8 + t19);
-    const double t39 = t12 * t36 + t14 * t37 + t19 * t38;
-    const double t40 = t13 * t36 + t15 * t37 + t20 * t38;
-    const double t41 = 1.0 / t35;
-    const double t42 = t30 * t41;
-    const double t43 = t29 * t42;
-    const double t44 = t5 * t12 + t6 * t14 + t11 * t19;
-    const double t45 = t5 * t13 + t6 * t15 + t11 * t20;
-    const double t46 = (t23 * t40 - t22 * t39) * t43;
-    const double t47 = (t28 * t39 - t22 * t40) * t43;
-    const double t48 = (t44 * t28 - t45 * t22) * t43;
-    const double t49 = (t45 * t23 - t44 * t22) * t43;
+    const double t35 = t29 * t30 * t31;
+    const double t36 = 1.0 / t35;
+    const double t37 = t30 * t36;
+    const double t38 = t32 - 0.5 * (t2 + t12);
+    const double t39 = t33 - 0.5 * (t4 + t14);
+    const double t40 = t34 - 0.5 * (t8 + t19);
+    const double t41 = t12 * t38 + t14 * t39 + t19 * t40;
+    const double t42 = t13 * t38 + t15 * t39 + t20 * t40;
+    const double t43 = t5 * t12 + t6 * t14 + t11 * t19;
+    const double t44 = t5 * t13 + t6 * t15 + t11 * t20;
+    const double t45 = t29 * t37;
+    const double t46 = (t23 * t42 - t22 * t41) * t45;
+    const double t47 = (t28 * t41 - t22 * t42) * t45;
+    const double t48 = (t43 * t28 - t44 * t22) * t45;
+    const double t49 = (t44 * t23 - t43 * t22) * t45;
     const double t50 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
     const double t51 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
     const double t52 = nC[2] * t17 + nC[1] * t18 + nC[0] * t21;
     const double t53 = nB[2] * t17 + nB[1] * t18 + nB[0] * t21;
-    const double t54 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t55 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t56 = t50 + t51;
-    const double t57 = t52 + t53;
-    const double t58 = t54 + t55;
+    const double t54 = 0.75 * t31 * t36;
+    const double t55 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t56 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t57 = t50 + t51;
+    const double t58 = t52 + t53;
     const double t59 = nC[2] * t9 + nC[1] * t10 + nC[0] * t16 + nD[2] * t17 + nD[1] * t18 + nD[0] * t21;
-    const double t60 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t62 = nD[2] * t2 - nA[2] * t1 - nA[1] * t3 - nA[0] * t7 + nD[1] * t4 + nD[0] * t8;
-    const double t63 = t60 + t61;
-    const double t64 = 0.75 * t33 * t41;
-    const double t65 = nC[2] * t2 - nB[2] * t1 - nB[1] * t3 - nB[0] * t7 + nC[1] * t4 + nC[0] * t8;
-    const double t66 = (t1 * t9 + t3 * t10 + t7 * t16) * t24 * t27 * (t25 * t58 + t26 * t56) * t64;
-    const double t67 = (t1 * t17 + t3 * t18 + t7 * t21) * (t24 * t56 - t25 * t57) * t33 * t42;
-    const double t68 = nA[2] * t17 + nA[1] * t18 + nA[0] * t21 + nB[2] * t9 + nB[1] * t10 + nB[0] * t16;
-    const double t69 = 0.25 * (t59 - t62) - 0.5 * (t54 + t50) - t66;
-    const double t70 = 0.5 * (t52 - t51) - 0.25 * (t59 + t65) + 0.75 * t67;
-    const double t71 = (t17 * t2 + t18 * t4 + t21 * t8) * t26 * t25 * (t24 * t63 - t27 * t57) * t64;
-    const double t72 = 0.5 * (t53 - t60) + 0.25 * (t65 - t68) + t71;
-    const double t73 = (t9 * t2 + t10 * t4 + t16 * t8) * t29 * (t27 * t58 + t26 * t63) * t64;
-    const double t74 = 0.25 * (t62 + t68) - 0.5 * (t55 + t61) - t73;
+    const double t60 = t55 + t56;
+    const double t61 = (t1 * t17 + t3 * t18 + t7 * t21) * (t24 * t57 - t25 * t58) * t31 * t37;
+    const double t62 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t63 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t64 = nD[2] * t2 - nA[2] * t1 - nA[1] * t3 - nA[0] * t7 + nD[1] * t4 + nD[0] * t8;
+    const double t65 = (t1 * t9 + t3 * t10 + t7 * t16) * t24 * t27 * (t25 * t60 + t26 * t57) * t54;
+    const double t66 = 0.25 * (t59 - t64) - 0.5 * (t55 + t50) - t65;
+    const double t67 = nC[2] * t2 - nB[2] * t1 - nB[1] * t3 - nB[0] * t7 + nC[1] * t4 + nC[0] * t8;
+    const double t68 = 0.5 * (t52 - t51) - 0.25 * (t59 + t67) + 0.75 * t61;
+    const double t69 = t62 + t63;
+    const double t70 = (t17 * t2 + t18 * t4 + t21 * t8) * t26 * t25 * (t24 * t69 - t27 * t58) * t54;
+    const double t71 = nA[2] * t17 + nA[1] * t18 + nA[0] * t21 + nB[2] * t9 + nB[1] * t10 + nB[0] * t16;
+    const double t72 = 0.5 * (t53 - t62) + 0.25 * (t67 - t71) + t70;
+    const double t73 = (t9 * t2 + t10 * t4 + t16 * t8) * t29 * (t27 * t60 + t26 * t69) * t54;
+    const double t74 = 0.25 * (t64 + t71) - 0.5 * (t56 + t63) - t73;
     double u4 = 0.5;
     const double t75 = (u4 < t47 ? u4 : t47);
     double u5 = -0.5;
@@ -921,92 +921,92 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t89 = t85 + 0.5;
     const double t90 = t88 - 1.0;
     const double t91 = t88 * t90;
-    const double t92 = t88 - (2.0 / 3.0);
-    const double t93 = t89 - 1.0;
-    const double t94 = t88 * t91;
-    const double t95 = t88 * t88 * (t88 - 1.5);
-    const double t96 = t89 * t89 * (t89 - 1.5);
-    const double t97 = t88 * t92;
-    const double t98 = t89 * t93;
+    const double t92 = t88 * t88 * (t88 - 1.5);
+    const double t93 = t89 * t89 * (t89 - 1.5);
+    const double t94 = t88 - (2.0 / 3.0);
+    const double t95 = t89 - 1.0;
+    const double t96 = t88 * t91;
+    const double t97 = t88 * t94;
+    const double t98 = t89 * t95;
     const double t99 = t89 - (1.0 / 3.0);
-    const double t100 = t96 + 0.5;
-    const double t101 = t88 - (1.0 / 3.0);
-    const double t102 = t54 * t98;
-    const double t103 = t99 * t93;
-    const double t104 = t50 * t95 + t69 * t94;
-    const double t105 = t89 - (2.0 / 3.0);
-    const double t106 = t90 * t91;
-    const double t107 = t95 + 0.5;
-    const double t108 = t54 * t100;
-    const double t109 = t93 * t98;
-    const double t110 = t50 * t91 + t69 * t97;
-    const double t111 = t101 * t90;
-    const double t112 = t52 * t98;
-    const double t113 = t89 * t105;
-    const double t114 = t51 * t95 + t70 * t94;
-    const double t115 = t52 * t96;
-    const double t116 = t89 * t98;
-    const double t117 = t51 * t91 + t70 * t97;
-    const double t118 = t102 * t94 + t103 * t104;
-    const double t119 = t53 * t98;
-    const double t120 = t60 * t107 + t72 * t106;
-    const double t121 = t53 * t96;
-    const double t122 = t97 * t108 + t109 * t110;
-    const double t123 = t60 * t91 + t72 * t111;
-    const double t124 = t112 * t94 - t113 * t114;
-    const double t125 = t55 * t98;
-    const double t126 = t61 * t107 + t74 * t106;
-    const double t127 = t9 - t5 * t89;
-    const double t128 = t94 * t108 + t109 * t104;
-    const double t129 = t55 * t100;
+    const double t100 = t50 * t92 + t66 * t96;
+    const double t101 = t93 + 0.5;
+    const double t102 = t50 * t91 + t66 * t97;
+    const double t103 = t88 - (1.0 / 3.0);
+    const double t104 = t55 * t98;
+    const double t105 = t99 * t95;
+    const double t106 = t95 * t98;
+    const double t107 = t89 - (2.0 / 3.0);
+    const double t108 = t92 + 0.5;
+    const double t109 = t51 * t92 + t68 * t96;
+    const double t110 = t90 * t91;
+    const double t111 = t103 * t90;
+    const double t112 = t55 * t101;
+    const double t113 = t56 * t101;
+    const double t114 = t51 * t91 + t68 * t97;
+    const double t115 = t104 * t96 + t105 * t100;
+    const double t116 = t52 * t98;
+    const double t117 = t89 * t107;
+    const double t118 = t62 * t108 + t72 * t110;
+    const double t119 = t52 * t93;
+    const double t120 = t53 * t93;
+    const double t121 = t89 * t98;
+    const double t122 = t97 * t112 + t106 * t102;
+    const double t123 = t62 * t91 + t72 * t111;
+    const double t124 = t116 * t96 - t117 * t109;
+    const double t125 = t53 * t98;
+    const double t126 = t56 * t98;
+    const double t127 = t63 * t108 + t74 * t110;
+    const double t128 = t9 - t5 * t89;
+    const double t129 = t96 * t112 + t106 * t100;
     const double t130 = t10 - t6 * t89;
-    const double t131 = t97 * t115 - t116 * t117;
-    const double t132 = t61 * t91 + t74 * t111;
-    const double t133 = t119 * t106 - t113 * t120;
-    const double t134 = t115 * t94 - t116 * t114;
+    const double t131 = t97 * t119 - t121 * t114;
+    const double t132 = t63 * t91 + t74 * t111;
+    const double t133 = t125 * t110 - t117 * t118;
+    const double t134 = t119 * t96 - t121 * t109;
     const double t135 = t16 - t11 * t89;
-    const double t136 = t111 * t121 - t116 * t123;
-    const double t137 = t125 * t106 + t103 * t126;
-    const double t138 = t121 * t106 - t116 * t120;
-    const double t139 = t111 * t129 + t109 * t132;
-    const double t140 = t106 * t129 + t109 * t126;
-    const double t141 = t2 - t5 * t88 - 6.0 * (nD[2] * t118 - nC[2] * t124 - nB[2] * t133 + nA[2] * t137);
-    const double t142 = t4 - t6 * t88 - 6.0 * (nD[1] * t118 - nC[1] * t124 - nB[1] * t133 + nA[1] * t137);
-    const double t143 = t127 - 6.0 * (nD[2] * t122 - nC[2] * t131 - nB[2] * t136 + nA[2] * t139);
-    const double t144 = t130 - 6.0 * (nD[1] * t122 - nC[1] * t131 - nB[1] * t136 + nA[1] * t139);
-    const double t145 = t31 - t2 * t89 - t88 * t127 + 2.0 * (nD[2] * t128 - nC[2] * t134 - nB[2] * t138 + nA[2] *
-        t140);
-    const double t146 = t32 - t4 * t89 - t88 * t130 + 2.0 * (nD[1] * t128 - nC[1] * t134 - nB[1] * t138 + nA[1] *
-        t140);
-    const double t147 = t8 - t11 * t88 - 6.0 * (nD[0] * t118 - nC[0] * t124 - nB[0] * t133 + nA[0] * t137);
-    const double t148 = t135 - 6.0 * (nD[0] * t122 - nC[0] * t131 - nB[0] * t136 + nA[0] * t139);
-    const double t149 = t34 - t8 * t89 - t88 * t135 + 2.0 * (nD[0] * t128 - nC[0] * t134 - nB[0] * t138 + nA[0] *
-        t140);
-    const double t150 = t85 * t94;
-    const double t151 = nD[2] * t145 + nD[1] * t146 + nD[0] * t149;
-    const double t152 = t85 * t106;
-    const double t153 = nC[2] * t145 + nC[1] * t146 + nC[0] * t149;
-    const double t154 = nB[2] * t145 + nB[1] * t146 + nB[0] * t149;
-    const double t155 = nA[2] * t145 + nA[1] * t146 + nA[0] * t149;
-    const double t156 = t143 * t143 + t144 * t144 + t148 * t148 + 12.0 * ((t109 * (t50 * t87 + t69 * t101) + t101 *
-        t108) * t151 - (t101 * t115 - t116 * (t51 * t87 + t70 * t101)) * t153 - (t92 * t121 - t116 * (t60 * t87 +
-        t72 * t92)) * t154 + (t109 * (t61 * t87 + t74 * t92) + t92 * t129) * t155);
-    const double t157 = t143 * t141 + t144 * t142 + t148 * t147 + t5 * t145 + t6 * t146 + t11 * t149 + 18.0 * ((t97
-        * t102 + t103 * t110) * t151 - (t97 * t112 - t113 * t117) * t153 - (t111 * t119 - t113 * t123) * t154 +
-        (t111 * t125 + t103 * t132) * t155);
-    const double t158 = t141 * t141 + t142 * t142 + t147 * t147 + 12.0 * ((t54 * t150 + t105 * t104) * t151 - (t52 *
-        t150 - t99 * t114) * t153 - (t53 * t152 - t99 * t120) * t154 + (t55 * t152 + t105 * t126) * t155);
-    const double t159 = t156 * t158;
-    const double t160 = t159 - t157 * t157;
-    const double t161 = t141 * t145 + t142 * t146 + t147 * t149;
-    const double t162 = t143 * t145 + t144 * t146 + t148 * t149;
-    const double t163 = t161 * t156 - t162 * t157;
-    const double t164 = t162 * t158 - t161 * t157;
-    const double u6 = 0.02 * t159;
-    const double t165 = (t160 > u6 ? t160 : u6);
+    const double t136 = t111 * t120 - t121 * t123;
+    const double t137 = t126 * t110 + t105 * t127;
+    const double t138 = t120 * t110 - t121 * t118;
+    const double t139 = t111 * t113 + t106 * t132;
+    const double t140 = t85 * t96;
+    const double t141 = t110 * t113 + t106 * t127;
+    const double t142 = t2 - t5 * t88 - 6.0 * (nD[2] * t115 - nC[2] * t124 - nB[2] * t133 + nA[2] * t137);
+    const double t143 = t4 - t6 * t88 - 6.0 * (nD[1] * t115 - nC[1] * t124 - nB[1] * t133 + nA[1] * t137);
+    const double t144 = t8 - t11 * t88 - 6.0 * (nD[0] * t115 - nC[0] * t124 - nB[0] * t133 + nA[0] * t137);
+    const double t145 = t128 - 6.0 * (nD[2] * t122 - nC[2] * t131 - nB[2] * t136 + nA[2] * t139);
+    const double t146 = t130 - 6.0 * (nD[1] * t122 - nC[1] * t131 - nB[1] * t136 + nA[1] * t139);
+    const double t147 = t135 - 6.0 * (nD[0] * t122 - nC[0] * t131 - nB[0] * t136 + nA[0] * t139);
+    const double t148 = t85 * t110;
+    const double t149 = t32 - t2 * t89 - t88 * t128 + 2.0 * (nD[2] * t129 - nC[2] * t134 - nB[2] * t138 + nA[2] *
+        t141);
+    const double t150 = t33 - t4 * t89 - t88 * t130 + 2.0 * (nD[1] * t129 - nC[1] * t134 - nB[1] * t138 + nA[1] *
+        t141);
+    const double t151 = t34 - t8 * t89 - t88 * t135 + 2.0 * (nD[0] * t129 - nC[0] * t134 - nB[0] * t138 + nA[0] *
+        t141);
+    const double t152 = nD[2] * t149 + nD[1] * t150 + nD[0] * t151;
+    const double t153 = nC[2] * t149 + nC[1] * t150 + nC[0] * t151;
+    const double t154 = nB[2] * t149 + nB[1] * t150 + nB[0] * t151;
+    const double t155 = nA[2] * t149 + nA[1] * t150 + nA[0] * t151;
+    const double t156 = t145 * t145 + t146 * t146 + t147 * t147 + 12.0 * ((t106 * (t50 * t87 + t66 * t103) + t103 *
+        t112) * t152 - (t103 * t119 - t121 * (t51 * t87 + t68 * t103)) * t153 - (t94 * t120 - t121 * (t62 * t87 +
+        t72 * t94)) * t154 + (t106 * (t63 * t87 + t74 * t94) + t94 * t113) * t155);
+    const double t157 = t145 * t142 + t146 * t143 + t147 * t144 + t5 * t149 + t6 * t150 + t11 * t151 + 18.0 * ((t97
+        * t104 + t105 * t102) * t152 - (t97 * t116 - t117 * t114) * t153 - (t111 * t125 - t117 * t123) * t154 +
+        (t111 * t126 + t105 * t132) * t155);
+    const double t158 = t142 * t142 + t143 * t143 + t144 * t144 + 12.0 * ((t55 * t140 + t107 * t100) * t152 - (t52 *
+        t140 - t99 * t109) * t153 - (t53 * t148 - t99 * t118) * t154 + (t56 * t148 + t107 * t127) * t155);
+    const double t159 = t142 * t149 + t143 * t150 + t144 * t151;
+    const double t160 = t145 * t149 + t146 * t150 + t147 * t151;
+    const double t161 = t156 * t158;
+    const double t162 = t159 * t156 - t160 * t157;
+    const double t163 = t160 * t158 - t159 * t157;
+    const double t164 = t161 - t157 * t157;
+    const double u6 = 0.02 * t161;
+    const double t165 = (t164 > u6 ? t164 : u6);
     const double t166 = 1.0 / t165;
-    const double t167 = t85 + t163 * t166;
-    const double t168 = t87 + t164 * t166;
+    const double t167 = t85 + t162 * t166;
+    const double t168 = t87 + t163 * t166;
     const double u7 = 2.0 * t167;
     double u8 = 1.0;
     const double t169 = (u8 < u7 ? u8 : u7);
@@ -1059,14 +1059,14 @@ FOOTPOINT_LOOP void footpoint_gregory_corrected_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_corrected_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.77178557862136943, 0.73935032332923478, 1.9129963466446555e-15, 9.4182307573989164e-15},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.019201854509944515, 0.98553544881167354, 6.6466585529162173e-16, 1.9526315503647054e-15},
-    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.47161139585019385, 1, 5.2848511980924938e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.068779565307178187, 1, 2.2596143483479932e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.18880992052812895, 1.110223024625157e-16, 4.0174881522842746e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.64269228827064795, 1, 4.3640164087845524e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.66034219696570817, 1.110223024625157e-16, 1.6978822913225014e-14},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.14076578734257675, 1, 3.1154389809157091e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.77178557862136943, 0.73935032332923478, 1.9129963466446559e-15, 9.4182307573989133e-15},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.019201854509944515, 0.98553544881167354, 6.6466585529162183e-16, 1.9526315503647058e-15},
+    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.47161139585019385, 1, 5.2848511980924922e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.068779565307178187, 1, 2.2596143483479885e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.18880992052812895, 1.110223024625157e-16, 4.0174881522842707e-15},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.64269228827064795, 1, 4.3640164087845508e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.66034219696570817, 1.110223024625157e-16, 1.6978822913224942e-14},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.14076578734257675, 1, 3.1154389809157048e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -1098,132 +1098,132 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t18 = u3 - t8;
     const double t19 = xS[2] - xA[2];
     const double t20 = xS[1] - xA[1];
-    const double t21 = xS[0] - xA[0];
-    const double t22 = t12 * t13 + t14 * t15 + t17 * t18;
-    const double t23 = t12 * t12 + t14 * t14 + t17 * t17;
-    const double t24 = t13 * t13 + t15 * t15 + t18 * t18;
+    const double t21 = t12 * t13 + t14 * t15 + t17 * t18;
+    const double t22 = t12 * t12 + t14 * t14 + t17 * t17;
+    const double t23 = t13 * t13 + t15 * t15 + t18 * t18;
+    const double t24 = xS[0] - xA[0];
     const double t25 = 0.5 * (t2 - t12) - t19;
     const double t26 = 0.5 * (t4 - t14) - t20;
-    const double t27 = 0.5 * (t8 - t17) - t21;
-    const double t28 = t12 * t25 + t14 * t26 + t17 * t27;
-    const double t29 = t13 * t25 + t15 * t26 + t18 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t22 * t23 - t21 * t21);
+    const double t28 = 0.5 * (t8 - t17) - t24;
+    const double t29 = t12 * t25 + t14 * t26 + t17 * t28;
+    const double t30 = t13 * t25 + t15 * t26 + t18 * t28;
     const double t31 = t5 * t12 + t6 * t14 + t11 * t17;
     const double t32 = t5 * t13 + t6 * t15 + t11 * t18;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t32 * t22 - t31 * t24) * t30;
-    const double t36 = (t31 * t22 - t32 * t23) * t30;
+    const double t33 = (t22 * t30 - t21 * t29) * t27;
+    const double t34 = (t23 * t29 - t21 * t30) * t27;
+    const double t35 = (t32 * t21 - t31 * t23) * t27;
+    const double t36 = (t31 * t21 - t32 * t22) * t27;
     const double t37 = xC[2] - xB[2];
     const double t38 = xC[1] - xB[1];
     const double t39 = xC[0] - xB[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t42 = t10 * t8 - t16 * t4;
-    const double t43 = t16 * t2 - t9 * t8;
-    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
-    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t47 = t10 * t11 - t16 * t6;
-    const double t48 = t42 - (t8 * t6 - t4 * t11);
-    const double t49 = t16 * t5 - t9 * t11;
-    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t43 = t42 - (t8 * t6 - t4 * t11);
+    const double t44 = t16 * t2 - t9 * t8;
+    const double t45 = t44 - (t2 * t11 - t8 * t5);
+    const double t46 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t47 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t48 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t49 = t10 * t11 - t16 * t6;
+    const double t50 = t16 * t5 - t9 * t11;
     const double t51 = t9 * t4 - t10 * t2;
-    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
-    const double t56 = t9 * t6 - t10 * t5;
-    const double t57 = t51 - (t4 * t5 - t2 * t6);
-    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
-    const double t62 = 1.0 / (t44 - t40 * t40);
-    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
-    const double t64 = 1.0 / (t44 - t41 * t41);
-    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
-    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
-    const double t67 = t61 * t62;
-    const double t68 = t63 * t64;
-    const double t69 = t65 * t62;
-    const double t70 = t66 * t64;
-    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
-    const double t72 = 1.0 / (t55 - t45 * t45);
-    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
-    const double t74 = 1.0 / (t55 - t46 * t46);
-    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
-    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
-    const double t77 = t68 - t67;
-    const double t78 = t71 * t72;
-    const double t79 = t73 * t74;
-    const double t80 = t75 * t72;
-    const double t81 = t76 * t74;
-    const double t82 = 1.0 / (t59 - t54 * t54);
-    const double t83 = 1.0 / (t59 - t52 * t52);
-    const double t84 = 1.0 / (t60 - t53 * t53);
-    const double t85 = t1 - t2;
-    const double t86 = nB[1] * t69 + nC[1] * t70;
-    const double t87 = nB[0] * t69 + nC[0] * t70;
-    const double t88 = t79 - t78;
-    const double t89 = t71 * t82;
-    const double t90 = t61 * t83;
-    const double t91 = t65 * t83;
-    const double t92 = t75 * t82;
-    const double t93 = t63 * t84;
-    const double t94 = 1.0 / (t60 - t58 * t58);
-    const double t95 = t3 - t4;
-    const double t96 = t40 * t68;
-    const double t97 = nA[0] * t80 + nD[0] * t81;
-    const double t98 = t89 + t90;
-    const double t99 = t73 * t94;
-    const double t100 = t66 * t84;
-    const double t101 = t76 * t94;
-    const double t102 = nB[2] * t69 + nC[2] * t70;
-    const double t103 = nA[2] * t80 + nD[2] * t81;
-    const double t104 = t7 - t8;
-    const double t105 = t41 * t67;
-    const double t106 = nA[1] * t80 + nD[1] * t81;
-    const double t107 = t45 * t79;
+    const double t52 = t51 - (t4 * t5 - t2 * t6);
+    const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t54 = 1.0 / (t46 - t40 * t40);
+    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t56 = 1.0 / (t46 - t41 * t41);
+    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t59 = t9 * t6 - t10 * t5;
+    const double t60 = 1.0 / (t58 - t47 * t47);
+    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t62 = 1.0 / (t58 - t48 * t48);
+    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t65 = 1.0 / (t63 - t57 * t57);
+    const double t66 = 1.0 / (t63 - t53 * t53);
+    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
+    const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
+    const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
+    const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
+    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
+    const double t77 = t73 * t54;
+    const double t78 = t68 * t54;
+    const double t79 = t73 * t66;
+    const double t80 = t68 * t66;
+    const double t81 = t74 * t56;
+    const double t82 = t69 * t56;
+    const double t83 = t74 * t67;
+    const double t84 = t69 * t67;
+    const double t85 = t81 - t77;
+    const double t86 = nB[1] * t78 + nC[1] * t82;
+    const double t87 = nB[0] * t78 + nC[0] * t82;
+    const double t88 = nB[2] * t78 + nC[2] * t82;
+    const double t89 = t75 * t60;
+    const double t90 = t70 * t60;
+    const double t91 = t75 * t65;
+    const double t92 = t70 * t65;
+    const double t93 = t76 * t62;
+    const double t94 = t71 * t62;
+    const double t95 = t76 * t72;
+    const double t96 = t71 * t72;
+    const double t97 = t1 - t2;
+    const double t98 = t93 - t89;
+    const double t99 = nA[0] * t90 + nD[0] * t94;
+    const double t100 = t3 - t4;
+    const double t101 = nA[2] * t90 + nD[2] * t94;
+    const double t102 = nA[1] * t90 + nD[1] * t94;
+    const double t103 = t40 * t81;
+    const double t104 = 3.0 * (t77 + t81) + 2.0;
+    const double t105 = t41 * t77;
+    const double t106 = t91 + t79;
+    const double t107 = nD[0] * t80 + nC[0] * t92;
     const double t108 = t37 + t9;
-    const double t109 = nD[0] * t91 + nC[0] * t92;
-    const double t110 = t93 + t99;
-    const double t111 = t38 + t10;
-    const double t112 = nD[2] * t91 + nC[2] * t92;
-    const double t113 = t46 * t78;
-    const double t114 = nD[1] * t91 + nC[1] * t92;
-    const double t115 = t52 * t89;
-    const double t116 = nA[1] * t100 + nB[1] * t101;
-    const double t117 = nA[0] * t100 + nB[0] * t101;
-    const double t118 = 3.0 * (t78 - (2.0 / 3.0) + t79);
-    const double t119 = 3.0 * (t99 - t93) - 2.0;
+    const double t109 = nD[2] * t80 + nC[2] * t92;
+    const double t110 = nD[1] * t80 + nC[1] * t92;
+    const double t111 = t7 - t8;
+    const double t112 = t47 * t93;
+    const double t113 = t48 * t89;
+    const double t114 = 3.0 * (t89 - (2.0 / 3.0) + t93);
+    const double t115 = t83 + t95;
+    const double t116 = nA[1] * t84 + nB[1] * t96;
+    const double t117 = nA[0] * t84 + nB[0] * t96;
+    const double t118 = nA[2] * t84 + nB[2] * t96;
+    const double t119 = t38 + t10;
     const double t120 = t39 + t16;
-    const double t121 = t54 * t90;
-    const double t122 = t53 * t99;
-    const double t123 = t46 * t118;
-    const double t124 = t58 * t119;
-    const double t125 = 3.0 * (t90 - t89) + 2.0;
-    const double t126 = nA[2] * t100 + nB[2] * t101;
-    const double t127 = t85 + t37 * t77 + t39 * t86 - t38 * t87 + 2.0 * (nC[2] * t96 - nB[2] * t105);
-    const double t128 = t58 * t93;
-    const double t129 = t45 * t118;
-    const double t130 = t54 * t125;
-    const double t131 = 3.0 * (t67 + t68) + 2.0;
-    const double t132 = t95 + t38 * t77 + t37 * t87 - t39 * t102 + 2.0 * (nC[1] * t96 - nB[1] * t105);
-    const double t133 = t85 + t9 * t88 - t10 * t97 + t16 * t106 + 2.0 * (nD[2] * t107 - nA[2] * t113);
-    const double t134 = t40 * t131;
-    const double t135 = t52 * t125;
-    const double t136 = t95 + t10 * t88 - t16 * t103 + t9 * t97 + 2.0 * (nD[1] * t107 - nA[1] * t113);
-    const double t137 = t104 + t39 * t77 + t38 * t102 - t37 * t86 + 2.0 * (nC[0] * t96 - nB[0] * t105);
-    const double t138 = t1 * t98 - t108 - t3 * t109 + t7 * t114 + 2.0 * (nC[2] * t115 + nD[2] * t121);
-    const double t139 = t41 * t131;
-    const double t140 = t53 * t119;
-    const double t141 = t3 * t98 - t111 - t7 * t112 + t1 * t109 + 2.0 * (nC[1] * t115 + nD[1] * t121);
-    const double t142 = t104 + t16 * t88 - t9 * t106 + t10 * t103 + 2.0 * (nD[0] * t107 - nA[0] * t113);
-    const double t143 = t2 * t110 - t108 - t8 * t116 + t4 * t117 + 2.0 * (nB[2] * t122 + nA[2] * t128);
-    const double t144 = t4 * t110 - t111 - t2 * t117 + t8 * t126 + 2.0 * (nB[1] * t122 + nA[1] * t128);
-    const double t145 = t7 * t98 - t120 - t1 * t114 + t3 * t112 + 2.0 * (nC[0] * t115 + nD[0] * t121);
-    const double t146 = t8 * t110 - t120 - t4 * t126 + t2 * t116 + 2.0 * (nB[0] * t122 + nA[0] * t128);
+    const double t121 = t97 + t37 * t85 + t39 * t86 - t38 * t87 + 2.0 * (nC[2] * t103 - nB[2] * t105);
+    const double t122 = t53 * t91;
+    const double t123 = 3.0 * (t79 - t91) + 2.0;
+    const double t124 = t57 * t79;
+    const double t125 = 3.0 * (t95 - t83) - 2.0;
+    const double t126 = t55 * t95;
+    const double t127 = t61 * t83;
+    const double t128 = t100 + t38 * t85 + t37 * t87 - t39 * t88 + 2.0 * (nC[1] * t103 - nB[1] * t105);
+    const double t129 = t111 + t39 * t85 + t38 * t88 - t37 * t86 + 2.0 * (nC[0] * t103 - nB[0] * t105);
+    const double t130 = t97 + t9 * t98 - t10 * t99 + t16 * t102 + 2.0 * (nD[2] * t112 - nA[2] * t113);
+    const double t131 = t48 * t114;
+    const double t132 = t47 * t114;
+    const double t133 = t61 * t125;
+    const double t134 = t55 * t125;
+    const double t135 = t100 + t10 * t98 - t16 * t101 + t9 * t99 + 2.0 * (nD[1] * t112 - nA[1] * t113);
+    const double t136 = t111 + t16 * t98 - t9 * t102 + t10 * t101 + 2.0 * (nD[0] * t112 - nA[0] * t113);
+    const double t137 = t1 * t106 - t108 - t3 * t107 + t7 * t110 + 2.0 * (nC[2] * t122 + nD[2] * t124);
+    const double t138 = t57 * t123;
+    const double t139 = t53 * t123;
+    const double t140 = t3 * t106 - t119 - t7 * t109 + t1 * t107 + 2.0 * (nC[1] * t122 + nD[1] * t124);
+    const double t141 = t7 * t106 - t120 - t1 * t110 + t3 * t109 + 2.0 * (nC[0] * t122 + nD[0] * t124);
+    const double t142 = t2 * t115 - t108 - t8 * t116 + t4 * t117 + 2.0 * (nB[2] * t126 + nA[2] * t127);
+    const double t143 = t40 * t104;
+    const double t144 = t41 * t104;
+    const double t145 = t4 * t115 - t119 - t2 * t117 + t8 * t118 + 2.0 * (nB[1] * t126 + nA[1] * t127);
+    const double t146 = t8 * t115 - t120 - t4 * t118 + t2 * t116 + 2.0 * (nB[0] * t126 + nA[0] * t127);
     double u4 = 0.5;
     const double t147 = (u4 < t34 ? u4 : t34);
     double u5 = -0.5;
@@ -1247,25 +1247,25 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t165 = t161 + t163;
     const double t166 = t161 + t160;
     const double t167 = t160 + t162;
-    const double t168 = t160 * t160;
-    const double t169 = t161 * t162;
-    const double t170 = t5 * t160 - t9;
-    const double t171 = t163 * t163;
-    const double t172 = t6 * t160 - t10;
-    const double t173 = t161 * t161;
-    const double t174 = t160 * t163;
-    const double t175 = t11 * t160 - t16;
+    const double t168 = t5 * t160 - t9;
+    const double t169 = t160 * t160;
+    const double t170 = t161 * t162;
+    const double t171 = t6 * t160 - t10;
+    const double t172 = t163 * t163;
+    const double t173 = t11 * t160 - t16;
+    const double t174 = t161 * t161;
+    const double t175 = t160 * t163;
     const double t176 = t162 * t162;
     const double t177 = t162 * t163;
     const double t178 = t161 * t163;
     const double t179 = t161 * t160;
     const double t180 = t160 * t162;
-    const double t181 = t129 * t162 - t130 * t160;
-    const double t182 = t135 * t163 - t134 * t162;
-    const double t183 = t160 - t163;
-    const double t184 = t139 * t161 + t140 * t163;
-    const double t185 = t161 - t162;
-    const double t186 = t123 * t161 + t124 * t160;
+    const double t181 = t132 * t162 - t138 * t160;
+    const double t182 = t139 * t163 - t143 * t162;
+    const double t183 = t144 * t161 + t134 * t163;
+    const double t184 = t160 - t163;
+    const double t185 = t131 * t161 + t133 * t160;
+    const double t186 = t161 - t162;
     const double t187 = 2.0 * t161;
     const double t188 = 2.0 * t163;
     const double t189 = 2.0 * t162;
@@ -1277,145 +1277,145 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t194 = (u6 > t167 ? u6 : t167);
     const double t195 = 1.0 / t191;
     const double t196 = 1.0 / t192;
-    const double t197 = t163 * t195;
-    const double t198 = t163 * t196;
-    const double t199 = 1.0 / t193;
-    const double t200 = 1.0 / t194;
-    const double t201 = 1.0 - t197;
-    const double t202 = 1.0 - t198;
-    const double t203 = t160 * t199;
-    const double t204 = t160 * t200;
+    const double t197 = 1.0 / t193;
+    const double t198 = 1.0 / t194;
+    const double t199 = t163 * t195;
+    const double t200 = t163 * t196;
+    const double t201 = 1.0 - t199;
+    const double t202 = 1.0 - t200;
+    const double t203 = t160 * t197;
+    const double t204 = t160 * t198;
     const double t205 = t163 * t201;
     const double t206 = t163 * t202;
     const double t207 = t203 - 1.0;
     const double t208 = t204 - 1.0;
-    const double t209 = t160 * t207;
-    const double t210 = t160 * t208;
+    const double t209 = t40 + t143 * t205;
+    const double t210 = t53 + t139 * t205;
     const double t211 = t161 * t205 + t162 * t206;
-    const double t212 = t168 * t169 * t211;
-    const double t213 = t162 * t209 + t161 * t210;
-    const double t214 = t171 * t169 * t213;
-    const double t215 = t160 * t205 - t163 * t210;
-    const double t216 = t46 + t123 * t209;
-    const double t217 = t58 + t124 * t209;
-    const double t218 = t173 * t174 * t215;
-    const double t219 = t160 * t206 - t163 * t209;
-    const double t220 = t45 + t129 * t210;
-    const double t221 = t130 * t210 - t54;
-    const double t222 = t176 * t174 * t219;
-    const double t223 = t161 * t216 + t160 * t217;
-    const double t224 = t40 + t134 * t205;
-    const double t225 = t52 + t135 * t205;
-    const double t226 = t177 * t177 * t223;
-    const double t227 = t160 * t221 - t162 * t220;
-    const double t228 = t41 + t139 * t206;
-    const double t229 = t140 * t206 - t53;
-    const double t230 = t178 * t178 * t227;
-    const double t231 = t163 * t225 - t162 * t224;
-    const double t232 = t179 * t179 * t231;
-    const double t233 = t161 * t228 + t163 * t229;
-    const double t234 = t180 * t180 * t233;
-    const double t235 = t2 * t160 - t19 - t161 * t170 - t127 * t212 - t133 * t214 - t138 * t218 + t143 * t222 -
-        nA[2] * t226 - nD[2] * t230 - nC[2] * t232 - nB[2] * t234;
-    const double t236 = t4 * t160 - t20 - t161 * t172 - t132 * t212 - t136 * t214 - t141 * t218 + t144 * t222 -
-        nA[1] * t226 - nD[1] * t230 - nC[1] * t232 - nB[1] * t234;
-    const double t237 = t8 * t160 - t21 - t161 * t175 - t137 * t212 - t142 * t214 - t145 * t218 + t146 * t222 -
-        nA[0] * t226 - nD[0] * t230 - nC[0] * t232 - nB[0] * t234;
+    const double t212 = t160 * t207;
+    const double t213 = t48 + t131 * t212;
+    const double t214 = t61 + t133 * t212;
+    const double t215 = t160 * t208;
+    const double t216 = t47 + t132 * t215;
+    const double t217 = t138 * t215 - t57;
+    const double t218 = t41 + t144 * t206;
+    const double t219 = t134 * t206 - t55;
+    const double t220 = t160 * t206 - t163 * t212;
+    const double t221 = t162 * t212 + t161 * t215;
+    const double t222 = t160 * t205 - t163 * t215;
+    const double t223 = t169 * t170 * t211;
+    const double t224 = t172 * t170 * t221;
+    const double t225 = t174 * t175 * t222;
+    const double t226 = t161 * t213 + t160 * t214;
+    const double t227 = t176 * t175 * t220;
+    const double t228 = t160 * t217 - t162 * t216;
+    const double t229 = t177 * t177 * t226;
+    const double t230 = t163 * t210 - t162 * t209;
+    const double t231 = t178 * t178 * t228;
+    const double t232 = t161 * t218 + t163 * t219;
+    const double t233 = t179 * t179 * t230;
+    const double t234 = t180 * t180 * t232;
+    const double t235 = t2 * t160 - t19 - t161 * t168 - t121 * t223 - t130 * t224 - t137 * t225 + t142 * t227 -
+        nA[2] * t229 - nD[2] * t231 - nC[2] * t233 - nB[2] * t234;
+    const double t236 = t4 * t160 - t20 - t161 * t171 - t128 * t223 - t135 * t224 - t140 * t225 + t145 * t227 -
+        nA[1] * t229 - nD[1] * t231 - nC[1] * t233 - nB[1] * t234;
+    const double t237 = t8 * t160 - t24 - t161 * t173 - t129 * t223 - t136 * t224 - t141 * t225 + t146 * t227 -
+        nA[0] * t229 - nD[0] * t231 - nC[0] * t233 - nB[0] * t234;
     const double t238 = t203 * t203;
     const double t239 = t201 * t201;
     const double t240 = t207 * t207;
     const double t241 = t204 * t204;
-    const double t242 = t197 * t197;
-    const double t243 = t198 * t198;
-    const double t244 = t208 * t208;
-    const double t245 = t138 * t235 + t141 * t236 + t145 * t237;
-    const double t246 = t133 * t235 + t136 * t236 + t142 * t237;
-    const double t247 = t202 * t202;
-    const double t248 = t127 * t235 + t132 * t236 + t137 * t237;
+    const double t242 = t199 * t199;
+    const double t243 = t200 * t200;
+    const double t244 = t137 * t235 + t140 * t236 + t141 * t237;
+    const double t245 = t130 * t235 + t135 * t236 + t136 * t237;
+    const double t246 = t208 * t208;
+    const double t247 = t121 * t235 + t128 * t236 + t129 * t237;
+    const double t248 = t202 * t202;
     const double t249 = nD[2] * t235 + nD[1] * t236 + nD[0] * t237;
-    const double t250 = nC[2] * t235 + nC[1] * t236 + nC[0] * t237;
-    const double t251 = t143 * t235 + t144 * t236 + t146 * t237;
-    const double t252 = nB[2] * t235 + nB[1] * t236 + nB[0] * t237;
-    const double t253 = t208 * t246 + t204 * t245 + t181 * t200 * t249;
-    const double t254 = t183 * t215 + t174 * (t160 * t239 - t210 - t205 - t163 * t244);
-    const double t255 = t185 * t213 + t169 * (t162 * t238 + t209 - t161 * t241 - t210);
-    const double t256 = t201 * t248 + t197 * t245 + t182 * t195 * t250;
-    const double t257 = nA[2] * t235 + nA[1] * t236 + nA[0] * t237;
-    const double t258 = t173 * t254;
-    const double t259 = t183 * t219 - t174 * (t209 + t163 * t240 + t206 - t160 * t247);
-    const double t260 = t171 * t255;
-    const double t261 = t185 * t211 - t169 * (t162 * t243 - t161 * t242 + t205 - t206);
-    const double t262 = t202 * t248 - t198 * t251 + t184 * t196 * t252;
-    const double t263 = t45 * t249;
-    const double t264 = t162 * t253 - t54 * t249;
-    const double t265 = t176 * t259;
-    const double t266 = t168 * t261;
-    const double t267 = t40 * t250;
-    const double t268 = t52 * t250 + t162 * t256;
-    const double t269 = t203 * t251 - t207 * t246 + t186 * t199 * t257;
-    const double t270 = t160 * t169 * (2.0 * t211 - t160 * (t161 * t239 + t162 * t247));
-    const double t271 = t161 * t174 * (2.0 * t215 - t161 * (t160 * t242 + t163 * t241));
-    const double t272 = t41 * t252;
-    const double t273 = t161 * t262 - t53 * t252;
-    const double t274 = t160 * t264 - t162 * t263;
-    const double t275 = t163 * t169 * (2.0 * t213 + t163 * (t162 * t240 + t161 * t244));
-    const double u7 = 2.0 * t223;
-    const double t276 = t162 * t174 * (2.0 * t219 - t162 * (t163 * t238 + t160 * t243));
-    const double t277 = t163 * t268 - t162 * t267;
-    const double t278 = t274 - (t160 * t253 - t263) * t187;
-    const double t279 = t46 * t257;
-    const double t280 = t161 * t269 - t58 * t257;
-    const double t281 = t162 * t177 * (u7 + t163 * (t186 * t240 - t217));
-    const double u8 = 2.0 * t227;
-    const double t282 = t163 * t177 * (u7 + t162 * (t186 * t238 - t216));
-    const double t283 = t277 - (t163 * t256 - t267) * t187;
-    const double t284 = t161 * t272 + t163 * t273;
-    const double t285 = t274 - t264 * t188;
-    const double t286 = t161 * t178 * (u8 - t163 * (t181 * t244 + t221));
-    const double u9 = 2.0 * t231;
-    const double t287 = t163 * t178 * (u8 - t161 * (t181 * t241 - t220));
-    const double t288 = (t272 + t163 * t262) * t189 - t284;
-    const double t289 = t160 * t280 - t161 * t279;
-    const double t290 = t277 - t268 * t190;
-    const double t291 = t161 * t179 * (u9 - t160 * (t182 * t239 + t225));
-    const double u10 = 2.0 * t233;
-    const double t292 = t160 * t179 * (u9 - t161 * (t182 * t242 - t224));
-    const double t293 = t289 - (t160 * t269 - t279) * t189;
-    const double t294 = t273 * t190 - t284;
-    const double t295 = t162 * t180 * (t160 * (t184 * t247 + t229) - u10);
-    const double t296 = t160 * t180 * (u10 - t162 * (t184 * t243 + t228));
-    const double t297 = t289 - t280 * t188;
-    const double t298 = t5 * t161 - t2 - t138 * t258 + t143 * t265 + t127 * t270 - t133 * t275 - nA[2] * t281 -
-        nD[2] * t286 + nC[2] * t291 - nB[2] * t295;
-    const double t299 = t6 * t161 - t4 - t141 * t258 + t144 * t265 + t132 * t270 - t136 * t275 - nA[1] * t281 -
-        nD[1] * t286 + nC[1] * t291 - nB[1] * t295;
-    const double t300 = t170 - t133 * t260 - t127 * t266 + t138 * t271 + t143 * t276 - nA[2] * t282 + nD[2] * t287 +
-        nC[2] * t292 - nB[2] * t296;
-    const double t301 = t172 - t136 * t260 - t132 * t266 + t141 * t271 + t144 * t276 - nA[1] * t282 + nD[1] * t287 +
-        nC[1] * t292 - nB[1] * t296;
-    const double t302 = t11 * t161 - t8 - t145 * t258 + t146 * t265 + t137 * t270 - t142 * t275 - nA[0] * t281 -
-        nD[0] * t286 + nC[0] * t291 - nB[0] * t295;
-    const double t303 = t175 - t142 * t260 - t137 * t266 + t145 * t271 + t146 * t276 - nA[0] * t282 + nD[0] * t287 +
-        nC[0] * t292 - nB[0] * t296;
-    const double t304 = 2.0 * (t178 * (0.5 * (t178 * t253 + t278 + t285) + t274) - t179 * (0.5 * (t179 * t256 + t283
-        + t290) + t277) - t180 * (0.5 * (t288 - t180 * t262 + t294) - t284) + t177 * (0.5 * (t177 * t269 + t293 +
-        t297) + t289)) - t5 * t235 - t6 * t236 - t11 * t237;
-    const double t305 = t300 * t300 + t301 * t301 + t303 * t303 + 2.0 * (t168 * (t288 - t283) + t171 * (t293 -
-        t278));
-    const double t306 = t300 * t298 + t301 * t299 + t303 * t302 + t304;
-    const double t307 = t298 * t298 + t299 * t299 + t302 * t302 + 2.0 * (t176 * (t294 + t297) - t173 * (t285 +
+    const double t250 = t208 * t245 + t204 * t244 + t181 * t198 * t249;
+    const double t251 = t47 * t249;
+    const double t252 = nC[2] * t235 + nC[1] * t236 + nC[0] * t237;
+    const double t253 = t201 * t247 + t199 * t244 + t182 * t195 * t252;
+    const double t254 = t40 * t252;
+    const double t255 = t142 * t235 + t145 * t236 + t146 * t237;
+    const double t256 = nB[2] * t235 + nB[1] * t236 + nB[0] * t237;
+    const double t257 = t202 * t247 - t200 * t255 + t183 * t196 * t256;
+    const double t258 = t41 * t256;
+    const double t259 = t184 * t222 + t175 * (t160 * t239 - t215 - t205 - t163 * t246);
+    const double t260 = t184 * t220 - t175 * (t212 + t163 * t240 + t206 - t160 * t248);
+    const double t261 = t174 * t259;
+    const double t262 = t176 * t260;
+    const double t263 = t186 * t211 - t170 * (t162 * t243 - t161 * t242 + t205 - t206);
+    const double t264 = t186 * t221 + t170 * (t162 * t238 + t212 - t161 * t241 - t215);
+    const double t265 = t172 * t264;
+    const double t266 = t169 * t263;
+    const double t267 = t160 * t170 * (2.0 * t211 - t160 * (t161 * t239 + t162 * t248));
+    const double t268 = t161 * t175 * (2.0 * t222 - t161 * (t160 * t242 + t163 * t241));
+    const double t269 = nA[2] * t235 + nA[1] * t236 + nA[0] * t237;
+    const double t270 = t203 * t255 - t207 * t245 + t185 * t197 * t269;
+    const double t271 = t48 * t269;
+    const double u7 = 2.0 * t228;
+    const double t272 = t163 * t170 * (2.0 * t221 + t163 * (t162 * t240 + t161 * t246));
+    const double t273 = t162 * t175 * (2.0 * t220 - t162 * (t163 * t238 + t160 * t243));
+    const double u8 = 2.0 * t226;
+    const double t274 = t162 * t177 * (u8 + t163 * (t185 * t240 - t214));
+    const double t275 = t163 * t177 * (u8 + t162 * (t185 * t238 - t213));
+    const double t276 = t162 * t250 - t57 * t249;
+    const double t277 = t161 * t178 * (u7 - t163 * (t181 * t246 + t217));
+    const double u9 = 2.0 * t230;
+    const double t278 = t163 * t178 * (u7 - t161 * (t181 * t241 - t216));
+    const double t279 = t53 * t252 + t162 * t253;
+    const double t280 = t161 * t179 * (u9 - t160 * (t182 * t239 + t210));
+    const double u10 = 2.0 * t232;
+    const double t281 = t160 * t179 * (u9 - t161 * (t182 * t242 - t209));
+    const double t282 = t161 * t257 - t55 * t256;
+    const double t283 = t160 * t276 - t162 * t251;
+    const double t284 = t283 - (t160 * t250 - t251) * t187;
+    const double t285 = t283 - t276 * t188;
+    const double t286 = t162 * t180 * (t160 * (t183 * t248 + t219) - u10);
+    const double t287 = t160 * t180 * (u10 - t162 * (t183 * t243 + t218));
+    const double t288 = t163 * t279 - t162 * t254;
+    const double t289 = t288 - (t163 * t253 - t254) * t187;
+    const double t290 = t288 - t279 * t190;
+    const double t291 = t161 * t258 + t163 * t282;
+    const double t292 = (t258 + t163 * t257) * t189 - t291;
+    const double t293 = t282 * t190 - t291;
+    const double t294 = t161 * t270 - t61 * t269;
+    const double t295 = t160 * t294 - t161 * t271;
+    const double t296 = t295 - (t160 * t270 - t271) * t189;
+    const double t297 = t295 - t294 * t188;
+    const double t298 = 2.0 * (t178 * (0.5 * (t178 * t250 + t284 + t285) + t283) - t179 * (0.5 * (t179 * t253 + t289
+        + t290) + t288) - t180 * (0.5 * (t292 - t180 * t257 + t293) - t291) + t177 * (0.5 * (t177 * t270 + t296 +
+        t297) + t295)) - t5 * t235 - t6 * t236 - t11 * t237;
+    const double t299 = t5 * t161 - t2 - t137 * t261 + t142 * t262 + t121 * t267 - t130 * t272 - nA[2] * t274 -
+        nD[2] * t277 + nC[2] * t280 - nB[2] * t286;
+    const double t300 = t168 - t130 * t265 - t121 * t266 + t137 * t268 + t142 * t273 - nA[2] * t275 + nD[2] * t278 +
+        nC[2] * t281 - nB[2] * t287;
+    const double t301 = t6 * t161 - t4 - t140 * t261 + t145 * t262 + t128 * t267 - t135 * t272 - nA[1] * t274 -
+        nD[1] * t277 + nC[1] * t280 - nB[1] * t286;
+    const double t302 = t171 - t135 * t265 - t128 * t266 + t140 * t268 + t145 * t273 - nA[1] * t275 + nD[1] * t278 +
+        nC[1] * t281 - nB[1] * t287;
+    const double t303 = t11 * t161 - t8 - t141 * t261 + t146 * t262 + t129 * t267 - t136 * t272 - nA[0] * t274 -
+        nD[0] * t277 + nC[0] * t280 - nB[0] * t286;
+    const double t304 = t173 - t136 * t265 - t129 * t266 + t141 * t268 + t146 * t273 - nA[0] * t275 + nD[0] * t278 +
+        nC[0] * t281 - nB[0] * t287;
+    const double t305 = t300 * t300 + t302 * t302 + t304 * t304 + 2.0 * (t169 * (t292 - t289) + t172 * (t296 -
+        t284));
+    const double t306 = t300 * t299 + t302 * t301 + t304 * t303 + t298;
+    const double t307 = t299 * t299 + t301 * t301 + t303 * t303 + 2.0 * (t176 * (t293 + t297) - t174 * (t285 +
         t290));
-    const double t308 = t305 * t307;
-    const double t309 = t308 - t306 * t306;
-    const double t310 = t235 * t298 + t236 * t299 + t237 * t302;
-    const double t311 = t235 * t300 + t236 * t301 + t237 * t303;
-    const double t312 = t310 * t305 - t311 * t306;
-    const double t313 = t311 * t307 - t310 * t306;
-    const double u11 = 0.1 * t308;
-    const double t314 = (t309 > u11 ? t309 : u11);
+    const double t308 = t235 * t299 + t236 * t301 + t237 * t303;
+    const double t309 = t235 * t300 + t236 * t302 + t237 * t304;
+    const double t310 = t305 * t307;
+    const double t311 = t308 * t305 - t309 * t306;
+    const double t312 = t309 * t307 - t308 * t306;
+    const double t313 = t310 - t306 * t306;
+    const double u11 = 0.1 * t310;
+    const double t314 = (t313 > u11 ? t313 : u11);
     const double t315 = 1.0 / t314;
-    const double t316 = t157 + t312 * t315;
-    const double t317 = t159 + t313 * t315;
+    const double t316 = t157 + t311 * t315;
+    const double t317 = t159 + t312 * t315;
     const double u12 = 2.0 * t316;
     double u13 = 1.0;
     const double t318 = (u13 < u12 ? u13 : u12);
@@ -1468,14 +1468,14 @@ FOOTPOINT_LOOP void footpoint_gregory_precise_n(size_t n, const double *const x[
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.70330359587385927, 0.46971091170412205, 3.4747068811831795e-11, 1.2044951898378366e-10},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.027144457095993335, 0.94975910880679404, 7.8005586139381867e-16, 2.3955488751753214e-15},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.70330359587385927, 0.46971091170412205, 3.4747068811831808e-11, 1.2044951898378366e-10},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.027144457095993335, 0.94975910880679404, 7.8005586139381798e-16, 2.3955488751753214e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.079030542168508675, 1, 2.6812638019188787e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.22783058626132363, 1.110223024625157e-16, 5.096948236514275e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.66249276328628925, 1, 6.1463550496365939e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.99551725512771694, 1.110223024625157e-16, 4.2187935535726779e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.10569439629978081, 1, 7.4309157210540543e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.079030542168508675, 1, 2.6812638019188748e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.22783058626132363, 1.110223024625157e-16, 5.096948236514271e-15},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.66249276328628925, 1, 6.1463550496365797e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.99551725512771694, 1.110223024625157e-16, 4.2187935535726676e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.10569439629978081, 1, 7.4309157210540432e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -1513,134 +1513,134 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t24 = t13 * t13 + t15 * t15 + t20 * t20;
     const double t25 = t2 - 2.0 * t17 + t12;
     const double t26 = t4 - 2.0 * t18 + t14;
-    const double t27 = t8 - 2.0 * t21 + t19;
-    const double t28 = t12 * t25 + t14 * t26 + t19 * t27;
-    const double t29 = t13 * t25 + t15 * t26 + t20 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t28 = t8 - 2.0 * t21 + t19;
+    const double t29 = t12 * t25 + t14 * t26 + t19 * t28;
+    const double t30 = t13 * t25 + t15 * t26 + t20 * t28;
     const double t31 = t5 * t12 + t6 * t14 + t11 * t19;
     const double t32 = t5 * t13 + t6 * t15 + t11 * t20;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t31 * t24 - t32 * t22) * t30;
-    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t31 * t24 - t32 * t22) * t27;
+    const double t36 = (t32 * t23 - t31 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t42 = t10 * t8 - t16 * t4;
-    const double t43 = t16 * t2 - t9 * t8;
-    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
-    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t47 = t10 * t11 - t16 * t6;
-    const double t48 = t42 - (t8 * t6 - t4 * t11);
-    const double t49 = t16 * t5 - t9 * t11;
-    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t43 = t42 - (t8 * t6 - t4 * t11);
+    const double t44 = t16 * t2 - t9 * t8;
+    const double t45 = t44 - (t2 * t11 - t8 * t5);
+    const double t46 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t47 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t48 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t49 = t10 * t11 - t16 * t6;
+    const double t50 = t16 * t5 - t9 * t11;
     const double t51 = t9 * t4 - t10 * t2;
-    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
-    const double t56 = t9 * t6 - t10 * t5;
-    const double t57 = t51 - (t4 * t5 - t2 * t6);
-    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
-    const double t62 = 1.0 / (t44 - t40 * t40);
-    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
-    const double t64 = 1.0 / (t44 - t41 * t41);
-    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
-    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
-    const double t67 = t61 * t62;
-    const double t68 = t63 * t64;
-    const double t69 = t65 * t62;
-    const double t70 = t66 * t64;
-    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
-    const double t72 = 1.0 / (t55 - t45 * t45);
-    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
-    const double t74 = 1.0 / (t55 - t46 * t46);
-    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
-    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
-    const double t77 = t68 - t67;
-    const double t78 = t71 * t72;
-    const double t79 = t73 * t74;
-    const double t80 = t75 * t72;
-    const double t81 = t76 * t74;
-    const double t82 = 1.0 / (t59 - t54 * t54);
-    const double t83 = 1.0 / (t59 - t52 * t52);
-    const double t84 = 1.0 / (t60 - t53 * t53);
-    const double t85 = t2 - t1;
-    const double t86 = nB[1] * t69 + nC[1] * t70;
-    const double t87 = nB[0] * t69 + nC[0] * t70;
-    const double t88 = t79 - t78;
-    const double t89 = t71 * t82;
-    const double t90 = t61 * t83;
-    const double t91 = t65 * t83;
-    const double t92 = t75 * t82;
-    const double t93 = t63 * t84;
-    const double t94 = 1.0 / (t60 - t58 * t58);
-    const double t95 = t4 - t3;
-    const double t96 = t40 * t68;
-    const double t97 = nA[0] * t80 + nD[0] * t81;
-    const double t98 = t89 + t90;
-    const double t99 = t73 * t94;
-    const double t100 = t66 * t84;
-    const double t101 = t76 * t94;
-    const double t102 = nB[2] * t69 + nC[2] * t70;
-    const double t103 = nA[2] * t80 + nD[2] * t81;
-    const double t104 = t8 - t7;
-    const double t105 = t41 * t67;
-    const double t106 = nA[1] * t80 + nD[1] * t81;
-    const double t107 = t45 * t79;
+    const double t52 = t51 - (t4 * t5 - t2 * t6);
+    const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t54 = 1.0 / (t46 - t40 * t40);
+    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t56 = 1.0 / (t46 - t41 * t41);
+    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t59 = t9 * t6 - t10 * t5;
+    const double t60 = 1.0 / (t58 - t47 * t47);
+    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t62 = 1.0 / (t58 - t48 * t48);
+    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t65 = 1.0 / (t63 - t57 * t57);
+    const double t66 = 1.0 / (t63 - t53 * t53);
+    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
+    const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
+    const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
+    const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
+    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
+    const double t77 = t73 * t54;
+    const double t78 = t68 * t54;
+    const double t79 = t73 * t66;
+    const double t80 = t68 * t66;
+    const double t81 = t74 * t56;
+    const double t82 = t69 * t56;
+    const double t83 = t74 * t67;
+    const double t84 = t69 * t67;
+    const double t85 = t81 - t77;
+    const double t86 = nB[1] * t78 + nC[1] * t82;
+    const double t87 = nB[0] * t78 + nC[0] * t82;
+    const double t88 = nB[2] * t78 + nC[2] * t82;
+    const double t89 = t75 * t60;
+    const double t90 = t70 * t60;
+    const double t91 = t75 * t65;
+    const double t92 = t70 * t65;
+    const double t93 = t76 * t62;
+    const double t94 = t71 * t62;
+    const double t95 = t76 * t72;
+    const double t96 = t71 * t72;
+    const double t97 = t2 - t1;
+    const double t98 = t93 - t89;
+    const double t99 = nA[0] * t90 + nD[0] * t94;
+    const double t100 = t4 - t3;
+    const double t101 = nA[2] * t90 + nD[2] * t94;
+    const double t102 = nA[1] * t90 + nD[1] * t94;
+    const double t103 = t40 * t81;
+    const double t104 = t77 + (2.0 / 3.0) + t81;
+    const double t105 = t41 * t77;
+    const double t106 = t91 + t79;
+    const double t107 = nD[0] * t80 + nC[0] * t92;
     const double t108 = t37 + t9;
-    const double t109 = nD[0] * t91 + nC[0] * t92;
-    const double t110 = t93 + t99;
-    const double t111 = t78 - (2.0 / 3.0) + t79;
-    const double t112 = t99 - (2.0 / 3.0) - t93;
-    const double t113 = t38 + t10;
-    const double t114 = nD[2] * t91 + nC[2] * t92;
-    const double t115 = t46 * t78;
-    const double t116 = nD[1] * t91 + nC[1] * t92;
-    const double t117 = t52 * t89;
-    const double t118 = nA[1] * t100 + nB[1] * t101;
-    const double t119 = nA[0] * t100 + nB[0] * t101;
-    const double t120 = t46 * t111;
-    const double t121 = t58 * t112;
-    const double t122 = t90 + (2.0 / 3.0) - t89;
+    const double t109 = nD[2] * t80 + nC[2] * t92;
+    const double t110 = nD[1] * t80 + nC[1] * t92;
+    const double t111 = t8 - t7;
+    const double t112 = t47 * t93;
+    const double t113 = t89 - (2.0 / 3.0) + t93;
+    const double t114 = t48 * t89;
+    const double t115 = t83 + t95;
+    const double t116 = nA[1] * t84 + nB[1] * t96;
+    const double t117 = nA[0] * t84 + nB[0] * t96;
+    const double t118 = nA[2] * t84 + nB[2] * t96;
+    const double t119 = t95 - (2.0 / 3.0) - t83;
+    const double t120 = t55 * t95;
+    const double t121 = t61 * t83;
+    const double t122 = t38 + t10;
     const double t123 = t39 + t16;
-    const double t124 = t54 * t90;
-    const double t125 = t53 * t99;
-    const double t126 = 3.0 * t120;
-    const double t127 = 3.0 * t121;
-    const double t128 = t45 * t111;
-    const double t129 = t54 * t122;
-    const double t130 = t67 + (2.0 / 3.0) + t68;
-    const double t131 = nA[2] * t100 + nB[2] * t101;
-    const double t132 = t85 - t37 * t77 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t96 - nB[2] * t105);
-    const double t133 = t58 * t93;
-    const double t134 = 3.0 * t128;
-    const double t135 = 3.0 * t129;
-    const double t136 = t40 * t130;
-    const double t137 = t52 * t122;
-    const double t138 = t95 - t38 * t77 - t37 * t87 + t39 * t102 - 2.0 * (nC[1] * t96 - nB[1] * t105);
-    const double t139 = t85 - t9 * t88 + t10 * t97 - t16 * t106 - 2.0 * (nD[2] * t107 - nA[2] * t115);
-    const double t140 = 3.0 * t136;
-    const double t141 = 3.0 * t137;
-    const double t142 = t41 * t130;
-    const double t143 = t53 * t112;
-    const double t144 = t95 - t10 * t88 + t16 * t103 - t9 * t97 - 2.0 * (nD[1] * t107 - nA[1] * t115);
-    const double t145 = t104 - t39 * t77 - t38 * t102 + t37 * t86 - 2.0 * (nC[0] * t96 - nB[0] * t105);
-    const double t146 = t108 - t1 * t98 + t3 * t109 - t7 * t116 - 2.0 * (nC[2] * t117 + nD[2] * t124);
-    const double t147 = 3.0 * t142;
-    const double t148 = 3.0 * t143;
-    const double t149 = t113 - t3 * t98 + t7 * t114 - t1 * t109 - 2.0 * (nC[1] * t117 + nD[1] * t124);
-    const double t150 = t104 - t16 * t88 + t9 * t106 - t10 * t103 - 2.0 * (nD[0] * t107 - nA[0] * t115);
-    const double t151 = t108 - t2 * t110 + t8 * t118 - t4 * t119 - 2.0 * (nB[2] * t125 + nA[2] * t133);
-    const double t152 = t113 - t4 * t110 + t2 * t119 - t8 * t131 - 2.0 * (nB[1] * t125 + nA[1] * t133);
-    const double t153 = t123 - t7 * t98 + t1 * t116 - t3 * t114 - 2.0 * (nC[0] * t117 + nD[0] * t124);
-    const double t154 = t123 - t8 * t110 + t4 * t131 - t2 * t118 - 2.0 * (nB[0] * t125 + nA[0] * t133);
+    const double t124 = t97 - t37 * t85 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t103 - nB[2] * t105);
+    const double t125 = t53 * t91;
+    const double t126 = t79 + (2.0 / 3.0) - t91;
+    const double t127 = t57 * t79;
+    const double t128 = t48 * t113;
+    const double t129 = t47 * t113;
+    const double t130 = t61 * t119;
+    const double t131 = t55 * t119;
+    const double t132 = t100 - t38 * t85 - t37 * t87 + t39 * t88 - 2.0 * (nC[1] * t103 - nB[1] * t105);
+    const double t133 = t111 - t39 * t85 - t38 * t88 + t37 * t86 - 2.0 * (nC[0] * t103 - nB[0] * t105);
+    const double t134 = t97 - t9 * t98 + t10 * t99 - t16 * t102 - 2.0 * (nD[2] * t112 - nA[2] * t114);
+    const double t135 = 3.0 * t128;
+    const double t136 = 3.0 * t130;
+    const double t137 = t57 * t126;
+    const double t138 = t53 * t126;
+    const double t139 = t100 - t10 * t98 + t16 * t101 - t9 * t99 - 2.0 * (nD[1] * t112 - nA[1] * t114);
+    const double t140 = t111 - t16 * t98 + t9 * t102 - t10 * t101 - 2.0 * (nD[0] * t112 - nA[0] * t114);
+    const double t141 = t108 - t1 * t106 + t3 * t107 - t7 * t110 - 2.0 * (nC[2] * t125 + nD[2] * t127);
+    const double t142 = 3.0 * t129;
+    const double t143 = 3.0 * t137;
+    const double t144 = t40 * t104;
+    const double t145 = t41 * t104;
+    const double t146 = t122 - t3 * t106 + t7 * t109 - t1 * t107 - 2.0 * (nC[1] * t125 + nD[1] * t127);
+    const double t147 = t123 - t7 * t106 + t1 * t110 - t3 * t109 - 2.0 * (nC[0] * t125 + nD[0] * t127);
+    const double t148 = t108 - t2 * t115 + t8 * t116 - t4 * t117 - 2.0 * (nB[2] * t120 + nA[2] * t121);
+    const double t149 = 3.0 * t144;
+    const double t150 = 3.0 * t138;
+    const double t151 = t122 - t4 * t115 + t2 * t117 - t8 * t118 - 2.0 * (nB[1] * t120 + nA[1] * t121);
+    const double t152 = t123 - t8 * t115 + t4 * t118 - t2 * t116 - 2.0 * (nB[0] * t120 + nA[0] * t121);
+    const double t153 = 3.0 * t145;
+    const double t154 = 3.0 * t131;
     const double u4 = -0.5 * t34;
     double u5 = 0.5;
     const double t155 = (u5 < u4 ? u5 : u4);
@@ -1672,8 +1672,8 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t177 = t170 * t171;
     const double t178 = t168 * t170;
     const double t179 = t169 * t168;
-    const double t180 = t168 * t171;
-    const double t181 = t9 - t5 * t168;
+    const double t180 = t9 - t5 * t168;
+    const double t181 = t168 * t171;
     const double t182 = t10 - t6 * t168;
     const double t183 = t16 - t11 * t168;
     const double t184 = nA[2] * t177;
@@ -1688,16 +1688,16 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t193 = nB[1] * t178;
     const double t194 = nC[0] * t179;
     const double t195 = nB[0] * t178;
-    const double t196 = 3.0 * (t120 * t169 + t121 * t168);
-    const double t197 = 3.0 * (t129 * t168 + t128 * t170);
-    const double t198 = t168 + t171;
-    const double t199 = 3.0 * (t137 * t171 - t136 * t170);
-    const double t200 = t169 + t170;
-    const double t201 = t169 * t170;
-    const double t202 = 0.5 * t169;
-    const double t203 = 0.5 * t171;
-    const double t204 = 0.5 * t168;
-    const double t205 = 3.0 * (t143 * t171 - t142 * t169);
+    const double t196 = 3.0 * (t128 * t169 + t130 * t168);
+    const double t197 = 3.0 * (t137 * t168 + t129 * t170);
+    const double t198 = 3.0 * (t138 * t171 - t144 * t170);
+    const double t199 = 3.0 * (t131 * t171 - t145 * t169);
+    const double t200 = t168 + t171;
+    const double t201 = t169 + t170;
+    const double t202 = t169 * t170;
+    const double t203 = 0.5 * t169;
+    const double t204 = 0.5 * t171;
+    const double t205 = 0.5 * t168;
     const double t206 = 0.5 * t170;
     const double t207 = t169 * t169;
     const double t208 = t171 * t171;
@@ -1715,141 +1715,141 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t218 = (u11 > t175 ? u11 : t175);
     const double t219 = 1.0 / t215;
     const double t220 = 1.0 / t216;
-    const double t221 = t171 * t219;
-    const double t222 = t171 * t220;
-    const double t223 = 1.0 / t217;
-    const double t224 = 1.0 / t218;
-    const double t225 = t221 + 1.0;
-    const double t226 = t222 + 1.0;
-    const double t227 = t168 * t223;
-    const double t228 = t168 * t224;
-    const double t229 = t227 - 1.0;
-    const double t230 = t228 - 1.0;
-    const double t231 = t177 * t226 - t176 * t225;
-    const double t232 = t178 * t229 - t179 * t230;
-    const double t233 = t168 * t229;
-    const double t234 = t178 * t179 * t231;
-    const double t235 = t180 * t230 - t180 * t225;
-    const double t236 = t168 * t230;
-    const double t237 = t176 * t177 * t232;
-    const double t238 = t180 * t229 - t180 * t226;
-    const double t239 = t46 + t233 * t126;
-    const double t240 = t58 + t233 * t127;
-    const double t241 = t171 * t225;
-    const double t242 = t176 * t179 * t235;
-    const double t243 = t45 + t236 * t134;
-    const double t244 = t54 - t236 * t135;
-    const double t245 = t171 * t226;
-    const double t246 = t178 * t177 * t238;
-    const double t247 = t169 * t239 + t168 * t240;
-    const double t248 = t40 - t241 * t140;
-    const double t249 = t52 - t241 * t141;
-    const double t250 = t177 * t247;
-    const double t251 = t168 * t244 - t170 * t243;
-    const double t252 = t41 - t245 * t147;
-    const double t253 = t53 + t245 * t148;
-    const double t254 = t176 * t251;
-    const double t255 = t171 * t249 - t170 * t248;
-    const double t256 = t179 * t255;
-    const double t257 = t169 * t252 + t171 * t253;
-    const double t258 = t178 * t257;
-    const double t259 = t17 - t2 * t168 - t169 * t181 + t132 * t234 - t139 * t237 + t146 * t242 - t151 * t246 + t184
-        * t250 - t186 * t254 - t189 * t256 + t192 * t258;
-    const double t260 = t18 - t4 * t168 - t169 * t182 + t138 * t234 - t144 * t237 + t149 * t242 - t152 * t246 + t185
-        * t250 - t187 * t254 - t190 * t256 + t193 * t258;
-    const double t261 = t21 - t8 * t168 - t169 * t183 + t145 * t234 - t150 * t237 + t153 * t242 - t154 * t246 + t188
-        * t250 - t191 * t254 - t194 * t256 + t195 * t258;
+    const double t221 = 1.0 / t217;
+    const double t222 = 1.0 / t218;
+    const double t223 = t171 * t219;
+    const double t224 = t171 * t220;
+    const double t225 = t223 + 1.0;
+    const double t226 = t224 + 1.0;
+    const double t227 = t168 * t221;
+    const double t228 = t168 * t222;
+    const double t229 = t177 * t226 - t176 * t225;
+    const double t230 = t227 - 1.0;
+    const double t231 = t228 - 1.0;
+    const double t232 = t178 * t230 - t179 * t231;
+    const double t233 = t178 * t179 * t229;
+    const double t234 = t181 * t231 - t181 * t225;
+    const double t235 = t168 * t230;
+    const double t236 = t176 * t177 * t232;
+    const double t237 = t181 * t230 - t181 * t226;
+    const double t238 = t48 + t235 * t135;
+    const double t239 = t61 + t235 * t136;
+    const double t240 = t168 * t231;
+    const double t241 = t176 * t179 * t234;
+    const double t242 = t47 + t240 * t142;
+    const double t243 = t57 - t240 * t143;
+    const double t244 = t171 * t225;
+    const double t245 = t178 * t177 * t237;
+    const double t246 = t169 * t238 + t168 * t239;
+    const double t247 = t40 - t244 * t149;
+    const double t248 = t53 - t244 * t150;
+    const double t249 = t171 * t226;
+    const double t250 = t168 * t243 - t170 * t242;
+    const double t251 = t41 - t249 * t153;
+    const double t252 = t55 + t249 * t154;
+    const double t253 = t177 * t246;
+    const double t254 = t171 * t248 - t170 * t247;
+    const double t255 = t176 * t250;
+    const double t256 = t169 * t251 + t171 * t252;
+    const double t257 = t179 * t254;
+    const double t258 = t178 * t256;
+    const double t259 = t17 - t2 * t168 - t169 * t180 + t124 * t233 - t134 * t236 + t141 * t241 - t148 * t245 + t184
+        * t253 - t186 * t255 - t189 * t257 + t192 * t258;
+    const double t260 = t18 - t4 * t168 - t169 * t182 + t132 * t233 - t139 * t236 + t146 * t241 - t151 * t245 + t185
+        * t253 - t187 * t255 - t190 * t257 + t193 * t258;
+    const double t261 = t21 - t8 * t168 - t169 * t183 + t133 * t233 - t140 * t236 + t147 * t241 - t152 * t245 + t188
+        * t253 - t191 * t255 - t194 * t257 + t195 * t258;
     const double t262 = t227 * t227;
     const double t263 = t225 * t225;
-    const double t264 = t229 * t229;
+    const double t264 = t230 * t230;
     const double t265 = t228 * t228;
-    const double t266 = t221 * t221;
-    const double t267 = t222 * t222;
-    const double t268 = t230 * t230;
-    const double t269 = t146 * t259 + t149 * t260 + t153 * t261;
-    const double t270 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
-    const double t271 = t139 * t259 + t144 * t260 + t150 * t261;
-    const double t272 = t226 * t226;
+    const double t266 = t223 * t223;
+    const double t267 = t224 * t224;
+    const double t268 = t141 * t259 + t146 * t260 + t147 * t261;
+    const double t269 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
+    const double t270 = t134 * t259 + t139 * t260 + t140 * t261;
+    const double t271 = t231 * t270 + t228 * t268 + t222 * t269 * t197;
+    const double t272 = t231 * t231;
     const double t273 = nC[2] * t259 + nC[1] * t260 + nC[0] * t261;
-    const double t274 = t132 * t259 + t138 * t260 + t145 * t261;
-    const double t275 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
-    const double t276 = t151 * t259 + t152 * t260 + t154 * t261;
-    const double t277 = t230 * t271 + t228 * t269 + t224 * t270 * t197;
-    const double t278 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
-    const double t279 = t180 * (t241 - t236 + t168 * t263 + t171 * t268) - t198 * t235;
-    const double t280 = t200 * t232 + t201 * (t233 - t170 * t262 - t169 * t265 - t236);
-    const double t281 = t221 * t269 - t225 * t274 - t219 * t273 * t199;
-    const double t282 = t207 * t279;
-    const double t283 = t198 * t238 + t180 * (t233 - t171 * t264 - t245 - t168 * t272);
-    const double t284 = t208 * t280;
-    const double t285 = t200 * t231 + t201 * (t245 - t169 * t266 - t170 * t267 - t241);
-    const double t286 = t226 * t274 + t222 * t276 + t220 * t275 * t205;
-    const double t287 = t45 * t270;
-    const double t288 = t54 * t270 - t170 * t277;
-    const double t289 = t209 * t283;
-    const double t290 = t170 * (t247 + (t240 - t264 * t196) * t203);
-    const double t291 = t210 * t285;
-    const double t292 = t179 * t171 * (t235 + (t171 * t265 - t168 * t266) * t202);
-    const double t293 = t40 * t273;
-    const double t294 = t52 * t273 - t170 * t281;
-    const double t295 = t227 * t276 - t229 * t271 - t223 * t278 * t196;
-    const double t296 = t179 * t170 * (t231 + (t170 * t272 - t169 * t263) * t204);
-    const double t297 = t177 * t168 * (t238 - (t171 * t262 - t168 * t267) * t206);
-    const double t298 = t41 * t275;
-    const double t299 = t53 * t275 + t169 * t286;
-    const double t300 = t168 * t288 - t170 * t287;
-    const double t301 = t177 * t169 * (t232 - (t170 * t264 - t169 * t268) * t203);
-    const double t302 = t171 * (t247 + (t239 - t262 * t196) * t206);
-    const double t303 = t171 * t294 - t170 * t293;
-    const double t304 = t300 - (t287 + t168 * t277) * t211;
-    const double t305 = t46 * t278;
-    const double t306 = t58 * t278 + t169 * t295;
-    const double t307 = t169 * (t251 + (t268 * t197 + t244) * t203);
-    const double t308 = t171 * (t251 - (t265 * t197 + t243) * t202);
-    const double t309 = t303 - (t293 + t171 * t281) * t211;
-    const double t310 = t169 * t298 + t171 * t299;
-    const double t311 = t288 * t212 + t300;
-    const double t312 = t169 * (t255 + (t249 - t263 * t199) * t204);
-    const double t313 = t168 * (t255 - (t266 * t199 + t248) * t202);
-    const double t314 = (t298 + t171 * t286) * t213 + t310;
-    const double t315 = t169 * t305 + t168 * t306;
-    const double t316 = t294 * t214 + t303;
-    const double t317 = t170 * (t257 + (t272 * t205 + t253) * t204);
-    const double t318 = t168 * (t257 + (t252 - t267 * t205) * t206);
-    const double t319 = (t305 + t168 * t295) * t213 + t315;
-    const double t320 = t299 * t214 + t310;
-    const double t321 = t306 * t212 + t315;
-    const double t322 = t2 - t5 * t169 + t146 * t282 + t151 * t289 - 2.0 * (t184 * t290 + t132 * t296 - t139 * t301
-        - t186 * t307 - t189 * t312 + t192 * t317);
-    const double t323 = t4 - t6 * t169 + t149 * t282 + t152 * t289 - 2.0 * (t185 * t290 + t138 * t296 - t144 * t301
-        - t187 * t307 - t190 * t312 + t193 * t317);
-    const double t324 = t181 + t139 * t284 - t132 * t291 - 2.0 * (t146 * t292 - t151 * t297 + t184 * t302 - t186 *
-        t308 - t189 * t313 + t192 * t318);
-    const double t325 = t182 + t144 * t284 - t138 * t291 - 2.0 * (t149 * t292 - t152 * t297 + t185 * t302 - t187 *
-        t308 - t190 * t313 + t193 * t318);
-    const double t326 = t8 - t11 * t169 + t153 * t282 + t154 * t289 - 2.0 * (t188 * t290 + t145 * t296 - t150 * t301
-        - t191 * t307 - t194 * t312 + t195 * t317);
-    const double t327 = t183 + t150 * t284 - t145 * t291 - 2.0 * (t153 * t292 - t154 * t297 + t188 * t302 - t191 *
-        t308 - t194 * t313 + t195 * t318);
-    const double t328 = t210 * (t314 - t309) + t208 * (t319 - t304);
-    const double t329 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t300 - 0.5 * (t176 * t277 - t304 -
-        t311)) - t179 * (t303 - 0.5 * (t179 * t281 - t309 - t316)) + t178 * (0.5 * (t178 * t286 + t314 + t320) +
-        t310) + t177 * (0.5 * (t177 * t295 + t319 + t321) + t315);
-    const double t330 = t209 * (t320 + t321) - t207 * (t311 + t316);
-    const double t331 = t324 * t324 + t325 * t325 + t327 * t327 + 2.0 * t328;
-    const double t332 = t324 * t322 + t325 * t323 + t327 * t326 + 2.0 * t329;
-    const double t333 = t322 * t322 + t323 * t323 + t326 * t326 + 2.0 * t330;
-    const double t334 = t331 * t333;
-    const double t335 = t334 - t332 * t332;
-    const double t336 = t259 * t322 + t260 * t323 + t261 * t326;
-    const double t337 = t259 * t324 + t260 * t325 + t261 * t327;
-    const double t338 = t336 * t331 - t337 * t332;
-    const double t339 = t337 * t333 - t336 * t332;
-    const double u12 = 0.1 * t334;
-    const double t340 = (t335 > u12 ? t335 : u12);
+    const double t274 = t124 * t259 + t132 * t260 + t133 * t261;
+    const double t275 = t223 * t268 - t225 * t274 - t219 * t273 * t198;
+    const double t276 = t226 * t226;
+    const double t277 = t181 * (t244 - t240 + t168 * t263 + t171 * t272) - t200 * t234;
+    const double t278 = t207 * t277;
+    const double t279 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
+    const double t280 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t281 = t148 * t259 + t151 * t260 + t152 * t261;
+    const double t282 = t226 * t274 + t224 * t281 + t220 * t280 * t199;
+    const double t283 = t200 * t237 + t181 * (t235 - t171 * t264 - t249 - t168 * t276);
+    const double t284 = t209 * t283;
+    const double t285 = t170 * (t246 + (t239 - t264 * t196) * t204);
+    const double t286 = t201 * t232 + t202 * (t235 - t170 * t262 - t169 * t265 - t240);
+    const double t287 = t201 * t229 + t202 * (t249 - t169 * t266 - t170 * t267 - t244);
+    const double t288 = t208 * t286;
+    const double t289 = t210 * t287;
+    const double t290 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
+    const double t291 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
+    const double t292 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t293 = t227 * t281 - t230 * t270 - t221 * t292 * t196;
+    const double t294 = t177 * t169 * (t232 - (t170 * t264 - t169 * t272) * t204);
+    const double t295 = t171 * (t246 + (t238 - t262 * t196) * t206);
+    const double t296 = t169 * (t250 + (t272 * t197 + t243) * t204);
+    const double t297 = t171 * (t250 - (t265 * t197 + t242) * t203);
+    const double t298 = t47 * t269;
+    const double t299 = t57 * t269 - t170 * t271;
+    const double t300 = t169 * (t254 + (t248 - t263 * t198) * t205);
+    const double t301 = t168 * (t254 - (t266 * t198 + t247) * t203);
+    const double t302 = t40 * t273;
+    const double t303 = t53 * t273 - t170 * t275;
+    const double t304 = t170 * (t256 + (t276 * t199 + t252) * t205);
+    const double t305 = t168 * (t256 + (t251 - t267 * t199) * t206);
+    const double t306 = t41 * t280;
+    const double t307 = t55 * t280 + t169 * t282;
+    const double t308 = t168 * t299 - t170 * t298;
+    const double t309 = t308 - (t298 + t168 * t271) * t211;
+    const double t310 = t299 * t212 + t308;
+    const double t311 = t171 * t303 - t170 * t302;
+    const double t312 = t311 - (t302 + t171 * t275) * t211;
+    const double t313 = t303 * t214 + t311;
+    const double t314 = t169 * t306 + t171 * t307;
+    const double t315 = (t306 + t171 * t282) * t213 + t314;
+    const double t316 = t307 * t214 + t314;
+    const double t317 = t48 * t292;
+    const double t318 = t61 * t292 + t169 * t293;
+    const double t319 = t169 * t317 + t168 * t318;
+    const double t320 = (t317 + t168 * t293) * t213 + t319;
+    const double t321 = t318 * t212 + t319;
+    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t308 - 0.5 * (t176 * t271 - t309 -
+        t310)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t282 + t315 + t316) +
+        t314) + t177 * (0.5 * (t177 * t293 + t320 + t321) + t319);
+    const double t323 = t210 * (t315 - t312) + t208 * (t320 - t309);
+    const double t324 = t209 * (t316 + t321) - t207 * (t310 + t313);
+    const double t325 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t290 - t134 * t294
+        - t186 * t296 - t189 * t300 + t192 * t304);
+    const double t326 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t279 - t148 * t291 + t184 * t295 - t186 *
+        t297 - t189 * t301 + t192 * t305);
+    const double t327 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t290 - t139 * t294
+        - t187 * t296 - t190 * t300 + t193 * t304);
+    const double t328 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t279 - t151 * t291 + t185 * t295 - t187 *
+        t297 - t190 * t301 + t193 * t305);
+    const double t329 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t290 - t140 * t294
+        - t191 * t296 - t194 * t300 + t195 * t304);
+    const double t330 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t279 - t152 * t291 + t188 * t295 - t191 *
+        t297 - t194 * t301 + t195 * t305);
+    const double t331 = t326 * t326 + t328 * t328 + t330 * t330 + 2.0 * t323;
+    const double t332 = t326 * t325 + t328 * t327 + t330 * t329 + 2.0 * t322;
+    const double t333 = t325 * t325 + t327 * t327 + t329 * t329 + 2.0 * t324;
+    const double t334 = t259 * t325 + t260 * t327 + t261 * t329;
+    const double t335 = t259 * t326 + t260 * t328 + t261 * t330;
+    const double t336 = t331 * t333;
+    const double t337 = t334 * t331 - t335 * t332;
+    const double t338 = t335 * t333 - t334 * t332;
+    const double t339 = t336 - t332 * t332;
+    const double u12 = 0.1 * t336;
+    const double t340 = (t339 > u12 ? t339 : u12);
     const double t341 = 1.0 / t340;
-    const double t342 = t165 + t338 * t341;
-    const double t343 = t167 + t339 * t341;
+    const double t342 = t165 + t337 * t341;
+    const double t343 = t167 + t338 * t341;
     const double t344 = (u5 < t342 ? u5 : t342);
     const double t345 = (u6 > t344 ? u6 : t344);
     const double t346 = (u5 < t343 ? u5 : t343);
@@ -1862,37 +1862,37 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t353 = t349 + t348;
     const double t354 = t348 - t350;
     const double t355 = t349 - t351;
-    const double t356 = t348 * t350;
-    const double t357 = t349 * t348;
-    const double t358 = t348 * t351;
-    const double t359 = t349 * t351;
-    const double t360 = t350 * t351;
-    const double t361 = 3.0 * (t120 * t349 + t121 * t348);
-    const double t362 = t348 + t351;
-    const double t363 = t349 + t350;
-    const double t364 = t349 * t350;
-    const double t365 = 0.5 * t349;
-    const double t366 = 0.5 * t351;
-    const double t367 = 0.5 * t348;
-    const double t368 = 0.5 * t350;
-    const double t369 = 3.0 * (t129 * t348 + t128 * t350);
-    const double t370 = 3.0 * (t137 * t351 - t136 * t350);
-    const double t371 = t9 - t5 * t348;
-    const double t372 = nA[2] * t360;
-    const double t373 = 3.0 * (t143 * t351 - t142 * t349);
-    const double t374 = t10 - t6 * t348;
-    const double t375 = nA[1] * t360;
+    const double t356 = 3.0 * (t128 * t349 + t130 * t348);
+    const double t357 = 3.0 * (t137 * t348 + t129 * t350);
+    const double t358 = 3.0 * (t138 * t351 - t144 * t350);
+    const double t359 = t348 * t350;
+    const double t360 = t349 * t348;
+    const double t361 = t348 * t351;
+    const double t362 = 3.0 * (t131 * t351 - t145 * t349);
+    const double t363 = t349 * t351;
+    const double t364 = t350 * t351;
+    const double t365 = t348 + t351;
+    const double t366 = t349 + t350;
+    const double t367 = t349 * t350;
+    const double t368 = 0.5 * t349;
+    const double t369 = 0.5 * t351;
+    const double t370 = 0.5 * t348;
+    const double t371 = 0.5 * t350;
+    const double t372 = t9 - t5 * t348;
+    const double t373 = t10 - t6 * t348;
+    const double t374 = nA[2] * t364;
+    const double t375 = nA[1] * t364;
     const double t376 = t16 - t11 * t348;
-    const double t377 = nA[0] * t360;
-    const double t378 = nD[2] * t359;
-    const double t379 = nD[1] * t359;
-    const double t380 = nC[2] * t357;
-    const double t381 = nC[1] * t357;
-    const double t382 = nD[0] * t359;
-    const double t383 = nB[2] * t356;
-    const double t384 = nB[1] * t356;
-    const double t385 = nC[0] * t357;
-    const double t386 = nB[0] * t356;
+    const double t377 = nA[0] * t364;
+    const double t378 = nD[2] * t363;
+    const double t379 = nD[1] * t363;
+    const double t380 = nC[2] * t360;
+    const double t381 = nC[1] * t360;
+    const double t382 = nD[0] * t363;
+    const double t383 = nB[2] * t359;
+    const double t384 = nB[1] * t359;
+    const double t385 = nC[0] * t360;
+    const double t386 = nB[0] * t359;
     const double u13 = -t352;
     const double t387 = (u11 > u13 ? u11 : u13);
     const double t388 = (u11 > t355 ? u11 : t355);
@@ -1901,96 +1901,96 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t391 = t351 / t387;
     const double t392 = t348 / t389;
     const double t393 = t348 / t390;
-    const double t394 = t391 + 1.0;
-    const double t395 = t351 / t388;
-    const double t396 = t392 - 1.0;
-    const double t397 = t393 - 1.0;
+    const double t394 = t351 / t388;
+    const double t395 = t391 + 1.0;
+    const double t396 = t391 * t391;
+    const double t397 = t392 - 1.0;
     const double t398 = t392 * t392;
-    const double t399 = t348 * t396;
-    const double t400 = t348 * t397;
-    const double t401 = t351 * t394;
-    const double t402 = t394 * t394;
-    const double t403 = t396 * t396;
-    const double t404 = t393 * t393;
-    const double t405 = t391 * t391;
+    const double t399 = t393 - 1.0;
+    const double t400 = t393 * t393;
+    const double t401 = t348 * t397;
+    const double t402 = t48 + t401 * t135;
+    const double t403 = t61 + t401 * t136;
+    const double t404 = t348 * t399;
+    const double t405 = t351 * t395;
     const double t406 = t395 * t395;
-    const double t407 = t395 + 1.0;
-    const double t408 = t397 * t397;
-    const double t409 = t351 * t407;
-    const double t410 = t407 * t407;
-    const double t411 = t356 * t396 - t357 * t397;
-    const double t412 = t358 * t397 - t358 * t394;
-    const double t413 = t46 + t399 * t126;
-    const double t414 = t58 + t399 * t127;
-    const double t415 = t360 * t407 - t359 * t394;
-    const double t416 = t358 * t396 - t358 * t407;
-    const double t417 = t349 * t413 + t348 * t414;
-    const double t418 = t358 * (t401 - t400 + t348 * t402 + t351 * t408) - t362 * t412;
-    const double t419 = t363 * t411 + t364 * (t399 - t350 * t398 - t349 * t404 - t400);
-    const double t420 = t45 + t400 * t134;
-    const double t421 = t54 - t400 * t135;
-    const double t422 = t349 * t349 * t418;
-    const double t423 = t362 * t416 + t358 * (t399 - t351 * t403 - t409 - t348 * t410);
-    const double t424 = t351 * t351 * t419;
-    const double t425 = t363 * t415 + t364 * (t409 - t349 * t405 - t350 * t406 - t401);
-    const double t426 = t40 - t401 * t140;
-    const double t427 = t52 - t401 * t141;
-    const double t428 = t350 * t350 * t423;
-    const double t429 = t350 * (t417 + (t414 - t403 * t361) * t366);
-    const double t430 = t348 * t348 * t425;
-    const double t431 = t357 * t351 * (t412 + (t351 * t404 - t348 * t405) * t365);
-    const double t432 = t348 * t421 - t350 * t420;
-    const double t433 = t41 - t409 * t147;
-    const double t434 = t53 + t409 * t148;
-    const double t435 = t357 * t350 * (t415 + (t350 * t410 - t349 * t402) * t367);
-    const double t436 = t360 * t348 * (t416 - (t351 * t398 - t348 * t406) * t368);
-    const double t437 = t351 * t427 - t350 * t426;
-    const double t438 = t360 * t349 * (t411 - (t350 * t403 - t349 * t408) * t366);
-    const double t439 = t351 * (t417 + (t413 - t398 * t361) * t368);
-    const double t440 = t349 * t433 + t351 * t434;
-    const double t441 = t349 * (t432 + (t408 * t369 + t421) * t366);
-    const double t442 = t351 * (t432 - (t404 * t369 + t420) * t365);
-    const double t443 = t349 * (t437 + (t427 - t402 * t370) * t367);
-    const double t444 = t348 * (t437 - (t405 * t370 + t426) * t365);
-    const double t445 = t350 * (t440 + (t410 * t373 + t434) * t367);
-    const double t446 = t348 * (t440 + (t433 - t406 * t373) * t368);
-    const double t447 = t356 * t357 * t415;
-    const double t448 = t359 * t360 * t411;
-    const double t449 = t2 - t5 * t349 + t146 * t422 + t151 * t428 - 2.0 * (t372 * t429 + t132 * t435 - t139 * t438
-        - t378 * t441 - t380 * t443 + t383 * t445);
-    const double t450 = t4 - t6 * t349 + t149 * t422 + t152 * t428 - 2.0 * (t375 * t429 + t138 * t435 - t144 * t438
-        - t379 * t441 - t381 * t443 + t384 * t445);
-    const double t451 = t371 + t139 * t424 - t132 * t430 - 2.0 * (t146 * t431 - t151 * t436 + t372 * t439 - t378 *
-        t442 - t380 * t444 + t383 * t446);
-    const double t452 = t374 + t144 * t424 - t138 * t430 - 2.0 * (t149 * t431 - t152 * t436 + t375 * t439 - t379 *
-        t442 - t381 * t444 + t384 * t446);
-    const double t453 = t359 * t357 * t412;
-    const double t454 = t8 - t11 * t349 + t153 * t422 + t154 * t428 - 2.0 * (t377 * t429 + t145 * t435 - t150 * t438
-        - t382 * t441 - t385 * t443 + t386 * t445);
-    const double t455 = t376 + t150 * t424 - t145 * t430 - 2.0 * (t153 * t431 - t154 * t436 + t377 * t439 - t382 *
-        t442 - t385 * t444 + t386 * t446);
-    const double t456 = t356 * t360 * t416;
-    const double t457 = t360 * t417;
-    const double t458 = t359 * t432;
-    const double t459 = t357 * t437;
-    const double t460 = t328 + 0.5 * (t451 * t451 + t452 * t452 + t455 * t455);
-    const double t461 = t329 + 0.5 * (t451 * t449 + t452 * t450 + t455 * t454);
-    const double t462 = t330 + 0.5 * (t449 * t449 + t450 * t450 + t454 * t454);
-    const double t463 = t356 * t440;
-    const double t464 = t460 * t462;
-    const double t465 = t464 - t461 * t461;
-    const double t466 = t17 - t2 * t348 - t349 * t371 + t132 * t447 - t139 * t448 + t146 * t453 - t151 * t456 + t372
-        * t457 - t378 * t458 - t380 * t459 + t383 * t463;
-    const double t467 = t18 - t4 * t348 - t349 * t374 + t138 * t447 - t144 * t448 + t149 * t453 - t152 * t456 + t375
-        * t457 - t379 * t458 - t381 * t459 + t384 * t463;
-    const double t468 = t21 - t8 * t348 - t349 * t376 + t145 * t447 - t150 * t448 + t153 * t453 - t154 * t456 + t377
-        * t457 - t382 * t458 - t385 * t459 + t386 * t463;
-    const double t469 = t466 * t449 + t467 * t450 + t468 * t454;
-    const double t470 = t466 * t451 + t467 * t452 + t468 * t455;
-    const double t471 = t469 * t460 - t470 * t461;
-    const double t472 = t470 * t462 - t469 * t461;
-    const double u14 = 0.4 * t464;
-    const double u15 = 4.0 * t465;
+    const double t407 = t397 * t397;
+    const double t408 = t394 * t394;
+    const double t409 = t47 + t404 * t142;
+    const double t410 = t57 - t404 * t143;
+    const double t411 = t394 + 1.0;
+    const double t412 = t399 * t399;
+    const double t413 = t40 - t405 * t149;
+    const double t414 = t53 - t405 * t150;
+    const double t415 = t359 * t397 - t360 * t399;
+    const double t416 = t361 * t399 - t361 * t395;
+    const double t417 = t351 * t411;
+    const double t418 = t411 * t411;
+    const double t419 = t41 - t417 * t153;
+    const double t420 = t55 + t417 * t154;
+    const double t421 = t360 * t351 * (t416 + (t351 * t400 - t348 * t396) * t368);
+    const double t422 = t348 * t410 - t350 * t409;
+    const double t423 = t364 * t411 - t363 * t395;
+    const double t424 = t361 * t397 - t361 * t411;
+    const double t425 = t349 * t402 + t348 * t403;
+    const double t426 = t350 * (t425 + (t403 - t407 * t356) * t369);
+    const double t427 = t360 * t350 * (t423 + (t350 * t418 - t349 * t406) * t370);
+    const double t428 = t351 * t414 - t350 * t413;
+    const double t429 = t364 * t348 * (t424 - (t351 * t398 - t348 * t408) * t371);
+    const double t430 = t364 * t349 * (t415 - (t350 * t407 - t349 * t412) * t369);
+    const double t431 = t351 * (t425 + (t402 - t398 * t356) * t371);
+    const double t432 = t361 * (t405 - t404 + t348 * t406 + t351 * t412) - t365 * t416;
+    const double t433 = t349 * t349 * t432;
+    const double t434 = t365 * t424 + t361 * (t401 - t351 * t407 - t417 - t348 * t418);
+    const double t435 = t350 * t350 * t434;
+    const double t436 = t366 * t415 + t367 * (t401 - t350 * t398 - t349 * t400 - t404);
+    const double t437 = t351 * t351 * t436;
+    const double t438 = t349 * t419 + t351 * t420;
+    const double t439 = t351 * (t422 - (t400 * t357 + t409) * t368);
+    const double t440 = t366 * t423 + t367 * (t417 - t349 * t396 - t350 * t408 - t405);
+    const double t441 = t348 * t348 * t440;
+    const double t442 = t349 * (t422 + (t412 * t357 + t410) * t369);
+    const double t443 = t349 * (t428 + (t414 - t406 * t358) * t370);
+    const double t444 = t350 * (t438 + (t418 * t362 + t420) * t370);
+    const double t445 = t348 * (t428 - (t396 * t358 + t413) * t368);
+    const double t446 = t348 * (t438 + (t419 - t408 * t362) * t371);
+    const double t447 = t359 * t360 * t423;
+    const double t448 = t363 * t364 * t415;
+    const double t449 = t363 * t360 * t416;
+    const double t450 = t359 * t364 * t424;
+    const double t451 = t364 * t425;
+    const double t452 = t2 - t5 * t349 + t141 * t433 + t148 * t435 - 2.0 * (t374 * t426 + t124 * t427 - t134 * t430
+        - t378 * t442 - t380 * t443 + t383 * t444);
+    const double t453 = t4 - t6 * t349 + t146 * t433 + t151 * t435 - 2.0 * (t375 * t426 + t132 * t427 - t139 * t430
+        - t379 * t442 - t381 * t443 + t384 * t444);
+    const double t454 = t8 - t11 * t349 + t147 * t433 + t152 * t435 - 2.0 * (t377 * t426 + t133 * t427 - t140 * t430
+        - t382 * t442 - t385 * t443 + t386 * t444);
+    const double t455 = t372 + t134 * t437 - t124 * t441 - 2.0 * (t141 * t421 - t148 * t429 + t374 * t431 - t378 *
+        t439 - t380 * t445 + t383 * t446);
+    const double t456 = t373 + t139 * t437 - t132 * t441 - 2.0 * (t146 * t421 - t151 * t429 + t375 * t431 - t379 *
+        t439 - t381 * t445 + t384 * t446);
+    const double t457 = t363 * t422;
+    const double t458 = t376 + t140 * t437 - t133 * t441 - 2.0 * (t147 * t421 - t152 * t429 + t377 * t431 - t382 *
+        t439 - t385 * t445 + t386 * t446);
+    const double t459 = t360 * t428;
+    const double t460 = t359 * t438;
+    const double t461 = t323 + 0.5 * (t455 * t455 + t456 * t456 + t458 * t458);
+    const double t462 = t322 + 0.5 * (t455 * t452 + t456 * t453 + t458 * t454);
+    const double t463 = t17 - t2 * t348 - t349 * t372 + t124 * t447 - t134 * t448 + t141 * t449 - t148 * t450 + t374
+        * t451 - t378 * t457 - t380 * t459 + t383 * t460;
+    const double t464 = t18 - t4 * t348 - t349 * t373 + t132 * t447 - t139 * t448 + t146 * t449 - t151 * t450 + t375
+        * t451 - t379 * t457 - t381 * t459 + t384 * t460;
+    const double t465 = t324 + 0.5 * (t452 * t452 + t453 * t453 + t454 * t454);
+    const double t466 = t21 - t8 * t348 - t349 * t376 + t133 * t447 - t140 * t448 + t147 * t449 - t152 * t450 + t377
+        * t451 - t382 * t457 - t385 * t459 + t386 * t460;
+    const double t467 = t463 * t452 + t464 * t453 + t466 * t454;
+    const double t468 = t463 * t455 + t464 * t456 + t466 * t458;
+    const double t469 = t461 * t465;
+    const double t470 = t469 - t462 * t462;
+    const double t471 = t467 * t461 - t468 * t462;
+    const double t472 = t468 * t465 - t467 * t462;
+    const double u14 = 0.4 * t469;
+    const double u15 = 4.0 * t470;
     const double t473 = (u15 > u14 ? u15 : u14);
     const double t474 = 2.0 / t473;
     const double t475 = t345 + t471 * t474;
@@ -2047,14 +2047,14 @@ FOOTPOINT_LOOP void footpoint_gregory_exact_n(size_t n, const double *const x[27
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_exact_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.68280763932319577, 0.77053496507781161, 1.757808615500076e-11, 2.4692176979784424e-11},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.024934341335560974, 0.9591506839384879, 7.1684406164922553e-16, 2.1476657918173135e-15},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.68280763932319577, 0.77053496507781161, 1.7578086155000754e-11, 2.4692176979784417e-11},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.024934341335560974, 0.9591506839384879, 7.1684406164922662e-16, 2.1476657918173147e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.10509445631892129, 1, 2.0435418256641118e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.1604942280819662, 1.110223024625157e-16, 3.5375351957769432e-15},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.10509445631892129, 1, 2.043541825664111e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.1604942280819662, 1.110223024625157e-16, 3.537535195776942e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.58299556370142447, 1, 4.3061614231803766e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28329654015038458, 1, 4.4193075332340127e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28329654015038458, 1, 4.4193075332340198e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -2092,134 +2092,134 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t24 = t13 * t13 + t15 * t15 + t20 * t20;
     const double t25 = t2 - 2.0 * t17 + t12;
     const double t26 = t4 - 2.0 * t18 + t14;
-    const double t27 = t8 - 2.0 * t21 + t19;
-    const double t28 = t12 * t25 + t14 * t26 + t19 * t27;
-    const double t29 = t13 * t25 + t15 * t26 + t20 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t28 = t8 - 2.0 * t21 + t19;
+    const double t29 = t12 * t25 + t14 * t26 + t19 * t28;
+    const double t30 = t13 * t25 + t15 * t26 + t20 * t28;
     const double t31 = t5 * t12 + t6 * t14 + t11 * t19;
     const double t32 = t5 * t13 + t6 * t15 + t11 * t20;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t31 * t24 - t32 * t22) * t30;
-    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t31 * t24 - t32 * t22) * t27;
+    const double t36 = (t32 * t23 - t31 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t42 = t10 * t8 - t16 * t4;
-    const double t43 = t16 * t2 - t9 * t8;
-    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
-    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t47 = t10 * t11 - t16 * t6;
-    const double t48 = t42 - (t8 * t6 - t4 * t11);
-    const double t49 = t16 * t5 - t9 * t11;
-    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t43 = t42 - (t8 * t6 - t4 * t11);
+    const double t44 = t16 * t2 - t9 * t8;
+    const double t45 = t44 - (t2 * t11 - t8 * t5);
+    const double t46 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t47 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t48 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t49 = t10 * t11 - t16 * t6;
+    const double t50 = t16 * t5 - t9 * t11;
     const double t51 = t9 * t4 - t10 * t2;
-    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
-    const double t56 = t9 * t6 - t10 * t5;
-    const double t57 = t51 - (t4 * t5 - t2 * t6);
-    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
-    const double t62 = 1.0 / (t44 - t40 * t40);
-    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
-    const double t64 = 1.0 / (t44 - t41 * t41);
-    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
-    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
-    const double t67 = t61 * t62;
-    const double t68 = t63 * t64;
-    const double t69 = t65 * t62;
-    const double t70 = t66 * t64;
-    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
-    const double t72 = 1.0 / (t55 - t45 * t45);
-    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
-    const double t74 = 1.0 / (t55 - t46 * t46);
-    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
-    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
-    const double t77 = t68 - t67;
-    const double t78 = t71 * t72;
-    const double t79 = t73 * t74;
-    const double t80 = t75 * t72;
-    const double t81 = t76 * t74;
-    const double t82 = 1.0 / (t59 - t54 * t54);
-    const double t83 = 1.0 / (t59 - t52 * t52);
-    const double t84 = 1.0 / (t60 - t53 * t53);
-    const double t85 = t2 - t1;
-    const double t86 = nB[1] * t69 + nC[1] * t70;
-    const double t87 = nB[0] * t69 + nC[0] * t70;
-    const double t88 = t79 - t78;
-    const double t89 = t71 * t82;
-    const double t90 = t61 * t83;
-    const double t91 = t65 * t83;
-    const double t92 = t75 * t82;
-    const double t93 = t63 * t84;
-    const double t94 = 1.0 / (t60 - t58 * t58);
-    const double t95 = t4 - t3;
-    const double t96 = t40 * t68;
-    const double t97 = nA[0] * t80 + nD[0] * t81;
-    const double t98 = t89 + t90;
-    const double t99 = t73 * t94;
-    const double t100 = t66 * t84;
-    const double t101 = t76 * t94;
-    const double t102 = nB[2] * t69 + nC[2] * t70;
-    const double t103 = nA[2] * t80 + nD[2] * t81;
-    const double t104 = t8 - t7;
-    const double t105 = t41 * t67;
-    const double t106 = nA[1] * t80 + nD[1] * t81;
-    const double t107 = t45 * t79;
+    const double t52 = t51 - (t4 * t5 - t2 * t6);
+    const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t54 = 1.0 / (t46 - t40 * t40);
+    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t56 = 1.0 / (t46 - t41 * t41);
+    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t59 = t9 * t6 - t10 * t5;
+    const double t60 = 1.0 / (t58 - t47 * t47);
+    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t62 = 1.0 / (t58 - t48 * t48);
+    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t65 = 1.0 / (t63 - t57 * t57);
+    const double t66 = 1.0 / (t63 - t53 * t53);
+    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
+    const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
+    const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
+    const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
+    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
+    const double t77 = t73 * t54;
+    const double t78 = t68 * t54;
+    const double t79 = t73 * t66;
+    const double t80 = t68 * t66;
+    const double t81 = t74 * t56;
+    const double t82 = t69 * t56;
+    const double t83 = t74 * t67;
+    const double t84 = t69 * t67;
+    const double t85 = t81 - t77;
+    const double t86 = nB[1] * t78 + nC[1] * t82;
+    const double t87 = nB[0] * t78 + nC[0] * t82;
+    const double t88 = nB[2] * t78 + nC[2] * t82;
+    const double t89 = t75 * t60;
+    const double t90 = t70 * t60;
+    const double t91 = t75 * t65;
+    const double t92 = t70 * t65;
+    const double t93 = t76 * t62;
+    const double t94 = t71 * t62;
+    const double t95 = t76 * t72;
+    const double t96 = t71 * t72;
+    const double t97 = t2 - t1;
+    const double t98 = t93 - t89;
+    const double t99 = nA[0] * t90 + nD[0] * t94;
+    const double t100 = t4 - t3;
+    const double t101 = nA[2] * t90 + nD[2] * t94;
+    const double t102 = nA[1] * t90 + nD[1] * t94;
+    const double t103 = t40 * t81;
+    const double t104 = t77 + (2.0 / 3.0) + t81;
+    const double t105 = t41 * t77;
+    const double t106 = t91 + t79;
+    const double t107 = nD[0] * t80 + nC[0] * t92;
     const double t108 = t37 + t9;
-    const double t109 = nD[0] * t91 + nC[0] * t92;
-    const double t110 = t93 + t99;
-    const double t111 = t78 - (2.0 / 3.0) + t79;
-    const double t112 = t99 - (2.0 / 3.0) - t93;
-    const double t113 = t38 + t10;
-    const double t114 = nD[2] * t91 + nC[2] * t92;
-    const double t115 = t46 * t78;
-    const double t116 = nD[1] * t91 + nC[1] * t92;
-    const double t117 = t52 * t89;
-    const double t118 = nA[1] * t100 + nB[1] * t101;
-    const double t119 = nA[0] * t100 + nB[0] * t101;
-    const double t120 = t46 * t111;
-    const double t121 = t58 * t112;
-    const double t122 = t90 + (2.0 / 3.0) - t89;
+    const double t109 = nD[2] * t80 + nC[2] * t92;
+    const double t110 = nD[1] * t80 + nC[1] * t92;
+    const double t111 = t8 - t7;
+    const double t112 = t47 * t93;
+    const double t113 = t89 - (2.0 / 3.0) + t93;
+    const double t114 = t48 * t89;
+    const double t115 = t83 + t95;
+    const double t116 = nA[1] * t84 + nB[1] * t96;
+    const double t117 = nA[0] * t84 + nB[0] * t96;
+    const double t118 = nA[2] * t84 + nB[2] * t96;
+    const double t119 = t95 - (2.0 / 3.0) - t83;
+    const double t120 = t55 * t95;
+    const double t121 = t61 * t83;
+    const double t122 = t38 + t10;
     const double t123 = t39 + t16;
-    const double t124 = t54 * t90;
-    const double t125 = t53 * t99;
-    const double t126 = 3.0 * t120;
-    const double t127 = 3.0 * t121;
-    const double t128 = t45 * t111;
-    const double t129 = t54 * t122;
-    const double t130 = t67 + (2.0 / 3.0) + t68;
-    const double t131 = nA[2] * t100 + nB[2] * t101;
-    const double t132 = t85 - t37 * t77 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t96 - nB[2] * t105);
-    const double t133 = t58 * t93;
-    const double t134 = 3.0 * t128;
-    const double t135 = 3.0 * t129;
-    const double t136 = t40 * t130;
-    const double t137 = t52 * t122;
-    const double t138 = t95 - t38 * t77 - t37 * t87 + t39 * t102 - 2.0 * (nC[1] * t96 - nB[1] * t105);
-    const double t139 = t85 - t9 * t88 + t10 * t97 - t16 * t106 - 2.0 * (nD[2] * t107 - nA[2] * t115);
-    const double t140 = 3.0 * t136;
-    const double t141 = 3.0 * t137;
-    const double t142 = t41 * t130;
-    const double t143 = t53 * t112;
-    const double t144 = t95 - t10 * t88 + t16 * t103 - t9 * t97 - 2.0 * (nD[1] * t107 - nA[1] * t115);
-    const double t145 = t104 - t39 * t77 - t38 * t102 + t37 * t86 - 2.0 * (nC[0] * t96 - nB[0] * t105);
-    const double t146 = t108 - t1 * t98 + t3 * t109 - t7 * t116 - 2.0 * (nC[2] * t117 + nD[2] * t124);
-    const double t147 = 3.0 * t142;
-    const double t148 = 3.0 * t143;
-    const double t149 = t113 - t3 * t98 + t7 * t114 - t1 * t109 - 2.0 * (nC[1] * t117 + nD[1] * t124);
-    const double t150 = t104 - t16 * t88 + t9 * t106 - t10 * t103 - 2.0 * (nD[0] * t107 - nA[0] * t115);
-    const double t151 = t108 - t2 * t110 + t8 * t118 - t4 * t119 - 2.0 * (nB[2] * t125 + nA[2] * t133);
-    const double t152 = t113 - t4 * t110 + t2 * t119 - t8 * t131 - 2.0 * (nB[1] * t125 + nA[1] * t133);
-    const double t153 = t123 - t7 * t98 + t1 * t116 - t3 * t114 - 2.0 * (nC[0] * t117 + nD[0] * t124);
-    const double t154 = t123 - t8 * t110 + t4 * t131 - t2 * t118 - 2.0 * (nB[0] * t125 + nA[0] * t133);
+    const double t124 = t97 - t37 * t85 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t103 - nB[2] * t105);
+    const double t125 = t53 * t91;
+    const double t126 = t79 + (2.0 / 3.0) - t91;
+    const double t127 = t57 * t79;
+    const double t128 = t48 * t113;
+    const double t129 = t47 * t113;
+    const double t130 = t61 * t119;
+    const double t131 = t55 * t119;
+    const double t132 = t100 - t38 * t85 - t37 * t87 + t39 * t88 - 2.0 * (nC[1] * t103 - nB[1] * t105);
+    const double t133 = t111 - t39 * t85 - t38 * t88 + t37 * t86 - 2.0 * (nC[0] * t103 - nB[0] * t105);
+    const double t134 = t97 - t9 * t98 + t10 * t99 - t16 * t102 - 2.0 * (nD[2] * t112 - nA[2] * t114);
+    const double t135 = 3.0 * t128;
+    const double t136 = 3.0 * t130;
+    const double t137 = t57 * t126;
+    const double t138 = t53 * t126;
+    const double t139 = t100 - t10 * t98 + t16 * t101 - t9 * t99 - 2.0 * (nD[1] * t112 - nA[1] * t114);
+    const double t140 = t111 - t16 * t98 + t9 * t102 - t10 * t101 - 2.0 * (nD[0] * t112 - nA[0] * t114);
+    const double t141 = t108 - t1 * t106 + t3 * t107 - t7 * t110 - 2.0 * (nC[2] * t125 + nD[2] * t127);
+    const double t142 = 3.0 * t129;
+    const double t143 = 3.0 * t137;
+    const double t144 = t40 * t104;
+    const double t145 = t41 * t104;
+    const double t146 = t122 - t3 * t106 + t7 * t109 - t1 * t107 - 2.0 * (nC[1] * t125 + nD[1] * t127);
+    const double t147 = t123 - t7 * t106 + t1 * t110 - t3 * t109 - 2.0 * (nC[0] * t125 + nD[0] * t127);
+    const double t148 = t108 - t2 * t115 + t8 * t116 - t4 * t117 - 2.0 * (nB[2] * t120 + nA[2] * t121);
+    const double t149 = 3.0 * t144;
+    const double t150 = 3.0 * t138;
+    const double t151 = t122 - t4 * t115 + t2 * t117 - t8 * t118 - 2.0 * (nB[1] * t120 + nA[1] * t121);
+    const double t152 = t123 - t8 * t115 + t4 * t118 - t2 * t116 - 2.0 * (nB[0] * t120 + nA[0] * t121);
+    const double t153 = 3.0 * t145;
+    const double t154 = 3.0 * t131;
     const double u4 = -0.5 * t34;
     double u5 = 0.5;
     const double t155 = (u5 < u4 ? u5 : u4);
@@ -2251,8 +2251,8 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t177 = t170 * t171;
     const double t178 = t168 * t170;
     const double t179 = t169 * t168;
-    const double t180 = t168 * t171;
-    const double t181 = t9 - t5 * t168;
+    const double t180 = t9 - t5 * t168;
+    const double t181 = t168 * t171;
     const double t182 = t10 - t6 * t168;
     const double t183 = t16 - t11 * t168;
     const double t184 = nA[2] * t177;
@@ -2267,16 +2267,16 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t193 = nB[1] * t178;
     const double t194 = nC[0] * t179;
     const double t195 = nB[0] * t178;
-    const double t196 = 3.0 * (t120 * t169 + t121 * t168);
-    const double t197 = 3.0 * (t129 * t168 + t128 * t170);
-    const double t198 = t168 + t171;
-    const double t199 = 3.0 * (t137 * t171 - t136 * t170);
-    const double t200 = t169 + t170;
-    const double t201 = t169 * t170;
-    const double t202 = 0.5 * t169;
-    const double t203 = 0.5 * t171;
-    const double t204 = 0.5 * t168;
-    const double t205 = 3.0 * (t143 * t171 - t142 * t169);
+    const double t196 = 3.0 * (t128 * t169 + t130 * t168);
+    const double t197 = 3.0 * (t137 * t168 + t129 * t170);
+    const double t198 = 3.0 * (t138 * t171 - t144 * t170);
+    const double t199 = 3.0 * (t131 * t171 - t145 * t169);
+    const double t200 = t168 + t171;
+    const double t201 = t169 + t170;
+    const double t202 = t169 * t170;
+    const double t203 = 0.5 * t169;
+    const double t204 = 0.5 * t171;
+    const double t205 = 0.5 * t168;
     const double t206 = 0.5 * t170;
     const double t207 = t169 * t169;
     const double t208 = t171 * t171;
@@ -2294,141 +2294,141 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t218 = (u11 > t175 ? u11 : t175);
     const double t219 = 1.0 / t215;
     const double t220 = 1.0 / t216;
-    const double t221 = t171 * t219;
-    const double t222 = t171 * t220;
-    const double t223 = 1.0 / t217;
-    const double t224 = 1.0 / t218;
-    const double t225 = t221 + 1.0;
-    const double t226 = t222 + 1.0;
-    const double t227 = t168 * t223;
-    const double t228 = t168 * t224;
-    const double t229 = t227 - 1.0;
-    const double t230 = t228 - 1.0;
-    const double t231 = t177 * t226 - t176 * t225;
-    const double t232 = t178 * t229 - t179 * t230;
-    const double t233 = t168 * t229;
-    const double t234 = t178 * t179 * t231;
-    const double t235 = t180 * t230 - t180 * t225;
-    const double t236 = t168 * t230;
-    const double t237 = t176 * t177 * t232;
-    const double t238 = t180 * t229 - t180 * t226;
-    const double t239 = t46 + t233 * t126;
-    const double t240 = t58 + t233 * t127;
-    const double t241 = t171 * t225;
-    const double t242 = t176 * t179 * t235;
-    const double t243 = t45 + t236 * t134;
-    const double t244 = t54 - t236 * t135;
-    const double t245 = t171 * t226;
-    const double t246 = t178 * t177 * t238;
-    const double t247 = t169 * t239 + t168 * t240;
-    const double t248 = t40 - t241 * t140;
-    const double t249 = t52 - t241 * t141;
-    const double t250 = t177 * t247;
-    const double t251 = t168 * t244 - t170 * t243;
-    const double t252 = t41 - t245 * t147;
-    const double t253 = t53 + t245 * t148;
-    const double t254 = t176 * t251;
-    const double t255 = t171 * t249 - t170 * t248;
-    const double t256 = t179 * t255;
-    const double t257 = t169 * t252 + t171 * t253;
-    const double t258 = t178 * t257;
-    const double t259 = t17 - t2 * t168 - t169 * t181 + t132 * t234 - t139 * t237 + t146 * t242 - t151 * t246 + t184
-        * t250 - t186 * t254 - t189 * t256 + t192 * t258;
-    const double t260 = t18 - t4 * t168 - t169 * t182 + t138 * t234 - t144 * t237 + t149 * t242 - t152 * t246 + t185
-        * t250 - t187 * t254 - t190 * t256 + t193 * t258;
-    const double t261 = t21 - t8 * t168 - t169 * t183 + t145 * t234 - t150 * t237 + t153 * t242 - t154 * t246 + t188
-        * t250 - t191 * t254 - t194 * t256 + t195 * t258;
+    const double t221 = 1.0 / t217;
+    const double t222 = 1.0 / t218;
+    const double t223 = t171 * t219;
+    const double t224 = t171 * t220;
+    const double t225 = t223 + 1.0;
+    const double t226 = t224 + 1.0;
+    const double t227 = t168 * t221;
+    const double t228 = t168 * t222;
+    const double t229 = t177 * t226 - t176 * t225;
+    const double t230 = t227 - 1.0;
+    const double t231 = t228 - 1.0;
+    const double t232 = t178 * t230 - t179 * t231;
+    const double t233 = t178 * t179 * t229;
+    const double t234 = t181 * t231 - t181 * t225;
+    const double t235 = t168 * t230;
+    const double t236 = t176 * t177 * t232;
+    const double t237 = t181 * t230 - t181 * t226;
+    const double t238 = t48 + t235 * t135;
+    const double t239 = t61 + t235 * t136;
+    const double t240 = t168 * t231;
+    const double t241 = t176 * t179 * t234;
+    const double t242 = t47 + t240 * t142;
+    const double t243 = t57 - t240 * t143;
+    const double t244 = t171 * t225;
+    const double t245 = t178 * t177 * t237;
+    const double t246 = t169 * t238 + t168 * t239;
+    const double t247 = t40 - t244 * t149;
+    const double t248 = t53 - t244 * t150;
+    const double t249 = t171 * t226;
+    const double t250 = t168 * t243 - t170 * t242;
+    const double t251 = t41 - t249 * t153;
+    const double t252 = t55 + t249 * t154;
+    const double t253 = t177 * t246;
+    const double t254 = t171 * t248 - t170 * t247;
+    const double t255 = t176 * t250;
+    const double t256 = t169 * t251 + t171 * t252;
+    const double t257 = t179 * t254;
+    const double t258 = t178 * t256;
+    const double t259 = t17 - t2 * t168 - t169 * t180 + t124 * t233 - t134 * t236 + t141 * t241 - t148 * t245 + t184
+        * t253 - t186 * t255 - t189 * t257 + t192 * t258;
+    const double t260 = t18 - t4 * t168 - t169 * t182 + t132 * t233 - t139 * t236 + t146 * t241 - t151 * t245 + t185
+        * t253 - t187 * t255 - t190 * t257 + t193 * t258;
+    const double t261 = t21 - t8 * t168 - t169 * t183 + t133 * t233 - t140 * t236 + t147 * t241 - t152 * t245 + t188
+        * t253 - t191 * t255 - t194 * t257 + t195 * t258;
     const double t262 = t227 * t227;
     const double t263 = t225 * t225;
-    const double t264 = t229 * t229;
+    const double t264 = t230 * t230;
     const double t265 = t228 * t228;
-    const double t266 = t221 * t221;
-    const double t267 = t222 * t222;
-    const double t268 = t230 * t230;
-    const double t269 = t146 * t259 + t149 * t260 + t153 * t261;
-    const double t270 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
-    const double t271 = t139 * t259 + t144 * t260 + t150 * t261;
-    const double t272 = t226 * t226;
+    const double t266 = t223 * t223;
+    const double t267 = t224 * t224;
+    const double t268 = t141 * t259 + t146 * t260 + t147 * t261;
+    const double t269 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
+    const double t270 = t134 * t259 + t139 * t260 + t140 * t261;
+    const double t271 = t231 * t270 + t228 * t268 + t222 * t269 * t197;
+    const double t272 = t231 * t231;
     const double t273 = nC[2] * t259 + nC[1] * t260 + nC[0] * t261;
-    const double t274 = t132 * t259 + t138 * t260 + t145 * t261;
-    const double t275 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
-    const double t276 = t151 * t259 + t152 * t260 + t154 * t261;
-    const double t277 = t230 * t271 + t228 * t269 + t224 * t270 * t197;
-    const double t278 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
-    const double t279 = t180 * (t241 - t236 + t168 * t263 + t171 * t268) - t198 * t235;
-    const double t280 = t200 * t232 + t201 * (t233 - t170 * t262 - t169 * t265 - t236);
-    const double t281 = t221 * t269 - t225 * t274 - t219 * t273 * t199;
-    const double t282 = t207 * t279;
-    const double t283 = t198 * t238 + t180 * (t233 - t171 * t264 - t245 - t168 * t272);
-    const double t284 = t208 * t280;
-    const double t285 = t200 * t231 + t201 * (t245 - t169 * t266 - t170 * t267 - t241);
-    const double t286 = t226 * t274 + t222 * t276 + t220 * t275 * t205;
-    const double t287 = t45 * t270;
-    const double t288 = t54 * t270 - t170 * t277;
-    const double t289 = t209 * t283;
-    const double t290 = t170 * (t247 + (t240 - t264 * t196) * t203);
-    const double t291 = t210 * t285;
-    const double t292 = t179 * t171 * (t235 + (t171 * t265 - t168 * t266) * t202);
-    const double t293 = t40 * t273;
-    const double t294 = t52 * t273 - t170 * t281;
-    const double t295 = t227 * t276 - t229 * t271 - t223 * t278 * t196;
-    const double t296 = t179 * t170 * (t231 + (t170 * t272 - t169 * t263) * t204);
-    const double t297 = t177 * t168 * (t238 - (t171 * t262 - t168 * t267) * t206);
-    const double t298 = t41 * t275;
-    const double t299 = t53 * t275 + t169 * t286;
-    const double t300 = t168 * t288 - t170 * t287;
-    const double t301 = t177 * t169 * (t232 - (t170 * t264 - t169 * t268) * t203);
-    const double t302 = t171 * (t247 + (t239 - t262 * t196) * t206);
-    const double t303 = t171 * t294 - t170 * t293;
-    const double t304 = t300 - (t287 + t168 * t277) * t211;
-    const double t305 = t46 * t278;
-    const double t306 = t58 * t278 + t169 * t295;
-    const double t307 = t169 * (t251 + (t268 * t197 + t244) * t203);
-    const double t308 = t171 * (t251 - (t265 * t197 + t243) * t202);
-    const double t309 = t303 - (t293 + t171 * t281) * t211;
-    const double t310 = t169 * t298 + t171 * t299;
-    const double t311 = t288 * t212 + t300;
-    const double t312 = t169 * (t255 + (t249 - t263 * t199) * t204);
-    const double t313 = t168 * (t255 - (t266 * t199 + t248) * t202);
-    const double t314 = (t298 + t171 * t286) * t213 + t310;
-    const double t315 = t169 * t305 + t168 * t306;
-    const double t316 = t294 * t214 + t303;
-    const double t317 = t170 * (t257 + (t272 * t205 + t253) * t204);
-    const double t318 = t168 * (t257 + (t252 - t267 * t205) * t206);
-    const double t319 = (t305 + t168 * t295) * t213 + t315;
-    const double t320 = t299 * t214 + t310;
-    const double t321 = t306 * t212 + t315;
-    const double t322 = t2 - t5 * t169 + t146 * t282 + t151 * t289 - 2.0 * (t184 * t290 + t132 * t296 - t139 * t301
-        - t186 * t307 - t189 * t312 + t192 * t317);
-    const double t323 = t4 - t6 * t169 + t149 * t282 + t152 * t289 - 2.0 * (t185 * t290 + t138 * t296 - t144 * t301
-        - t187 * t307 - t190 * t312 + t193 * t317);
-    const double t324 = t181 + t139 * t284 - t132 * t291 - 2.0 * (t146 * t292 - t151 * t297 + t184 * t302 - t186 *
-        t308 - t189 * t313 + t192 * t318);
-    const double t325 = t182 + t144 * t284 - t138 * t291 - 2.0 * (t149 * t292 - t152 * t297 + t185 * t302 - t187 *
-        t308 - t190 * t313 + t193 * t318);
-    const double t326 = t8 - t11 * t169 + t153 * t282 + t154 * t289 - 2.0 * (t188 * t290 + t145 * t296 - t150 * t301
-        - t191 * t307 - t194 * t312 + t195 * t317);
-    const double t327 = t183 + t150 * t284 - t145 * t291 - 2.0 * (t153 * t292 - t154 * t297 + t188 * t302 - t191 *
-        t308 - t194 * t313 + t195 * t318);
-    const double t328 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t300 - 0.5 * (t176 * t277 - t304 -
-        t311)) - t179 * (t303 - 0.5 * (t179 * t281 - t309 - t316)) + t178 * (0.5 * (t178 * t286 + t314 + t320) +
-        t310) + t177 * (0.5 * (t177 * t295 + t319 + t321) + t315);
-    const double t329 = t324 * t324 + t325 * t325 + t327 * t327 + 2.0 * (t210 * (t314 - t309) + t208 * (t319 -
-        t304));
-    const double t330 = t324 * t322 + t325 * t323 + t327 * t326 + 2.0 * t328;
-    const double t331 = t322 * t322 + t323 * t323 + t326 * t326 + 2.0 * (t209 * (t320 + t321) - t207 * (t311 +
-        t316));
-    const double t332 = t329 * t331;
-    const double t333 = t332 - t330 * t330;
-    const double t334 = t259 * t322 + t260 * t323 + t261 * t326;
-    const double t335 = t259 * t324 + t260 * t325 + t261 * t327;
-    const double t336 = t334 * t329 - t335 * t330;
-    const double t337 = t335 * t331 - t334 * t330;
-    const double u12 = 0.1 * t332;
-    const double t338 = (t333 > u12 ? t333 : u12);
+    const double t274 = t124 * t259 + t132 * t260 + t133 * t261;
+    const double t275 = t223 * t268 - t225 * t274 - t219 * t273 * t198;
+    const double t276 = t226 * t226;
+    const double t277 = t181 * (t244 - t240 + t168 * t263 + t171 * t272) - t200 * t234;
+    const double t278 = t207 * t277;
+    const double t279 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
+    const double t280 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t281 = t148 * t259 + t151 * t260 + t152 * t261;
+    const double t282 = t226 * t274 + t224 * t281 + t220 * t280 * t199;
+    const double t283 = t200 * t237 + t181 * (t235 - t171 * t264 - t249 - t168 * t276);
+    const double t284 = t209 * t283;
+    const double t285 = t170 * (t246 + (t239 - t264 * t196) * t204);
+    const double t286 = t201 * t232 + t202 * (t235 - t170 * t262 - t169 * t265 - t240);
+    const double t287 = t201 * t229 + t202 * (t249 - t169 * t266 - t170 * t267 - t244);
+    const double t288 = t208 * t286;
+    const double t289 = t210 * t287;
+    const double t290 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
+    const double t291 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
+    const double t292 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t293 = t227 * t281 - t230 * t270 - t221 * t292 * t196;
+    const double t294 = t177 * t169 * (t232 - (t170 * t264 - t169 * t272) * t204);
+    const double t295 = t171 * (t246 + (t238 - t262 * t196) * t206);
+    const double t296 = t169 * (t250 + (t272 * t197 + t243) * t204);
+    const double t297 = t171 * (t250 - (t265 * t197 + t242) * t203);
+    const double t298 = t47 * t269;
+    const double t299 = t57 * t269 - t170 * t271;
+    const double t300 = t169 * (t254 + (t248 - t263 * t198) * t205);
+    const double t301 = t168 * (t254 - (t266 * t198 + t247) * t203);
+    const double t302 = t40 * t273;
+    const double t303 = t53 * t273 - t170 * t275;
+    const double t304 = t170 * (t256 + (t276 * t199 + t252) * t205);
+    const double t305 = t168 * (t256 + (t251 - t267 * t199) * t206);
+    const double t306 = t41 * t280;
+    const double t307 = t55 * t280 + t169 * t282;
+    const double t308 = t168 * t299 - t170 * t298;
+    const double t309 = t308 - (t298 + t168 * t271) * t211;
+    const double t310 = t299 * t212 + t308;
+    const double t311 = t171 * t303 - t170 * t302;
+    const double t312 = t311 - (t302 + t171 * t275) * t211;
+    const double t313 = t303 * t214 + t311;
+    const double t314 = t169 * t306 + t171 * t307;
+    const double t315 = (t306 + t171 * t282) * t213 + t314;
+    const double t316 = t307 * t214 + t314;
+    const double t317 = t48 * t292;
+    const double t318 = t61 * t292 + t169 * t293;
+    const double t319 = t169 * t317 + t168 * t318;
+    const double t320 = (t317 + t168 * t293) * t213 + t319;
+    const double t321 = t318 * t212 + t319;
+    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t308 - 0.5 * (t176 * t271 - t309 -
+        t310)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t282 + t315 + t316) +
+        t314) + t177 * (0.5 * (t177 * t293 + t320 + t321) + t319);
+    const double t323 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t290 - t134 * t294
+        - t186 * t296 - t189 * t300 + t192 * t304);
+    const double t324 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t279 - t148 * t291 + t184 * t295 - t186 *
+        t297 - t189 * t301 + t192 * t305);
+    const double t325 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t290 - t139 * t294
+        - t187 * t296 - t190 * t300 + t193 * t304);
+    const double t326 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t279 - t151 * t291 + t185 * t295 - t187 *
+        t297 - t190 * t301 + t193 * t305);
+    const double t327 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t290 - t140 * t294
+        - t191 * t296 - t194 * t300 + t195 * t304);
+    const double t328 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t279 - t152 * t291 + t188 * t295 - t191 *
+        t297 - t194 * t301 + t195 * t305);
+    const double t329 = t324 * t324 + t326 * t326 + t328 * t328 + 2.0 * (t210 * (t315 - t312) + t208 * (t320 -
+        t309));
+    const double t330 = t324 * t323 + t326 * t325 + t328 * t327 + 2.0 * t322;
+    const double t331 = t323 * t323 + t325 * t325 + t327 * t327 + 2.0 * (t209 * (t316 + t321) - t207 * (t310 +
+        t313));
+    const double t332 = t259 * t323 + t260 * t325 + t261 * t327;
+    const double t333 = t259 * t324 + t260 * t326 + t261 * t328;
+    const double t334 = t329 * t331;
+    const double t335 = t332 * t329 - t333 * t330;
+    const double t336 = t333 * t331 - t332 * t330;
+    const double t337 = t334 - t330 * t330;
+    const double u12 = 0.1 * t334;
+    const double t338 = (t337 > u12 ? t337 : u12);
     const double t339 = 1.0 / t338;
-    const double t340 = t165 + t336 * t339;
-    const double t341 = t167 + t337 * t339;
+    const double t340 = t165 + t335 * t339;
+    const double t341 = t167 + t336 * t339;
     const double t342 = (u5 < t340 ? u5 : t340);
     const double t343 = (u6 > t342 ? u6 : t342);
     const double t344 = (u5 < t341 ? u5 : t341);
@@ -2445,8 +2445,8 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t355 = t348 * t349;
     const double t356 = t346 * t348;
     const double t357 = t347 * t346;
-    const double t358 = t346 * t349;
-    const double t359 = t9 - t5 * t346;
+    const double t358 = t9 - t5 * t346;
+    const double t359 = t346 * t349;
     const double t360 = t10 - t6 * t346;
     const double t361 = t16 - t11 * t346;
     const double t362 = nA[2] * t355;
@@ -2461,16 +2461,16 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t371 = nB[1] * t356;
     const double t372 = nC[0] * t357;
     const double t373 = nB[0] * t356;
-    const double t374 = 3.0 * (t120 * t347 + t121 * t346);
-    const double t375 = 3.0 * (t129 * t346 + t128 * t348);
-    const double t376 = t346 + t349;
-    const double t377 = 3.0 * (t137 * t349 - t136 * t348);
-    const double t378 = t347 + t348;
-    const double t379 = t347 * t348;
-    const double t380 = 0.5 * t347;
-    const double t381 = 0.5 * t349;
-    const double t382 = 0.5 * t346;
-    const double t383 = 3.0 * (t143 * t349 - t142 * t347);
+    const double t374 = 3.0 * (t128 * t347 + t130 * t346);
+    const double t375 = 3.0 * (t137 * t346 + t129 * t348);
+    const double t376 = 3.0 * (t138 * t349 - t144 * t348);
+    const double t377 = 3.0 * (t131 * t349 - t145 * t347);
+    const double t378 = t346 + t349;
+    const double t379 = t347 + t348;
+    const double t380 = t347 * t348;
+    const double t381 = 0.5 * t347;
+    const double t382 = 0.5 * t349;
+    const double t383 = 0.5 * t346;
     const double t384 = 0.5 * t348;
     const double t385 = t347 * t347;
     const double t386 = t349 * t349;
@@ -2487,141 +2487,141 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t396 = (u11 > t353 ? u11 : t353);
     const double t397 = 1.0 / t393;
     const double t398 = 1.0 / t394;
-    const double t399 = t349 * t397;
-    const double t400 = t349 * t398;
-    const double t401 = 1.0 / t395;
-    const double t402 = 1.0 / t396;
-    const double t403 = t399 + 1.0;
-    const double t404 = t400 + 1.0;
-    const double t405 = t346 * t401;
-    const double t406 = t346 * t402;
-    const double t407 = t405 - 1.0;
-    const double t408 = t406 - 1.0;
-    const double t409 = t355 * t404 - t354 * t403;
-    const double t410 = t356 * t407 - t357 * t408;
-    const double t411 = t346 * t407;
-    const double t412 = t356 * t357 * t409;
-    const double t413 = t358 * t408 - t358 * t403;
-    const double t414 = t346 * t408;
-    const double t415 = t354 * t355 * t410;
-    const double t416 = t358 * t407 - t358 * t404;
-    const double t417 = t46 + t411 * t126;
-    const double t418 = t58 + t411 * t127;
-    const double t419 = t349 * t403;
-    const double t420 = t354 * t357 * t413;
-    const double t421 = t45 + t414 * t134;
-    const double t422 = t54 - t414 * t135;
-    const double t423 = t349 * t404;
-    const double t424 = t356 * t355 * t416;
-    const double t425 = t347 * t417 + t346 * t418;
-    const double t426 = t40 - t419 * t140;
-    const double t427 = t52 - t419 * t141;
-    const double t428 = t355 * t425;
-    const double t429 = t346 * t422 - t348 * t421;
-    const double t430 = t41 - t423 * t147;
-    const double t431 = t53 + t423 * t148;
-    const double t432 = t354 * t429;
-    const double t433 = t349 * t427 - t348 * t426;
-    const double t434 = t357 * t433;
-    const double t435 = t347 * t430 + t349 * t431;
-    const double t436 = t356 * t435;
-    const double t437 = t17 - t2 * t346 - t347 * t359 + t132 * t412 - t139 * t415 + t146 * t420 - t151 * t424 + t362
-        * t428 - t364 * t432 - t367 * t434 + t370 * t436;
-    const double t438 = t18 - t4 * t346 - t347 * t360 + t138 * t412 - t144 * t415 + t149 * t420 - t152 * t424 + t363
-        * t428 - t365 * t432 - t368 * t434 + t371 * t436;
-    const double t439 = t21 - t8 * t346 - t347 * t361 + t145 * t412 - t150 * t415 + t153 * t420 - t154 * t424 + t366
-        * t428 - t369 * t432 - t372 * t434 + t373 * t436;
+    const double t399 = 1.0 / t395;
+    const double t400 = 1.0 / t396;
+    const double t401 = t349 * t397;
+    const double t402 = t349 * t398;
+    const double t403 = t401 + 1.0;
+    const double t404 = t402 + 1.0;
+    const double t405 = t346 * t399;
+    const double t406 = t346 * t400;
+    const double t407 = t355 * t404 - t354 * t403;
+    const double t408 = t405 - 1.0;
+    const double t409 = t406 - 1.0;
+    const double t410 = t356 * t408 - t357 * t409;
+    const double t411 = t356 * t357 * t407;
+    const double t412 = t359 * t409 - t359 * t403;
+    const double t413 = t346 * t408;
+    const double t414 = t354 * t355 * t410;
+    const double t415 = t359 * t408 - t359 * t404;
+    const double t416 = t48 + t413 * t135;
+    const double t417 = t61 + t413 * t136;
+    const double t418 = t346 * t409;
+    const double t419 = t354 * t357 * t412;
+    const double t420 = t47 + t418 * t142;
+    const double t421 = t57 - t418 * t143;
+    const double t422 = t349 * t403;
+    const double t423 = t356 * t355 * t415;
+    const double t424 = t347 * t416 + t346 * t417;
+    const double t425 = t40 - t422 * t149;
+    const double t426 = t53 - t422 * t150;
+    const double t427 = t349 * t404;
+    const double t428 = t346 * t421 - t348 * t420;
+    const double t429 = t41 - t427 * t153;
+    const double t430 = t55 + t427 * t154;
+    const double t431 = t355 * t424;
+    const double t432 = t349 * t426 - t348 * t425;
+    const double t433 = t354 * t428;
+    const double t434 = t347 * t429 + t349 * t430;
+    const double t435 = t357 * t432;
+    const double t436 = t356 * t434;
+    const double t437 = t17 - t2 * t346 - t347 * t358 + t124 * t411 - t134 * t414 + t141 * t419 - t148 * t423 + t362
+        * t431 - t364 * t433 - t367 * t435 + t370 * t436;
+    const double t438 = t18 - t4 * t346 - t347 * t360 + t132 * t411 - t139 * t414 + t146 * t419 - t151 * t423 + t363
+        * t431 - t365 * t433 - t368 * t435 + t371 * t436;
+    const double t439 = t21 - t8 * t346 - t347 * t361 + t133 * t411 - t140 * t414 + t147 * t419 - t152 * t423 + t366
+        * t431 - t369 * t433 - t372 * t435 + t373 * t436;
     const double t440 = t405 * t405;
     const double t441 = t403 * t403;
-    const double t442 = t407 * t407;
+    const double t442 = t408 * t408;
     const double t443 = t406 * t406;
-    const double t444 = t399 * t399;
-    const double t445 = t400 * t400;
-    const double t446 = t408 * t408;
-    const double t447 = t146 * t437 + t149 * t438 + t153 * t439;
-    const double t448 = nD[2] * t437 + nD[1] * t438 + nD[0] * t439;
-    const double t449 = t139 * t437 + t144 * t438 + t150 * t439;
-    const double t450 = t404 * t404;
+    const double t444 = t401 * t401;
+    const double t445 = t402 * t402;
+    const double t446 = t141 * t437 + t146 * t438 + t147 * t439;
+    const double t447 = nD[2] * t437 + nD[1] * t438 + nD[0] * t439;
+    const double t448 = t134 * t437 + t139 * t438 + t140 * t439;
+    const double t449 = t409 * t448 + t406 * t446 + t400 * t447 * t375;
+    const double t450 = t409 * t409;
     const double t451 = nC[2] * t437 + nC[1] * t438 + nC[0] * t439;
-    const double t452 = t132 * t437 + t138 * t438 + t145 * t439;
-    const double t453 = nB[2] * t437 + nB[1] * t438 + nB[0] * t439;
-    const double t454 = t151 * t437 + t152 * t438 + t154 * t439;
-    const double t455 = t408 * t449 + t406 * t447 + t402 * t448 * t375;
-    const double t456 = nA[2] * t437 + nA[1] * t438 + nA[0] * t439;
-    const double t457 = t358 * (t419 - t414 + t346 * t441 + t349 * t446) - t376 * t413;
-    const double t458 = t378 * t410 + t379 * (t411 - t348 * t440 - t347 * t443 - t414);
-    const double t459 = t399 * t447 - t403 * t452 - t397 * t451 * t377;
-    const double t460 = t385 * t457;
-    const double t461 = t376 * t416 + t358 * (t411 - t349 * t442 - t423 - t346 * t450);
-    const double t462 = t386 * t458;
-    const double t463 = t378 * t409 + t379 * (t423 - t347 * t444 - t348 * t445 - t419);
-    const double t464 = t404 * t452 + t400 * t454 + t398 * t453 * t383;
-    const double t465 = t45 * t448;
-    const double t466 = t54 * t448 - t348 * t455;
-    const double t467 = t387 * t461;
-    const double t468 = t348 * (t425 + (t418 - t442 * t374) * t381);
-    const double t469 = t388 * t463;
-    const double t470 = t357 * t349 * (t413 + (t349 * t443 - t346 * t444) * t380);
-    const double t471 = t40 * t451;
-    const double t472 = t52 * t451 - t348 * t459;
-    const double t473 = t405 * t454 - t407 * t449 - t401 * t456 * t374;
-    const double t474 = t357 * t348 * (t409 + (t348 * t450 - t347 * t441) * t382);
-    const double t475 = t355 * t346 * (t416 - (t349 * t440 - t346 * t445) * t384);
-    const double t476 = t41 * t453;
-    const double t477 = t53 * t453 + t347 * t464;
-    const double t478 = t346 * t466 - t348 * t465;
-    const double t479 = t355 * t347 * (t410 - (t348 * t442 - t347 * t446) * t381);
-    const double t480 = t349 * (t425 + (t417 - t440 * t374) * t384);
-    const double t481 = t349 * t472 - t348 * t471;
-    const double t482 = t478 - (t465 + t346 * t455) * t389;
-    const double t483 = t46 * t456;
-    const double t484 = t58 * t456 + t347 * t473;
-    const double t485 = t347 * (t429 + (t446 * t375 + t422) * t381);
-    const double t486 = t349 * (t429 - (t443 * t375 + t421) * t380);
-    const double t487 = t481 - (t471 + t349 * t459) * t389;
-    const double t488 = t347 * t476 + t349 * t477;
-    const double t489 = t466 * t390 + t478;
-    const double t490 = t347 * (t433 + (t427 - t441 * t377) * t382);
-    const double t491 = t346 * (t433 - (t444 * t377 + t426) * t380);
-    const double t492 = (t476 + t349 * t464) * t391 + t488;
-    const double t493 = t347 * t483 + t346 * t484;
-    const double t494 = t472 * t392 + t481;
-    const double t495 = t348 * (t435 + (t450 * t383 + t431) * t382);
-    const double t496 = t346 * (t435 + (t430 - t445 * t383) * t384);
-    const double t497 = (t483 + t346 * t473) * t391 + t493;
-    const double t498 = t477 * t392 + t488;
-    const double t499 = t484 * t390 + t493;
-    const double t500 = t2 - t5 * t347 + t146 * t460 + t151 * t467 - 2.0 * (t362 * t468 + t132 * t474 - t139 * t479
-        - t364 * t485 - t367 * t490 + t370 * t495);
-    const double t501 = t4 - t6 * t347 + t149 * t460 + t152 * t467 - 2.0 * (t363 * t468 + t138 * t474 - t144 * t479
-        - t365 * t485 - t368 * t490 + t371 * t495);
-    const double t502 = t359 + t139 * t462 - t132 * t469 - 2.0 * (t146 * t470 - t151 * t475 + t362 * t480 - t364 *
-        t486 - t367 * t491 + t370 * t496);
-    const double t503 = t360 + t144 * t462 - t138 * t469 - 2.0 * (t149 * t470 - t152 * t475 + t363 * t480 - t365 *
-        t486 - t368 * t491 + t371 * t496);
-    const double t504 = t8 - t11 * t347 + t153 * t460 + t154 * t467 - 2.0 * (t366 * t468 + t145 * t474 - t150 * t479
-        - t369 * t485 - t372 * t490 + t373 * t495);
-    const double t505 = t361 + t150 * t462 - t145 * t469 - 2.0 * (t153 * t470 - t154 * t475 + t366 * t480 - t369 *
-        t486 - t372 * t491 + t373 * t496);
-    const double t506 = t388 * (t492 - t487) + t386 * (t497 - t482);
-    const double t507 = 0.5 * (t5 * t437 + t6 * t438 + t11 * t439) - t354 * (t478 - 0.5 * (t354 * t455 - t482 -
-        t489)) - t357 * (t481 - 0.5 * (t357 * t459 - t487 - t494)) + t356 * (0.5 * (t356 * t464 + t492 + t498) +
-        t488) + t355 * (0.5 * (t355 * t473 + t497 + t499) + t493);
-    const double t508 = t387 * (t498 + t499) - t385 * (t489 + t494);
-    const double t509 = t502 * t502 + t503 * t503 + t505 * t505 + 2.0 * t506;
-    const double t510 = t502 * t500 + t503 * t501 + t505 * t504 + 2.0 * t507;
-    const double t511 = t500 * t500 + t501 * t501 + t504 * t504 + 2.0 * t508;
-    const double t512 = t509 * t511;
-    const double t513 = t512 - t510 * t510;
-    const double t514 = t437 * t500 + t438 * t501 + t439 * t504;
-    const double t515 = t437 * t502 + t438 * t503 + t439 * t505;
-    const double t516 = t514 * t509 - t515 * t510;
-    const double t517 = t515 * t511 - t514 * t510;
-    const double u14 = 0.1 * t512;
-    const double t518 = (t513 > u14 ? t513 : u14);
+    const double t452 = t124 * t437 + t132 * t438 + t133 * t439;
+    const double t453 = t401 * t446 - t403 * t452 - t397 * t451 * t376;
+    const double t454 = t404 * t404;
+    const double t455 = t359 * (t422 - t418 + t346 * t441 + t349 * t450) - t378 * t412;
+    const double t456 = t385 * t455;
+    const double t457 = t357 * t349 * (t412 + (t349 * t443 - t346 * t444) * t381);
+    const double t458 = nB[2] * t437 + nB[1] * t438 + nB[0] * t439;
+    const double t459 = t148 * t437 + t151 * t438 + t152 * t439;
+    const double t460 = t404 * t452 + t402 * t459 + t398 * t458 * t377;
+    const double t461 = t378 * t415 + t359 * (t413 - t349 * t442 - t427 - t346 * t454);
+    const double t462 = t387 * t461;
+    const double t463 = t348 * (t424 + (t417 - t442 * t374) * t382);
+    const double t464 = t379 * t410 + t380 * (t413 - t348 * t440 - t347 * t443 - t418);
+    const double t465 = t379 * t407 + t380 * (t427 - t347 * t444 - t348 * t445 - t422);
+    const double t466 = t386 * t464;
+    const double t467 = t388 * t465;
+    const double t468 = t357 * t348 * (t407 + (t348 * t454 - t347 * t441) * t383);
+    const double t469 = t355 * t346 * (t415 - (t349 * t440 - t346 * t445) * t384);
+    const double t470 = nA[2] * t437 + nA[1] * t438 + nA[0] * t439;
+    const double t471 = t405 * t459 - t408 * t448 - t399 * t470 * t374;
+    const double t472 = t355 * t347 * (t410 - (t348 * t442 - t347 * t450) * t382);
+    const double t473 = t349 * (t424 + (t416 - t440 * t374) * t384);
+    const double t474 = t347 * (t428 + (t450 * t375 + t421) * t382);
+    const double t475 = t349 * (t428 - (t443 * t375 + t420) * t381);
+    const double t476 = t47 * t447;
+    const double t477 = t57 * t447 - t348 * t449;
+    const double t478 = t347 * (t432 + (t426 - t441 * t376) * t383);
+    const double t479 = t346 * (t432 - (t444 * t376 + t425) * t381);
+    const double t480 = t40 * t451;
+    const double t481 = t53 * t451 - t348 * t453;
+    const double t482 = t348 * (t434 + (t454 * t377 + t430) * t383);
+    const double t483 = t346 * (t434 + (t429 - t445 * t377) * t384);
+    const double t484 = t41 * t458;
+    const double t485 = t55 * t458 + t347 * t460;
+    const double t486 = t346 * t477 - t348 * t476;
+    const double t487 = t486 - (t476 + t346 * t449) * t389;
+    const double t488 = t477 * t390 + t486;
+    const double t489 = t349 * t481 - t348 * t480;
+    const double t490 = t489 - (t480 + t349 * t453) * t389;
+    const double t491 = t481 * t392 + t489;
+    const double t492 = t347 * t484 + t349 * t485;
+    const double t493 = (t484 + t349 * t460) * t391 + t492;
+    const double t494 = t485 * t392 + t492;
+    const double t495 = t48 * t470;
+    const double t496 = t61 * t470 + t347 * t471;
+    const double t497 = t347 * t495 + t346 * t496;
+    const double t498 = (t495 + t346 * t471) * t391 + t497;
+    const double t499 = t496 * t390 + t497;
+    const double t500 = 0.5 * (t5 * t437 + t6 * t438 + t11 * t439) - t354 * (t486 - 0.5 * (t354 * t449 - t487 -
+        t488)) - t357 * (t489 - 0.5 * (t357 * t453 - t490 - t491)) + t356 * (0.5 * (t356 * t460 + t493 + t494) +
+        t492) + t355 * (0.5 * (t355 * t471 + t498 + t499) + t497);
+    const double t501 = t388 * (t493 - t490) + t386 * (t498 - t487);
+    const double t502 = t387 * (t494 + t499) - t385 * (t488 + t491);
+    const double t503 = t2 - t5 * t347 + t141 * t456 + t148 * t462 - 2.0 * (t362 * t463 + t124 * t468 - t134 * t472
+        - t364 * t474 - t367 * t478 + t370 * t482);
+    const double t504 = t358 + t134 * t466 - t124 * t467 - 2.0 * (t141 * t457 - t148 * t469 + t362 * t473 - t364 *
+        t475 - t367 * t479 + t370 * t483);
+    const double t505 = t4 - t6 * t347 + t146 * t456 + t151 * t462 - 2.0 * (t363 * t463 + t132 * t468 - t139 * t472
+        - t365 * t474 - t368 * t478 + t371 * t482);
+    const double t506 = t360 + t139 * t466 - t132 * t467 - 2.0 * (t146 * t457 - t151 * t469 + t363 * t473 - t365 *
+        t475 - t368 * t479 + t371 * t483);
+    const double t507 = t8 - t11 * t347 + t147 * t456 + t152 * t462 - 2.0 * (t366 * t463 + t133 * t468 - t140 * t472
+        - t369 * t474 - t372 * t478 + t373 * t482);
+    const double t508 = t361 + t140 * t466 - t133 * t467 - 2.0 * (t147 * t457 - t152 * t469 + t366 * t473 - t369 *
+        t475 - t372 * t479 + t373 * t483);
+    const double t509 = t504 * t504 + t506 * t506 + t508 * t508 + 2.0 * t501;
+    const double t510 = t504 * t503 + t506 * t505 + t508 * t507 + 2.0 * t500;
+    const double t511 = t503 * t503 + t505 * t505 + t507 * t507 + 2.0 * t502;
+    const double t512 = t437 * t503 + t438 * t505 + t439 * t507;
+    const double t513 = t437 * t504 + t438 * t506 + t439 * t508;
+    const double t514 = t509 * t511;
+    const double t515 = t512 * t509 - t513 * t510;
+    const double t516 = t513 * t511 - t512 * t510;
+    const double t517 = t514 - t510 * t510;
+    const double u14 = 0.1 * t514;
+    const double t518 = (t517 > u14 ? t517 : u14);
     const double t519 = 1.0 / t518;
-    const double t520 = t343 + t516 * t519;
-    const double t521 = t345 + t517 * t519;
+    const double t520 = t343 + t515 * t519;
+    const double t521 = t345 + t516 * t519;
     const double t522 = (u5 < t520 ? u5 : t520);
     const double t523 = (u6 > t522 ? u6 : t522);
     const double t524 = (u5 < t521 ? u5 : t521);
@@ -2634,37 +2634,37 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t531 = t527 + t526;
     const double t532 = t526 - t528;
     const double t533 = t527 - t529;
-    const double t534 = t526 * t528;
-    const double t535 = t527 * t526;
-    const double t536 = t526 * t529;
-    const double t537 = t527 * t529;
-    const double t538 = t528 * t529;
-    const double t539 = 3.0 * (t120 * t527 + t121 * t526);
-    const double t540 = t526 + t529;
-    const double t541 = t527 + t528;
-    const double t542 = t527 * t528;
-    const double t543 = 0.5 * t527;
-    const double t544 = 0.5 * t529;
-    const double t545 = 0.5 * t526;
-    const double t546 = 0.5 * t528;
-    const double t547 = 3.0 * (t129 * t526 + t128 * t528);
-    const double t548 = 3.0 * (t137 * t529 - t136 * t528);
-    const double t549 = t9 - t5 * t526;
-    const double t550 = nA[2] * t538;
-    const double t551 = 3.0 * (t143 * t529 - t142 * t527);
-    const double t552 = t10 - t6 * t526;
-    const double t553 = nA[1] * t538;
+    const double t534 = 3.0 * (t128 * t527 + t130 * t526);
+    const double t535 = 3.0 * (t137 * t526 + t129 * t528);
+    const double t536 = 3.0 * (t138 * t529 - t144 * t528);
+    const double t537 = t526 * t528;
+    const double t538 = t527 * t526;
+    const double t539 = t526 * t529;
+    const double t540 = 3.0 * (t131 * t529 - t145 * t527);
+    const double t541 = t527 * t529;
+    const double t542 = t528 * t529;
+    const double t543 = t526 + t529;
+    const double t544 = t527 + t528;
+    const double t545 = t527 * t528;
+    const double t546 = 0.5 * t527;
+    const double t547 = 0.5 * t529;
+    const double t548 = 0.5 * t526;
+    const double t549 = 0.5 * t528;
+    const double t550 = t9 - t5 * t526;
+    const double t551 = t10 - t6 * t526;
+    const double t552 = nA[2] * t542;
+    const double t553 = nA[1] * t542;
     const double t554 = t16 - t11 * t526;
-    const double t555 = nA[0] * t538;
-    const double t556 = nD[2] * t537;
-    const double t557 = nD[1] * t537;
-    const double t558 = nC[2] * t535;
-    const double t559 = nC[1] * t535;
-    const double t560 = nD[0] * t537;
-    const double t561 = nB[2] * t534;
-    const double t562 = nB[1] * t534;
-    const double t563 = nC[0] * t535;
-    const double t564 = nB[0] * t534;
+    const double t555 = nA[0] * t542;
+    const double t556 = nD[2] * t541;
+    const double t557 = nD[1] * t541;
+    const double t558 = nC[2] * t538;
+    const double t559 = nC[1] * t538;
+    const double t560 = nD[0] * t541;
+    const double t561 = nB[2] * t537;
+    const double t562 = nB[1] * t537;
+    const double t563 = nC[0] * t538;
+    const double t564 = nB[0] * t537;
     const double u15 = -t530;
     const double t565 = (u11 > u15 ? u11 : u15);
     const double t566 = (u11 > t533 ? u11 : t533);
@@ -2673,96 +2673,96 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t569 = t529 / t565;
     const double t570 = t526 / t567;
     const double t571 = t526 / t568;
-    const double t572 = t569 + 1.0;
-    const double t573 = t529 / t566;
-    const double t574 = t570 - 1.0;
-    const double t575 = t571 - 1.0;
+    const double t572 = t529 / t566;
+    const double t573 = t569 + 1.0;
+    const double t574 = t569 * t569;
+    const double t575 = t570 - 1.0;
     const double t576 = t570 * t570;
-    const double t577 = t526 * t574;
-    const double t578 = t526 * t575;
-    const double t579 = t529 * t572;
-    const double t580 = t572 * t572;
-    const double t581 = t574 * t574;
-    const double t582 = t571 * t571;
-    const double t583 = t569 * t569;
+    const double t577 = t571 - 1.0;
+    const double t578 = t571 * t571;
+    const double t579 = t526 * t575;
+    const double t580 = t48 + t579 * t135;
+    const double t581 = t61 + t579 * t136;
+    const double t582 = t526 * t577;
+    const double t583 = t529 * t573;
     const double t584 = t573 * t573;
-    const double t585 = t573 + 1.0;
-    const double t586 = t575 * t575;
-    const double t587 = t529 * t585;
-    const double t588 = t585 * t585;
-    const double t589 = t534 * t574 - t535 * t575;
-    const double t590 = t536 * t575 - t536 * t572;
-    const double t591 = t46 + t577 * t126;
-    const double t592 = t58 + t577 * t127;
-    const double t593 = t538 * t585 - t537 * t572;
-    const double t594 = t536 * t574 - t536 * t585;
-    const double t595 = t527 * t591 + t526 * t592;
-    const double t596 = t536 * (t579 - t578 + t526 * t580 + t529 * t586) - t540 * t590;
-    const double t597 = t541 * t589 + t542 * (t577 - t528 * t576 - t527 * t582 - t578);
-    const double t598 = t45 + t578 * t134;
-    const double t599 = t54 - t578 * t135;
-    const double t600 = t527 * t527 * t596;
-    const double t601 = t540 * t594 + t536 * (t577 - t529 * t581 - t587 - t526 * t588);
-    const double t602 = t529 * t529 * t597;
-    const double t603 = t541 * t593 + t542 * (t587 - t527 * t583 - t528 * t584 - t579);
-    const double t604 = t40 - t579 * t140;
-    const double t605 = t52 - t579 * t141;
-    const double t606 = t528 * t528 * t601;
-    const double t607 = t528 * (t595 + (t592 - t581 * t539) * t544);
-    const double t608 = t526 * t526 * t603;
-    const double t609 = t535 * t529 * (t590 + (t529 * t582 - t526 * t583) * t543);
-    const double t610 = t526 * t599 - t528 * t598;
-    const double t611 = t41 - t587 * t147;
-    const double t612 = t53 + t587 * t148;
-    const double t613 = t535 * t528 * (t593 + (t528 * t588 - t527 * t580) * t545);
-    const double t614 = t538 * t526 * (t594 - (t529 * t576 - t526 * t584) * t546);
-    const double t615 = t529 * t605 - t528 * t604;
-    const double t616 = t538 * t527 * (t589 - (t528 * t581 - t527 * t586) * t544);
-    const double t617 = t529 * (t595 + (t591 - t576 * t539) * t546);
-    const double t618 = t527 * t611 + t529 * t612;
-    const double t619 = t527 * (t610 + (t586 * t547 + t599) * t544);
-    const double t620 = t529 * (t610 - (t582 * t547 + t598) * t543);
-    const double t621 = t527 * (t615 + (t605 - t580 * t548) * t545);
-    const double t622 = t526 * (t615 - (t583 * t548 + t604) * t543);
-    const double t623 = t528 * (t618 + (t588 * t551 + t612) * t545);
-    const double t624 = t526 * (t618 + (t611 - t584 * t551) * t546);
-    const double t625 = t534 * t535 * t593;
-    const double t626 = t537 * t538 * t589;
-    const double t627 = t2 - t5 * t527 + t146 * t600 + t151 * t606 - 2.0 * (t550 * t607 + t132 * t613 - t139 * t616
-        - t556 * t619 - t558 * t621 + t561 * t623);
-    const double t628 = t4 - t6 * t527 + t149 * t600 + t152 * t606 - 2.0 * (t553 * t607 + t138 * t613 - t144 * t616
-        - t557 * t619 - t559 * t621 + t562 * t623);
-    const double t629 = t549 + t139 * t602 - t132 * t608 - 2.0 * (t146 * t609 - t151 * t614 + t550 * t617 - t556 *
-        t620 - t558 * t622 + t561 * t624);
-    const double t630 = t552 + t144 * t602 - t138 * t608 - 2.0 * (t149 * t609 - t152 * t614 + t553 * t617 - t557 *
-        t620 - t559 * t622 + t562 * t624);
-    const double t631 = t537 * t535 * t590;
-    const double t632 = t8 - t11 * t527 + t153 * t600 + t154 * t606 - 2.0 * (t555 * t607 + t145 * t613 - t150 * t616
-        - t560 * t619 - t563 * t621 + t564 * t623);
-    const double t633 = t554 + t150 * t602 - t145 * t608 - 2.0 * (t153 * t609 - t154 * t614 + t555 * t617 - t560 *
-        t620 - t563 * t622 + t564 * t624);
-    const double t634 = t534 * t538 * t594;
-    const double t635 = t538 * t595;
-    const double t636 = t537 * t610;
-    const double t637 = t535 * t615;
-    const double t638 = t506 + 0.5 * (t629 * t629 + t630 * t630 + t633 * t633);
-    const double t639 = t507 + 0.5 * (t629 * t627 + t630 * t628 + t633 * t632);
-    const double t640 = t508 + 0.5 * (t627 * t627 + t628 * t628 + t632 * t632);
-    const double t641 = t534 * t618;
-    const double t642 = t638 * t640;
-    const double t643 = t642 - t639 * t639;
-    const double t644 = t17 - t2 * t526 - t527 * t549 + t132 * t625 - t139 * t626 + t146 * t631 - t151 * t634 + t550
-        * t635 - t556 * t636 - t558 * t637 + t561 * t641;
-    const double t645 = t18 - t4 * t526 - t527 * t552 + t138 * t625 - t144 * t626 + t149 * t631 - t152 * t634 + t553
-        * t635 - t557 * t636 - t559 * t637 + t562 * t641;
-    const double t646 = t21 - t8 * t526 - t527 * t554 + t145 * t625 - t150 * t626 + t153 * t631 - t154 * t634 + t555
-        * t635 - t560 * t636 - t563 * t637 + t564 * t641;
-    const double t647 = t644 * t627 + t645 * t628 + t646 * t632;
-    const double t648 = t644 * t629 + t645 * t630 + t646 * t633;
-    const double t649 = t647 * t638 - t648 * t639;
-    const double t650 = t648 * t640 - t647 * t639;
-    const double u16 = 0.4 * t642;
-    const double u17 = 4.0 * t643;
+    const double t585 = t575 * t575;
+    const double t586 = t572 * t572;
+    const double t587 = t47 + t582 * t142;
+    const double t588 = t57 - t582 * t143;
+    const double t589 = t572 + 1.0;
+    const double t590 = t577 * t577;
+    const double t591 = t40 - t583 * t149;
+    const double t592 = t53 - t583 * t150;
+    const double t593 = t537 * t575 - t538 * t577;
+    const double t594 = t539 * t577 - t539 * t573;
+    const double t595 = t529 * t589;
+    const double t596 = t589 * t589;
+    const double t597 = t41 - t595 * t153;
+    const double t598 = t55 + t595 * t154;
+    const double t599 = t538 * t529 * (t594 + (t529 * t578 - t526 * t574) * t546);
+    const double t600 = t526 * t588 - t528 * t587;
+    const double t601 = t542 * t589 - t541 * t573;
+    const double t602 = t539 * t575 - t539 * t589;
+    const double t603 = t527 * t580 + t526 * t581;
+    const double t604 = t528 * (t603 + (t581 - t585 * t534) * t547);
+    const double t605 = t538 * t528 * (t601 + (t528 * t596 - t527 * t584) * t548);
+    const double t606 = t529 * t592 - t528 * t591;
+    const double t607 = t542 * t526 * (t602 - (t529 * t576 - t526 * t586) * t549);
+    const double t608 = t542 * t527 * (t593 - (t528 * t585 - t527 * t590) * t547);
+    const double t609 = t529 * (t603 + (t580 - t576 * t534) * t549);
+    const double t610 = t539 * (t583 - t582 + t526 * t584 + t529 * t590) - t543 * t594;
+    const double t611 = t527 * t527 * t610;
+    const double t612 = t543 * t602 + t539 * (t579 - t529 * t585 - t595 - t526 * t596);
+    const double t613 = t528 * t528 * t612;
+    const double t614 = t544 * t593 + t545 * (t579 - t528 * t576 - t527 * t578 - t582);
+    const double t615 = t529 * t529 * t614;
+    const double t616 = t527 * t597 + t529 * t598;
+    const double t617 = t529 * (t600 - (t578 * t535 + t587) * t546);
+    const double t618 = t544 * t601 + t545 * (t595 - t527 * t574 - t528 * t586 - t583);
+    const double t619 = t526 * t526 * t618;
+    const double t620 = t527 * (t600 + (t590 * t535 + t588) * t547);
+    const double t621 = t527 * (t606 + (t592 - t584 * t536) * t548);
+    const double t622 = t528 * (t616 + (t596 * t540 + t598) * t548);
+    const double t623 = t526 * (t606 - (t574 * t536 + t591) * t546);
+    const double t624 = t526 * (t616 + (t597 - t586 * t540) * t549);
+    const double t625 = t537 * t538 * t601;
+    const double t626 = t541 * t542 * t593;
+    const double t627 = t541 * t538 * t594;
+    const double t628 = t537 * t542 * t602;
+    const double t629 = t542 * t603;
+    const double t630 = t2 - t5 * t527 + t141 * t611 + t148 * t613 - 2.0 * (t552 * t604 + t124 * t605 - t134 * t608
+        - t556 * t620 - t558 * t621 + t561 * t622);
+    const double t631 = t4 - t6 * t527 + t146 * t611 + t151 * t613 - 2.0 * (t553 * t604 + t132 * t605 - t139 * t608
+        - t557 * t620 - t559 * t621 + t562 * t622);
+    const double t632 = t8 - t11 * t527 + t147 * t611 + t152 * t613 - 2.0 * (t555 * t604 + t133 * t605 - t140 * t608
+        - t560 * t620 - t563 * t621 + t564 * t622);
+    const double t633 = t550 + t134 * t615 - t124 * t619 - 2.0 * (t141 * t599 - t148 * t607 + t552 * t609 - t556 *
+        t617 - t558 * t623 + t561 * t624);
+    const double t634 = t551 + t139 * t615 - t132 * t619 - 2.0 * (t146 * t599 - t151 * t607 + t553 * t609 - t557 *
+        t617 - t559 * t623 + t562 * t624);
+    const double t635 = t541 * t600;
+    const double t636 = t554 + t140 * t615 - t133 * t619 - 2.0 * (t147 * t599 - t152 * t607 + t555 * t609 - t560 *
+        t617 - t563 * t623 + t564 * t624);
+    const double t637 = t538 * t606;
+    const double t638 = t537 * t616;
+    const double t639 = t501 + 0.5 * (t633 * t633 + t634 * t634 + t636 * t636);
+    const double t640 = t500 + 0.5 * (t633 * t630 + t634 * t631 + t636 * t632);
+    const double t641 = t17 - t2 * t526 - t527 * t550 + t124 * t625 - t134 * t626 + t141 * t627 - t148 * t628 + t552
+        * t629 - t556 * t635 - t558 * t637 + t561 * t638;
+    const double t642 = t18 - t4 * t526 - t527 * t551 + t132 * t625 - t139 * t626 + t146 * t627 - t151 * t628 + t553
+        * t629 - t557 * t635 - t559 * t637 + t562 * t638;
+    const double t643 = t502 + 0.5 * (t630 * t630 + t631 * t631 + t632 * t632);
+    const double t644 = t21 - t8 * t526 - t527 * t554 + t133 * t625 - t140 * t626 + t147 * t627 - t152 * t628 + t555
+        * t629 - t560 * t635 - t563 * t637 + t564 * t638;
+    const double t645 = t641 * t630 + t642 * t631 + t644 * t632;
+    const double t646 = t641 * t633 + t642 * t634 + t644 * t636;
+    const double t647 = t639 * t643;
+    const double t648 = t647 - t640 * t640;
+    const double t649 = t645 * t639 - t646 * t640;
+    const double t650 = t646 * t643 - t645 * t640;
+    const double u16 = 0.4 * t647;
+    const double u17 = 4.0 * t648;
     const double t651 = (u17 > u16 ? u17 : u16);
     const double t652 = 2.0 / t651;
     const double t653 = t523 + t649 * t652;
@@ -2819,14 +2819,14 @@ FOOTPOINT_LOOP void footpoint_gregory_full_n(size_t n, const double *const x[27]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.66414163759873224, 0.68822155738341251, 6.0260163826823795e-12, 1.257458024248106e-11},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.025165952705014302, 0.95807291349858859, 7.0537915408545609e-16, 2.1182600303746957e-15},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.66414163759873224, 0.68822155738341251, 6.026016382682478e-12, 1.2574580242480894e-11},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.025165952705014302, 0.95807291349858859, 7.0537915408545451e-16, 2.1182600303747214e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.1241600179073787, 1, 2.1777848943106215e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.10881663367186864, 1.110223024625157e-16, 4.077307158840229e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.58834968942630061, 1, 5.1542461970222934e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.89494283856182244, 1.110223024625157e-16, 6.642659757632517e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.2575754408351501, 1, 5.2982583570838547e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.1241600179073787, 1, 2.1777848943106172e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.10881663367186864, 1.110223024625157e-16, 4.0773071588402203e-15},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.58834968942630061, 1, 5.1542461970223179e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.89494283856182244, 1.110223024625157e-16, 6.6426597576330581e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.2575754408351501, 1, 5.2982583570841182e-15, 1.110223024625157e-16},
 };
 #endif
 

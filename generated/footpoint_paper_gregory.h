@@ -23,9 +23,9 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.00041 (rounding error <= 8.9e-15)
- *   rounding error of xi: <= 0.67 proved (with or without FMA), 1.8e-13 worst of 10000 points
- *   rounding error of eta: <= 0.56 proved (with or without FMA), 5.2e-14 worst of 10000 points
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.00041 (rounding error <= 8.9e-15)
+ *   rounding error of xi: <= 0.67 proved (with or without FMA), 1.5e-13 worst of 10000 points
+ *   rounding error of eta: <= 0.56 proved (with or without FMA), 4.5e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.197e-02
@@ -46,7 +46,7 @@
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
  *   poles: t24 * t23 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 9.8e-15)
- *   poles: t114 * t113 - t112 * t112: proved free of zeros, |...| >= 2.4e-06 (rounding error <= 2.8e+35)
+ *   poles: t119 * t116 - t115 * t115: proved free of zeros, |...| >= 2.4e-06 (rounding error <= 2.8e+35)
  *   rounding error of xi: no bound found, 1.4e-12 worst of 9009 points
  *   rounding error of eta: no bound found, 1.6e-13 worst of 9009 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -71,7 +71,7 @@
  *   poles: t35: proved free of zeros, |t35| >= 4.5e-06 (rounding error <= 2e-12)
  *   poles: t149: proved free of zeros, |t149| >= 2.4e-07 (rounding error <= 2.9e+07)
  *   poles: t215: undecided
- *   rounding error of xi: no bound found, 2.6e-14 worst of 4932 points
+ *   rounding error of xi: no bound found, 3.4e-14 worst of 4932 points
  *   rounding error of eta: no bound found, 2.5e-14 worst of 4932 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -92,15 +92,15 @@
  *     znB in [-0.16, 1.00], xnC in [-0.90, 0.86], ynC in [-1.00, 1.00], znC in [-0.17, 1.00], xnD in [-1.00, 1.00],
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
- *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 1.7e-14)
- *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
- *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
- *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
- *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
- *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
- *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t22 * t23 - t21 * t21: proved free of zeros, |...| >= 0.00041 (rounding error <= 1.7e-14)
+ *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
+ *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
+ *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
+ *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
+ *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
+ *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
+ *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
  *   poles: t191: proved free of zeros, |t191| >= 0.99 (rounding error <= 4.6e+02)
  *   poles: t192: proved free of zeros, |t192| >= 0.49 (rounding error <= 4.6e+02)
  *   poles: t193: proved free of zeros, |t193| >= 9.9e-07 (rounding error <= 4.6e+02)
@@ -127,20 +127,20 @@
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
  *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 1.8e-14)
- *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
- *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
- *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
- *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
- *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
- *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.1e-14)
+ *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
+ *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
+ *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
+ *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
+ *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.011 (rounding error <= 2.5e-14)
+ *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
  *   poles: t215: proved free of zeros, |t215| >= 0.99 (rounding error <= 5.6e+02)
  *   poles: t216: proved free of zeros, |t216| >= 0.49 (rounding error <= 5.4e+02)
  *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 5.6e+02)
  *   poles: of 7 more denominators, 7 are proved free of zeros
  *   rounding error of xi: no bound found, 1.4e-14 worst of 2280 points
- *   rounding error of eta: no bound found, 3.8e-14 worst of 2280 points
+ *   rounding error of eta: no bound found, 4.3e-14 worst of 2280 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 4.722e-04
@@ -161,20 +161,20 @@
  *     ynD in [-1.00, 1.00], znD in [-0.11, 1.00], xS in [-0.40, 0.50], yS in [-0.07, 1.01],
  *     zS in [-0.30, 0.30]; all requires > 0
  *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.00041 (rounding error <= 2.1e-14)
- *   poles: t44 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.3e-14)
- *   poles: t44 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
- *   poles: t55 - t45 * t45: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
- *   poles: t55 - t46 * t46: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
- *   poles: t59 - t54 * t54: proved free of zeros, |...| >= 0.011 (rounding error <= 2.7e-14)
- *   poles: t59 - t52 * t52: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
- *   poles: t60 - t53 * t53: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
- *   poles: t60 - t58 * t58: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.007 (rounding error <= 2.3e-14)
+ *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.007 (rounding error <= 1.4e-14)
+ *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 2.3e-15)
+ *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 2.4e-05 (rounding error <= 7.6e-16)
+ *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.011 (rounding error <= 2.7e-14)
+ *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.011 (rounding error <= 2.6e-14)
+ *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
+ *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.95 (rounding error <= 2.4e-16)
  *   poles: t215: proved free of zeros, |t215| >= 0.99 (rounding error <= 1.1e+03)
  *   poles: t216: proved free of zeros, |t216| >= 0.49 (rounding error <= 1.1e+03)
  *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 1.1e+03)
  *   poles: of 12 more denominators, 12 are proved free of zeros
  *   rounding error of xi: no bound found, 3e-14 worst of 1652 points
- *   rounding error of eta: no bound found, 1.7e-14 worst of 1652 points
+ *   rounding error of eta: no bound found, 1.8e-14 worst of 1652 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 3.546e-04
@@ -356,24 +356,24 @@ FOOTPOINT_FN void footpoint_paper_gregory_facet_at(const double xA[3], const dou
     const double u2 = 0.275 * t4;
     const double t9 = xA[1] - xD[1] - u2;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
     const double u3 = 0.275 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
-    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t23 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t24 = (t14 * t20 - t13 * t19) * t21;
-    const double t25 = (t15 * t19 - t13 * t20) * t21;
-    const double t26 = (t22 * t15 - t23 * t13) * t21;
-    const double t27 = (t23 * t14 - t22 * t13) * t21;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.275 * (t5 + t13);
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t21 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t13;
+    const double t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19;
+    const double t26 = (t22 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t22 * t16) * t19;
     double u4 = 0.225;
     const double t28 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
@@ -448,14 +448,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_facet_n(size_t n, const double *cons
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_gregory_facet_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.4916860292907736, 0, 7.8507253987026205e-16, 2.2204460492506938e-17},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.4916860292907736, 0, 7.8507253987026215e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, 0, 2.7755575615631226e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.066823031042004266, 0, 2.0508569934188539e-15, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 2.7755575615631226e-16, 2.2204460492506938e-17},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 2.7755575615631226e-16, 2.2204460492506938e-17},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.27611203624223096, 2.2204460492506938e-17, 1.1226602224239561e-15},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.27611203624223096, 2.2204460492506938e-17, 1.1226602224239559e-15},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 2.2204460492506938e-17, 2.2204460492506938e-17},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.24664328506328759, 2.2204460492506938e-17, 1.1821223896829989e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.24664328506328759, 2.2204460492506938e-17, 1.1821223896829987e-15},
 };
 #endif
 
@@ -493,23 +493,23 @@ FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const do
     const double t24 = t12 * t12 + t14 * t14 + t19 * t19;
     const double t25 = t17 - 0.275 * (t1 + t13);
     const double t26 = t18 - 0.275 * (t3 + t15);
-    const double t27 = t21 - 0.275 * (t7 + t20);
-    const double t28 = t13 * t25 + t15 * t26 + t20 * t27;
-    const double t29 = t12 * t25 + t14 * t26 + t19 * t27;
-    const double t30 = 1.0 / (t24 * t23 - t22 * t22);
+    const double t27 = 1.0 / (t24 * t23 - t22 * t22);
+    const double t28 = t21 - 0.275 * (t7 + t20);
+    const double t29 = t13 * t25 + t15 * t26 + t20 * t28;
+    const double t30 = t12 * t25 + t14 * t26 + t19 * t28;
     const double t31 = t5 * t13 + t6 * t15 + t11 * t20;
     const double t32 = t5 * t12 + t6 * t14 + t11 * t19;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t31 * t24 - t32 * t22) * t30;
-    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t31 * t24 - t32 * t22) * t27;
+    const double t36 = (t32 * t23 - t31 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
-    const double t41 = nD[2] * t2 + nD[1] * t4 + nD[0] * t8;
-    const double t42 = nC[2] * t2 + nC[1] * t4 + nC[0] * t8;
-    const double t43 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
+    const double t42 = nD[2] * t2 + nD[1] * t4 + nD[0] * t8;
+    const double t43 = nC[2] * t2 + nC[1] * t4 + nC[0] * t8;
     const double t44 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
     const double t45 = nB[2] * t1 + nB[1] * t3 + nB[0] * t7;
     const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
@@ -534,67 +534,67 @@ FOOTPOINT_FN void footpoint_paper_gregory_smooth_at(const double xA[3], const do
     const double t62 = t60 + 0.275;
     const double t63 = t62 - 1.0;
     const double t64 = t61 - 1.0;
-    const double t65 = t62 * t63;
-    const double t66 = t61 * t64;
-    const double t67 = t61 * t61 * (t61 - 1.5);
-    const double t68 = t61 * t66;
-    const double t69 = t62 * t62 * (t62 - 1.5);
-    const double t70 = t62 * t65;
-    const double t71 = t62 * (t62 - (2.0 / 3.0));
-    const double t72 = t40 * t67;
-    const double t73 = t65 * t68;
-    const double t74 = (t61 - (1.0 / 3.0)) * t64;
-    const double t75 = t41 * t69;
-    const double t76 = t66 * t70;
-    const double t77 = (t62 - (1.0 / 3.0)) * t63;
-    const double t78 = t43 * t67;
-    const double t79 = t67 + 0.5;
-    const double t80 = t66 - t68;
-    const double t81 = t61 * (t61 - (2.0 / 3.0));
-    const double t82 = t42 * t69;
-    const double t83 = t63 * t65;
-    const double t84 = t69 + 0.5;
-    const double t85 = t71 * t72 + t42 * t73;
-    const double t86 = t44 * t79;
-    const double t87 = t65 * t80;
-    const double t88 = t44 * t76 - t74 * t75;
-    const double t89 = t66 * t83;
-    const double t90 = t45 * t84;
-    const double t91 = t45 * t73 - t77 * t78;
-    const double t92 = t46 * t79;
-    const double t93 = t81 * t82 + t40 * t76;
-    const double t94 = t47 * t84;
-    const double t95 = t9 - t5 * t61;
-    const double t96 = t71 * t86 + t41 * t87;
-    const double t97 = t81 * t90 - t43 * t89;
-    const double t98 = t10 - t6 * t61;
-    const double t99 = t47 * t87 - t77 * t92;
-    const double t100 = t74 * t94 + t46 * t89;
-    const double t101 = t16 - t11 * t61;
-    const double t102 = t72 * t70 + t82 * t68;
-    const double t103 = t70 * t86 + t75 * t80;
-    const double t104 = t68 * t90 - t78 * t83;
-    const double t105 = t95 + 6.0 * (nC[2] * t85 - nB[2] * t91 - nD[2] * t96 + nA[2] * t99);
-    const double t106 = t1 - t5 * t62 - 6.0 * (nD[2] * t88 - nC[2] * t93 + nB[2] * t97 + nA[2] * t100);
-    const double t107 = t98 + 6.0 * (nC[1] * t85 - nB[1] * t91 - nD[1] * t96 + nA[1] * t99);
-    const double t108 = t3 - t6 * t62 - 6.0 * (nD[1] * t88 - nC[1] * t93 + nB[1] * t97 + nA[1] * t100);
-    const double t109 = t94 * t80 - t83 * t92;
-    const double t110 = t101 + 6.0 * (nC[0] * t85 - nB[0] * t91 - nD[0] * t96 + nA[0] * t99);
-    const double t111 = t7 - t11 * t62 - 6.0 * (nD[0] * t88 - nC[0] * t93 + nB[0] * t97 + nA[0] * t100);
-    const double t112 = t105 * t106 + t107 * t108 + t110 * t111;
-    const double t113 = t105 * t105 + t107 * t107 + t110 * t110;
-    const double t114 = t106 * t106 + t108 * t108 + t111 * t111;
-    const double t115 = t17 - t1 * t61 - t62 * t95 - 2.0 * (nC[2] * t102 - nD[2] * t103 - nB[2] * t104 + nA[2] *
-        t109);
-    const double t116 = t18 - t3 * t61 - t62 * t98 - 2.0 * (nC[1] * t102 - nD[1] * t103 - nB[1] * t104 + nA[1] *
-        t109);
-    const double t117 = t21 - t7 * t61 - t62 * t101 - 2.0 * (nC[0] * t102 - nD[0] * t103 - nB[0] * t104 + nA[0] *
-        t109);
-    const double t118 = t115 * t105 + t116 * t107 + t117 * t110;
-    const double t119 = t115 * t106 + t116 * t108 + t117 * t111;
-    const double t120 = 1.0 / (t114 * t113 - t112 * t112);
-    const double t121 = t58 - 0.225 + (t113 * t119 - t112 * t118) * t120;
-    const double t122 = t60 - 0.225 + (t114 * t118 - t112 * t119) * t120;
+    const double t65 = t61 * t61 * (t61 - 1.5);
+    const double t66 = t62 * t63;
+    const double t67 = t61 * t64;
+    const double t68 = t62 * t62 * (t62 - 1.5);
+    const double t69 = t62 * (t62 - (2.0 / 3.0));
+    const double t70 = t61 * t67;
+    const double t71 = (t61 - (1.0 / 3.0)) * t64;
+    const double t72 = t62 * t66;
+    const double t73 = t40 * t65;
+    const double t74 = t66 * t70;
+    const double t75 = (t62 - (1.0 / 3.0)) * t63;
+    const double t76 = t63 * t66;
+    const double t77 = t42 * t68;
+    const double t78 = t67 * t72;
+    const double t79 = t61 * (t61 - (2.0 / 3.0));
+    const double t80 = t69 * t73 + t43 * t74;
+    const double t81 = t43 * t68;
+    const double t82 = t68 + 0.5;
+    const double t83 = t45 * t82;
+    const double t84 = t47 * t82;
+    const double t85 = t41 * t65;
+    const double t86 = t65 + 0.5;
+    const double t87 = t44 * t86;
+    const double t88 = t46 * t86;
+    const double t89 = t67 - t70;
+    const double t90 = t66 * t89;
+    const double t91 = t67 * t76;
+    const double t92 = t69 * t87 + t42 * t90;
+    const double t93 = t44 * t78 - t71 * t77;
+    const double t94 = t71 * t84 + t46 * t91;
+    const double t95 = t72 * t87 + t77 * t89;
+    const double t96 = t45 * t74 - t75 * t85;
+    const double t97 = t47 * t90 - t75 * t88;
+    const double t98 = t79 * t81 + t40 * t78;
+    const double t99 = t79 * t83 - t41 * t91;
+    const double t100 = t73 * t72 + t81 * t70;
+    const double t101 = t70 * t83 - t85 * t76;
+    const double t102 = t9 - t5 * t61;
+    const double t103 = t10 - t6 * t61;
+    const double t104 = t84 * t89 - t76 * t88;
+    const double t105 = t16 - t11 * t61;
+    const double t106 = t102 + 6.0 * (nC[2] * t80 - nB[2] * t96 - nD[2] * t92 + nA[2] * t97);
+    const double t107 = t1 - t5 * t62 - 6.0 * (nD[2] * t93 - nC[2] * t98 + nB[2] * t99 + nA[2] * t94);
+    const double t108 = t103 + 6.0 * (nC[1] * t80 - nB[1] * t96 - nD[1] * t92 + nA[1] * t97);
+    const double t109 = t105 + 6.0 * (nC[0] * t80 - nB[0] * t96 - nD[0] * t92 + nA[0] * t97);
+    const double t110 = t3 - t6 * t62 - 6.0 * (nD[1] * t93 - nC[1] * t98 + nB[1] * t99 + nA[1] * t94);
+    const double t111 = t7 - t11 * t62 - 6.0 * (nD[0] * t93 - nC[0] * t98 + nB[0] * t99 + nA[0] * t94);
+    const double t112 = t17 - t1 * t61 - t62 * t102 - 2.0 * (nC[2] * t100 - nD[2] * t95 - nB[2] * t101 + nA[2] *
+        t104);
+    const double t113 = t18 - t3 * t61 - t62 * t103 - 2.0 * (nC[1] * t100 - nD[1] * t95 - nB[1] * t101 + nA[1] *
+        t104);
+    const double t114 = t21 - t7 * t61 - t62 * t105 - 2.0 * (nC[0] * t100 - nD[0] * t95 - nB[0] * t101 + nA[0] *
+        t104);
+    const double t115 = t106 * t107 + t108 * t110 + t109 * t111;
+    const double t116 = t106 * t106 + t108 * t108 + t109 * t109;
+    const double t117 = t112 * t106 + t113 * t108 + t114 * t109;
+    const double t118 = t112 * t107 + t113 * t110 + t114 * t111;
+    const double t119 = t107 * t107 + t110 * t110 + t111 * t111;
+    const double t120 = 1.0 / (t119 * t116 - t115 * t115);
+    const double t121 = t58 - 0.225 + (t116 * t118 - t115 * t117) * t120;
+    const double t122 = t60 - 0.225 + (t119 * t117 - t115 * t118) * t120;
     const double u7 = 2.0 * t121;
     double u8 = 0.0;
     const double t123 = (u8 < u7 ? u8 : u7);
@@ -647,14 +647,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_smooth_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_gregory_smooth_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.53019974971100492, 0, 8.5455627690693418e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.53019974971100492, 0, 8.5455627690693398e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.46828030485248345, 0, 2.6904614972309997e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -0.57766944604529424, -1, 2.4806842951888315e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -0.46530956724494954, -0.91885086926193127, 5.7042785169504593e-15, 5.0464045611607829e-15},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.53541301374096761, 9.8813129168249309e-324, 4.111220142765623e-15},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.46828030485248345, 0, 2.6904614972310001e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -0.57766944604529424, -1, 2.4806842951888304e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -0.46530956724494954, -0.91885086926193127, 5.7042785169504601e-15, 5.0464045611607821e-15},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.53541301374096761, 9.8813129168249309e-324, 4.1112201427656207e-15},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.26245283186970125, 9.8813129168249309e-324, 1.3006330685499577e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.26245283186970125, 9.8813129168249309e-324, 1.3006330685499569e-15},
 };
 #endif
 
@@ -686,70 +686,70 @@ FOOTPOINT_FN int footpoint_detail_footpoint_paper_gregory_weighted(const double 
     const double t18 = t8 - u3;
     const double t19 = t12 * t13 + t14 * t15 + t17 * t18;
     const double t20 = t12 * t12 + t14 * t14 + t17 * t17;
-    const double t21 = xB[2] - xC[2];
-    const double t22 = xB[1] - xC[1];
-    const double t23 = t13 * t13 + t15 * t15 + t18 * t18;
-    const double t24 = t9 * t9 + t10 * t10 + t16 * t16;
-    const double t25 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t21 = t13 * t13 + t15 * t15 + t18 * t18;
+    const double t22 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t23 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t24 = xB[2] - xC[2];
+    const double t25 = xB[1] - xC[1];
     const double t26 = xB[0] - xC[0];
-    const double t27 = t24 * t25;
-    const double t28 = t20 * t23 - t19 * t19;
-    const double t29 = t21 * t21 + t22 * t22 + t26 * t26;
-    const double t30 = t27 * t28;
-    const double t31 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t32 = t29 * t30;
+    const double t27 = t20 * t21 - t19 * t19;
+    const double t28 = t22 * t23;
+    const double t29 = t24 * t24 + t25 * t25 + t26 * t26;
+    const double t30 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t31 = t28 * t27;
+    const double t32 = t29 * t31;
     const double t33 = xA[2] - xS[2];
     const double t34 = xA[1] - xS[1];
-    const double t35 = t31 * t32;
-    const double t36 = xA[0] - xS[0];
-    const double t37 = t33 - 0.275 * (t2 + t12);
-    const double t38 = t34 - 0.275 * (t4 + t14);
-    const double t39 = t36 - 0.275 * (t8 + t17);
-    const double t40 = 1.0 / t35;
-    const double t41 = t12 * t37 + t14 * t38 + t17 * t39;
-    const double t42 = t13 * t37 + t15 * t38 + t18 * t39;
-    const double t43 = t31 * t40;
-    const double t44 = t29 * t43;
-    const double t45 = t27 * t44;
+    const double t35 = t30 * t32;
+    const double t36 = 1.0 / t35;
+    const double t37 = t30 * t36;
+    const double t38 = t29 * t37;
+    const double t39 = xA[0] - xS[0];
+    const double t40 = t28 * t38;
+    const double t41 = t33 - 0.275 * (t2 + t12);
+    const double t42 = t34 - 0.275 * (t4 + t14);
+    const double t43 = t39 - 0.275 * (t8 + t17);
+    const double t44 = t12 * t41 + t14 * t42 + t17 * t43;
+    const double t45 = t13 * t41 + t15 * t42 + t18 * t43;
     const double t46 = t5 * t12 + t6 * t14 + t11 * t17;
     const double t47 = t5 * t13 + t6 * t15 + t11 * t18;
-    const double t48 = (t20 * t42 - t19 * t41) * t45;
-    const double t49 = (t23 * t41 - t19 * t42) * t45;
-    const double t50 = (t46 * t23 - t47 * t19) * t45;
-    const double t51 = (t47 * t20 - t46 * t19) * t45;
-    const double t52 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t54 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t55 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t56 = nC[2] * t21 + nC[1] * t22 + nC[0] * t26;
-    const double t57 = nB[2] * t21 + nB[1] * t22 + nB[0] * t26;
-    const double t58 = nD[2] * t2 - nA[2] * t1 - nA[1] * t3 - nA[0] * t7 + nD[1] * t4 + nD[0] * t8;
-    const double t59 = t9 * t2 + t10 * t4 + t16 * t8;
-    const double t60 = t25 * (t55 + t54);
-    const double t61 = nA[2] * t21 + nA[1] * t22 + nA[0] * t26 + nB[2] * t9 + nB[1] * t10 + nB[0] * t16;
-    const double t62 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t63 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t64 = 1.5 * t28 * t44;
-    const double t65 = 1.5 * t32 * (t53 + t52) * t40;
-    const double t66 = nC[2] * t9 + nC[1] * t10 + nC[0] * t16 + nD[2] * t21 + nD[1] * t22 + nD[0] * t26;
-    const double t67 = (t1 * t9 + t3 * t10 + t7 * t16) * t64;
-    const double t68 = t24 * (t62 + t63);
-    const double t69 = nC[2] * t2 - nB[2] * t1 - nB[1] * t3 - nB[0] * t7 + nC[1] * t4 + nC[0] * t8;
-    const double t70 = t1 * t21 + t3 * t22 + t7 * t26;
-    const double u4 = 0.5 * t58;
-    const double t71 = t52 - u4 + t59 * t60 * t64;
-    const double t72 = 1.5 * t30 * (t56 + t57) * t43;
-    const double u5 = 0.5 * t61;
-    const double t73 = t54 - u5 + t59 * t65 - t71;
-    const double t74 = t62 + u4 + t60 * t67;
-    const double t75 = t21 * t2 + t22 * t4 + t26 * t8;
-    const double u6 = 0.5 * t66;
-    const double t76 = t55 - u6 + t68 * t67 - t74;
-    const double u7 = 0.5 * t69;
-    const double t77 = t63 + u7 + t70 * t72;
-    const double t78 = t56 - u6 + t70 * t68 * t64 + t77;
-    const double t79 = t53 - u7 + t75 * t72;
-    const double t80 = u5 - t57 - t75 * t65 - t79;
+    const double t48 = (t20 * t45 - t19 * t44) * t40;
+    const double t49 = (t21 * t44 - t19 * t45) * t40;
+    const double t50 = (t46 * t21 - t47 * t19) * t40;
+    const double t51 = (t47 * t20 - t46 * t19) * t40;
+    const double t52 = 1.5 * t27 * t38;
+    const double t53 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t54 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t55 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t56 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t57 = 1.5 * t32 * (t54 + t53) * t36;
+    const double t58 = nC[2] * t24 + nC[1] * t25 + nC[0] * t26;
+    const double t59 = nB[2] * t24 + nB[1] * t25 + nB[0] * t26;
+    const double t60 = nD[2] * t2 - nA[2] * t1 - nA[1] * t3 - nA[0] * t7 + nD[1] * t4 + nD[0] * t8;
+    const double t61 = t9 * t2 + t10 * t4 + t16 * t8;
+    const double t62 = t23 * (t56 + t55);
+    const double t63 = nA[2] * t24 + nA[1] * t25 + nA[0] * t26 + nB[2] * t9 + nB[1] * t10 + nB[0] * t16;
+    const double t64 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t65 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t66 = t1 * t24 + t3 * t25 + t7 * t26;
+    const double t67 = (t1 * t9 + t3 * t10 + t7 * t16) * t52;
+    const double t68 = nC[2] * t9 + nC[1] * t10 + nC[0] * t16 + nD[2] * t24 + nD[1] * t25 + nD[0] * t26;
+    const double t69 = t24 * t2 + t25 * t4 + t26 * t8;
+    const double t70 = 1.5 * t31 * (t58 + t59) * t37;
+    const double t71 = t22 * (t64 + t65);
+    const double t72 = nC[2] * t2 - nB[2] * t1 - nB[1] * t3 - nB[0] * t7 + nC[1] * t4 + nC[0] * t8;
+    const double u4 = 0.5 * t60;
+    const double t73 = t53 - u4 + t61 * t62 * t52;
+    const double t74 = t64 + u4 + t62 * t67;
+    const double u5 = 0.5 * t63;
+    const double t75 = t55 - u5 + t61 * t57 - t73;
+    const double u6 = 0.5 * t68;
+    const double t76 = t56 - u6 + t71 * t67 - t74;
+    const double u7 = 0.5 * t72;
+    const double t77 = t65 + u7 + t66 * t70;
+    const double t78 = t58 - u6 + t66 * t71 * t52 + t77;
+    const double t79 = t54 - u7 + t69 * t70;
+    const double t80 = u5 - t59 - t69 * t57 - t79;
     double u8 = 0.225;
     const double t81 = (u8 < t49 ? u8 : t49);
     double u9 = -0.275;
@@ -774,47 +774,47 @@ FOOTPOINT_FN int footpoint_detail_footpoint_paper_gregory_weighted(const double 
     const double t99 = t95 + t97;
     const double t100 = t94 + t96;
     const double t101 = t95 + t94;
-    const double t102 = t95 * t96;
-    const double t103 = t94 * t97;
-    const double t104 = t95 * t95 * (t95 - 1.5);
-    const double t105 = t96 * t102;
-    const double t106 = t94 * t94 * (t94 - 1.5);
-    const double t107 = t97 * t103;
-    const double t108 = t104 + 0.5;
+    const double t102 = t95 * t95 * (t95 - 1.5);
+    const double t103 = t95 * t96;
+    const double t104 = t94 * t94 * (t94 - 1.5);
+    const double t105 = t94 * t97;
+    const double t106 = t96 * t103;
+    const double t107 = t97 * t105;
+    const double t108 = t102 + 0.5;
     const double t109 = t94 - (1.0 / 3.0);
     const double t110 = t95 - (1.0 / 3.0);
-    const double t111 = t106 + 0.5;
-    const double t112 = t52 * t108;
-    const double t113 = t95 * t102;
-    const double t114 = t109 * t97;
-    const double t115 = t110 * t96;
-    const double t116 = t95 - (2.0 / 3.0);
-    const double t117 = t54 * t111;
-    const double t118 = t62 * t104;
-    const double t119 = t94 * t103;
-    const double t120 = t94 - (2.0 / 3.0);
-    const double t121 = t95 * t116;
-    const double t122 = t55 * t111;
-    const double t123 = t63 * t104;
-    const double t124 = t54 * t103;
-    const double t125 = t94 * t120;
-    const double t126 = t52 * t102;
-    const double t127 = t9 - t5 * t94;
-    const double t128 = t56 * t106;
-    const double t129 = t53 * t108;
-    const double t130 = t55 * t103;
-    const double t131 = t10 - t6 * t94;
-    const double t132 = t62 * t102;
-    const double t133 = t57 * t106;
-    const double t134 = t56 * t103;
-    const double t135 = t16 - t11 * t94;
-    const double t136 = t63 * t102;
-    const double t137 = t57 * t103;
-    const double t138 = t53 * t102;
+    const double t111 = t110 * t96;
+    const double t112 = t104 + 0.5;
+    const double t113 = t53 * t108;
+    const double t114 = t54 * t108;
+    const double t115 = t95 * t103;
+    const double t116 = t109 * t97;
+    const double t117 = t95 - (2.0 / 3.0);
+    const double t118 = t55 * t112;
+    const double t119 = t56 * t112;
+    const double t120 = t64 * t102;
+    const double t121 = t65 * t102;
+    const double t122 = t94 * t105;
+    const double t123 = t94 - (2.0 / 3.0);
+    const double t124 = t95 * t117;
+    const double t125 = t9 - t5 * t94;
+    const double t126 = t55 * t105;
+    const double t127 = t94 * t123;
+    const double t128 = t10 - t6 * t94;
+    const double t129 = t53 * t103;
+    const double t130 = t58 * t104;
+    const double t131 = t59 * t104;
+    const double t132 = t56 * t105;
+    const double t133 = t16 - t11 * t94;
+    const double t134 = t64 * t103;
+    const double t135 = t58 * t105;
+    const double t136 = t59 * t105;
+    const double t137 = t65 * t103;
+    const double t138 = t54 * t103;
     const double t139 = t95 - 0.5;
     const double t140 = t94 - 0.5;
-    const double t141 = t140 * t113;
-    const double t142 = t140 * t105;
+    const double t141 = t140 * t115;
+    const double t142 = t140 * t106;
     double u11 = 0.000001;
     const double t143 = (u11 > t100 ? u11 : t100);
     const double t144 = (u11 > t98 ? u11 : t98);
@@ -826,81 +826,81 @@ FOOTPOINT_FN int footpoint_detail_footpoint_paper_gregory_weighted(const double 
     const double t150 = 1.0 / t149;
     const double t151 = t148 * t150;
     const double t152 = t146 * t150;
-    const double t153 = t94 * t151;
-    const double t154 = t147 * t152;
-    const double t155 = t143 * t152;
-    const double t156 = t94 * t154;
-    const double t157 = t97 * t155;
-    const double t158 = t71 + t73 * t153;
-    const double t159 = t145 * t157;
-    const double t160 = (1.0 / 3.0) * t73 * t151;
-    const double t161 = t74 + t76 * t156;
-    const double t162 = t144 * t157;
-    const double t163 = (1.0 / 3.0) * t76 * t154;
-    const double t164 = (1.0 / 3.0) * t155;
-    const double t165 = t112 - t105 * t158;
-    const double t166 = t77 - t78 * t159;
-    const double t167 = t78 * t145 * t164;
-    const double t168 = t115 * t158;
-    const double t169 = t118 + t113 * t161;
-    const double t170 = t79 + t80 * t162;
-    const double t171 = t80 * t144 * t164;
-    const double t172 = t121 * t161;
-    const double t173 = t105 * t117 + t107 * t165;
-    const double t174 = t123 + t113 * t166;
-    const double t175 = t121 * t166;
-    const double t176 = t107 * t169 - t113 * t122;
-    const double t177 = t129 - t105 * t170;
-    const double t178 = t105 * (t124 - (t107 * t160 * (t153 - 1.0) + t114 * t158));
-    const double t179 = t115 * t170;
-    const double t180 = t119 * t174 - t128 * t113;
-    const double t181 = t114 * t112 + t178;
-    const double t182 = t113 * (t130 - (t107 * t163 * (t156 - 1.0) + t114 * t161));
-    const double t183 = t115 * t117 + t107 * (t126 - (t105 * t160 * t153 + t168));
-    const double t184 = t133 * t105 + t119 * t177;
-    const double t185 = t182 - t114 * t118;
-    const double t186 = t113 * ((t125 * t166 - t119 * t167 * (1.0 - t159)) - t134);
-    const double t187 = t121 * t122 - t107 * (t132 + (t172 - t113 * t163 * t156));
-    const double t188 = t125 * t123 + t186;
-    const double t189 = t105 * ((t119 * t171 * (1.0 - t162) + t125 * t170) - t137);
-    const double t190 = t121 * t128 - t119 * (t136 + (t113 * t167 * t159 + t175));
-    const double t191 = t125 * t129 - t189;
-    const double t192 = t115 * t133 + t119 * (t138 - (t105 * t171 * t162 + t179));
-    const double t193 = t33 - t2 * t94 - t95 * t127 + 2.0 * (nA[2] * t173 + nD[2] * t176 - nC[2] * t180 - nB[2] *
-        t184);
-    const double t194 = t34 - t4 * t94 - t95 * t131 + 2.0 * (nA[1] * t173 + nD[1] * t176 - nC[1] * t180 - nB[1] *
-        t184);
-    const double t195 = t36 - t8 * t94 - t95 * t135 + 2.0 * (nA[0] * t173 + nD[0] * t176 - nC[0] * t180 - nB[0] *
-        t184);
-    const double t196 = t2 - t5 * t95 + 6.0 * (nA[2] * t181 - nD[2] * t185 - nC[2] * t188 - nB[2] * t191);
-    const double t197 = t127 + 6.0 * (nA[2] * t183 - nD[2] * t187 + nC[2] * t190 - nB[2] * t192);
-    const double t198 = t4 - t6 * t95 + 6.0 * (nA[1] * t181 - nD[1] * t185 - nC[1] * t188 - nB[1] * t191);
-    const double t199 = t131 + 6.0 * (nA[1] * t183 - nD[1] * t187 + nC[1] * t190 - nB[1] * t192);
-    const double t200 = t8 - t11 * t95 + 6.0 * (nA[0] * t181 - nD[0] * t185 - nC[0] * t188 - nB[0] * t191);
-    const double t201 = t135 + 6.0 * (nA[0] * t183 - nD[0] * t187 + nC[0] * t190 - nB[0] * t192);
-    const double t202 = nD[2] * t193 + nD[1] * t194 + nD[0] * t195;
-    const double t203 = nC[2] * t193 + nC[1] * t194 + nC[0] * t195;
-    const double t204 = nB[2] * t193 + nB[1] * t194 + nB[0] * t195;
-    const double t205 = nA[2] * t193 + nA[1] * t194 + nA[0] * t195;
-    const double t206 = t197 * t197 + t199 * t199 + t201 * t201 + 12.0 * ((t110 * t122 + t107 * (t62 * t139 - t110 *
-        t161)) * t202 - (t110 * t128 + t119 * (t63 * t139 - t110 * t166)) * t203 - (t116 * t133 + t119 * (t53 * t139
-        - t116 * t170)) * t204 + (t116 * t117 + t107 * (t52 * t139 - t116 * t158)) * t205);
-    const double t207 = t5 * t193 + t6 * t194 + t11 * t195 + t197 * t196 + t199 * t198 + t201 * t200 + 18.0 * ((t114
-        * (t132 + t172) - t121 * t130) * t202 - (t125 * (t136 + t175) - t121 * t134) * t203 - (t115 * t137 + t125 *
-        (t138 - t179)) * t204 + (t115 * t124 + t114 * (t126 - t168)) * t205);
-    const double t208 = t196 * t196 + t198 * t198 + t200 * t200 + 12.0 * ((t120 * t169 - t55 * t141) * t202 + (t56 *
-        t141 + t109 * t174) * t203 - (t57 * t142 - t109 * t177) * t204 + (t54 * t142 + t120 * t165) * t205);
-    const double t209 = t206 * t208;
-    const double t210 = t209 - t207 * t207;
-    const double t211 = t193 * t196 + t194 * t198 + t195 * t200;
-    const double t212 = t193 * t197 + t194 * t199 + t195 * t201;
-    const double t213 = t211 * t206 - t212 * t207;
-    const double t214 = t212 * t208 - t211 * t207;
-    const double u12 = 0.02 * t209;
-    const double t215 = (t210 > u12 ? t210 : u12);
+    const double t153 = t147 * t152;
+    const double t154 = t143 * t152;
+    const double t155 = t97 * t154;
+    const double t156 = (1.0 / 3.0) * t154;
+    const double t157 = t94 * t151;
+    const double t158 = t94 * t153;
+    const double t159 = (1.0 / 3.0) * t75 * t151;
+    const double t160 = (1.0 / 3.0) * t76 * t153;
+    const double t161 = t73 + t75 * t157;
+    const double t162 = t74 + t76 * t158;
+    const double t163 = t145 * t155;
+    const double t164 = t144 * t155;
+    const double t165 = t78 * t145 * t156;
+    const double t166 = t80 * t144 * t156;
+    const double t167 = t77 - t78 * t163;
+    const double t168 = t113 - t106 * t161;
+    const double t169 = t79 + t80 * t164;
+    const double t170 = t120 + t115 * t162;
+    const double t171 = t106 * (t126 - (t107 * t159 * (t157 - 1.0) + t116 * t161));
+    const double t172 = t116 * t113 + t171;
+    const double t173 = t111 * t161;
+    const double t174 = t111 * t118 + t107 * (t129 - (t106 * t159 * t157 + t173));
+    const double t175 = t111 * t169;
+    const double t176 = t106 * t118 + t107 * t168;
+    const double t177 = t121 + t115 * t167;
+    const double t178 = t115 * (t132 - (t107 * t160 * (t158 - 1.0) + t116 * t162));
+    const double t179 = t178 - t116 * t120;
+    const double t180 = t124 * t162;
+    const double t181 = t111 * t131 + t122 * (t138 - (t106 * t166 * t164 + t175));
+    const double t182 = t124 * t167;
+    const double t183 = t124 * t119 - t107 * (t134 + (t180 - t115 * t160 * t158));
+    const double t184 = t124 * t130 - t122 * (t137 + (t115 * t165 * t163 + t182));
+    const double t185 = t107 * t170 - t115 * t119;
+    const double t186 = t114 - t106 * t169;
+    const double t187 = t115 * ((t127 * t167 - t122 * t165 * (1.0 - t163)) - t135);
+    const double t188 = t127 * t121 + t187;
+    const double t189 = t122 * t177 - t130 * t115;
+    const double t190 = t106 * ((t122 * t166 * (1.0 - t164) + t127 * t169) - t136);
+    const double t191 = t127 * t114 - t190;
+    const double t192 = t131 * t106 + t122 * t186;
+    const double t193 = t33 - t2 * t94 - t95 * t125 + 2.0 * (nA[2] * t176 + nD[2] * t185 - nC[2] * t189 - nB[2] *
+        t192);
+    const double t194 = t34 - t4 * t94 - t95 * t128 + 2.0 * (nA[1] * t176 + nD[1] * t185 - nC[1] * t189 - nB[1] *
+        t192);
+    const double t195 = t39 - t8 * t94 - t95 * t133 + 2.0 * (nA[0] * t176 + nD[0] * t185 - nC[0] * t189 - nB[0] *
+        t192);
+    const double t196 = nD[2] * t193 + nD[1] * t194 + nD[0] * t195;
+    const double t197 = t2 - t5 * t95 + 6.0 * (nA[2] * t172 - nD[2] * t179 - nC[2] * t188 - nB[2] * t191);
+    const double t198 = t125 + 6.0 * (nA[2] * t174 - nD[2] * t183 + nC[2] * t184 - nB[2] * t181);
+    const double t199 = nC[2] * t193 + nC[1] * t194 + nC[0] * t195;
+    const double t200 = t4 - t6 * t95 + 6.0 * (nA[1] * t172 - nD[1] * t179 - nC[1] * t188 - nB[1] * t191);
+    const double t201 = t8 - t11 * t95 + 6.0 * (nA[0] * t172 - nD[0] * t179 - nC[0] * t188 - nB[0] * t191);
+    const double t202 = t128 + 6.0 * (nA[1] * t174 - nD[1] * t183 + nC[1] * t184 - nB[1] * t181);
+    const double t203 = nA[2] * t193 + nA[1] * t194 + nA[0] * t195;
+    const double t204 = t133 + 6.0 * (nA[0] * t174 - nD[0] * t183 + nC[0] * t184 - nB[0] * t181);
+    const double t205 = nB[2] * t193 + nB[1] * t194 + nB[0] * t195;
+    const double t206 = t198 * t198 + t202 * t202 + t204 * t204 + 12.0 * ((t110 * t119 + t107 * (t64 * t139 - t110 *
+        t162)) * t196 - (t110 * t130 + t122 * (t65 * t139 - t110 * t167)) * t199 - (t117 * t131 + t122 * (t54 * t139
+        - t117 * t169)) * t205 + (t117 * t118 + t107 * (t53 * t139 - t117 * t161)) * t203);
+    const double t207 = t5 * t193 + t6 * t194 + t11 * t195 + t198 * t197 + t202 * t200 + t204 * t201 + 18.0 * ((t116
+        * (t134 + t180) - t124 * t132) * t196 - (t127 * (t137 + t182) - t124 * t135) * t199 - (t111 * t136 + t127 *
+        (t138 - t175)) * t205 + (t111 * t126 + t116 * (t129 - t173)) * t203);
+    const double t208 = t197 * t197 + t200 * t200 + t201 * t201 + 12.0 * ((t123 * t170 - t56 * t141) * t196 + (t58 *
+        t141 + t109 * t177) * t199 - (t59 * t142 - t109 * t186) * t205 + (t55 * t142 + t123 * t168) * t203);
+    const double t209 = t193 * t197 + t194 * t200 + t195 * t201;
+    const double t210 = t193 * t198 + t194 * t202 + t195 * t204;
+    const double t211 = t206 * t208;
+    const double t212 = t209 * t206 - t210 * t207;
+    const double t213 = t210 * t208 - t209 * t207;
+    const double t214 = t211 - t207 * t207;
+    const double u12 = 0.02 * t211;
+    const double t215 = (t214 > u12 ? t214 : u12);
     const double t216 = 1.0 / t215;
-    const double t217 = t91 - 0.225 + t213 * t216;
-    const double t218 = t93 - 0.225 + t214 * t216;
+    const double t217 = t91 - 0.225 + t212 * t216;
+    const double t218 = t93 - 0.225 + t213 * t216;
     const double u13 = 2.0 * t217;
     double u14 = 0.0;
     const double t219 = (u14 < u13 ? u14 : u13);
@@ -964,14 +964,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_weighted_n(size_t n, const double *c
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_gregory_weighted_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.49227572468180081, 0, 1.2332742544617537e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.49227572468180081, 0, 1.2332742544617533e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28104577666521452, 0, 4.5167704003455228e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28104577666521452, 0, 4.5167704003455086e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.57933770983767174, 9.8813129168249309e-324, 1.0822272277470593e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.57933770983767174, 9.8813129168249309e-324, 1.082227227747055e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31173958658690737, 9.8813129168249309e-324, 2.3299825957318901e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31173958658690737, 9.8813129168249309e-324, 2.3299825957318858e-15},
 };
 #endif
 
@@ -1003,132 +1003,132 @@ FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const d
     const double t18 = u3 - t8;
     const double t19 = xS[2] - xA[2];
     const double t20 = xS[1] - xA[1];
-    const double t21 = xS[0] - xA[0];
-    const double t22 = t12 * t13 + t14 * t15 + t17 * t18;
-    const double t23 = t12 * t12 + t14 * t14 + t17 * t17;
-    const double t24 = t13 * t13 + t15 * t15 + t18 * t18;
+    const double t21 = t12 * t13 + t14 * t15 + t17 * t18;
+    const double t22 = t12 * t12 + t14 * t14 + t17 * t17;
+    const double t23 = t13 * t13 + t15 * t15 + t18 * t18;
+    const double t24 = xS[0] - xA[0];
     const double t25 = 0.275 * (t2 - t12) - t19;
     const double t26 = 0.275 * (t4 - t14) - t20;
-    const double t27 = 0.275 * (t8 - t17) - t21;
-    const double t28 = t12 * t25 + t14 * t26 + t17 * t27;
-    const double t29 = t13 * t25 + t15 * t26 + t18 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t22 * t23 - t21 * t21);
+    const double t28 = 0.275 * (t8 - t17) - t24;
+    const double t29 = t12 * t25 + t14 * t26 + t17 * t28;
+    const double t30 = t13 * t25 + t15 * t26 + t18 * t28;
     const double t31 = t5 * t12 + t6 * t14 + t11 * t17;
     const double t32 = t5 * t13 + t6 * t15 + t11 * t18;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t32 * t22 - t31 * t24) * t30;
-    const double t36 = (t31 * t22 - t32 * t23) * t30;
+    const double t33 = (t22 * t30 - t21 * t29) * t27;
+    const double t34 = (t23 * t29 - t21 * t30) * t27;
+    const double t35 = (t32 * t21 - t31 * t23) * t27;
+    const double t36 = (t31 * t21 - t32 * t22) * t27;
     const double t37 = xC[2] - xB[2];
     const double t38 = xC[1] - xB[1];
     const double t39 = xC[0] - xB[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t42 = t10 * t8 - t16 * t4;
-    const double t43 = t16 * t2 - t9 * t8;
-    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
-    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t47 = t10 * t11 - t16 * t6;
-    const double t48 = t42 - (t8 * t6 - t4 * t11);
-    const double t49 = t16 * t5 - t9 * t11;
-    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t43 = t42 - (t8 * t6 - t4 * t11);
+    const double t44 = t16 * t2 - t9 * t8;
+    const double t45 = t44 - (t2 * t11 - t8 * t5);
+    const double t46 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t47 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t48 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t49 = t10 * t11 - t16 * t6;
+    const double t50 = t16 * t5 - t9 * t11;
     const double t51 = t9 * t4 - t10 * t2;
-    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
-    const double t56 = t9 * t6 - t10 * t5;
-    const double t57 = t51 - (t4 * t5 - t2 * t6);
-    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
-    const double t62 = 1.0 / (t44 - t40 * t40);
-    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
-    const double t64 = 1.0 / (t44 - t41 * t41);
-    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
-    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
-    const double t67 = t61 * t62;
-    const double t68 = t63 * t64;
-    const double t69 = t65 * t62;
-    const double t70 = t66 * t64;
-    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
-    const double t72 = 1.0 / (t55 - t45 * t45);
-    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
-    const double t74 = 1.0 / (t55 - t46 * t46);
-    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
-    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
-    const double t77 = t68 - t67;
-    const double t78 = t71 * t72;
-    const double t79 = t73 * t74;
-    const double t80 = t75 * t72;
-    const double t81 = t76 * t74;
-    const double t82 = 1.0 / (t59 - t54 * t54);
-    const double t83 = 1.0 / (t59 - t52 * t52);
-    const double t84 = 1.0 / (t60 - t53 * t53);
-    const double t85 = t1 - t2;
-    const double t86 = nB[1] * t69 + nC[1] * t70;
-    const double t87 = nB[0] * t69 + nC[0] * t70;
-    const double t88 = t79 - t78;
-    const double t89 = t71 * t82;
-    const double t90 = t61 * t83;
-    const double t91 = t65 * t83;
-    const double t92 = t75 * t82;
-    const double t93 = t63 * t84;
-    const double t94 = 1.0 / (t60 - t58 * t58);
-    const double t95 = t3 - t4;
-    const double t96 = t40 * t68;
-    const double t97 = nA[0] * t80 + nD[0] * t81;
-    const double t98 = t89 + t90;
-    const double t99 = t73 * t94;
-    const double t100 = t66 * t84;
-    const double t101 = t76 * t94;
-    const double t102 = nB[2] * t69 + nC[2] * t70;
-    const double t103 = nA[2] * t80 + nD[2] * t81;
-    const double t104 = t7 - t8;
-    const double t105 = t41 * t67;
-    const double t106 = nA[1] * t80 + nD[1] * t81;
-    const double t107 = t45 * t79;
+    const double t52 = t51 - (t4 * t5 - t2 * t6);
+    const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t54 = 1.0 / (t46 - t40 * t40);
+    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t56 = 1.0 / (t46 - t41 * t41);
+    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t59 = t9 * t6 - t10 * t5;
+    const double t60 = 1.0 / (t58 - t47 * t47);
+    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t62 = 1.0 / (t58 - t48 * t48);
+    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t65 = 1.0 / (t63 - t57 * t57);
+    const double t66 = 1.0 / (t63 - t53 * t53);
+    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
+    const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
+    const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
+    const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
+    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
+    const double t77 = t73 * t54;
+    const double t78 = t68 * t54;
+    const double t79 = t73 * t66;
+    const double t80 = t68 * t66;
+    const double t81 = t74 * t56;
+    const double t82 = t69 * t56;
+    const double t83 = t74 * t67;
+    const double t84 = t69 * t67;
+    const double t85 = t81 - t77;
+    const double t86 = nB[1] * t78 + nC[1] * t82;
+    const double t87 = nB[0] * t78 + nC[0] * t82;
+    const double t88 = nB[2] * t78 + nC[2] * t82;
+    const double t89 = t75 * t60;
+    const double t90 = t70 * t60;
+    const double t91 = t75 * t65;
+    const double t92 = t70 * t65;
+    const double t93 = t76 * t62;
+    const double t94 = t71 * t62;
+    const double t95 = t76 * t72;
+    const double t96 = t71 * t72;
+    const double t97 = t1 - t2;
+    const double t98 = t93 - t89;
+    const double t99 = nA[0] * t90 + nD[0] * t94;
+    const double t100 = t3 - t4;
+    const double t101 = nA[2] * t90 + nD[2] * t94;
+    const double t102 = nA[1] * t90 + nD[1] * t94;
+    const double t103 = t40 * t81;
+    const double t104 = 3.0 * (t77 + t81) + 2.0;
+    const double t105 = t41 * t77;
+    const double t106 = t91 + t79;
+    const double t107 = nD[0] * t80 + nC[0] * t92;
     const double t108 = t37 + t9;
-    const double t109 = nD[0] * t91 + nC[0] * t92;
-    const double t110 = t93 + t99;
-    const double t111 = t38 + t10;
-    const double t112 = nD[2] * t91 + nC[2] * t92;
-    const double t113 = t46 * t78;
-    const double t114 = nD[1] * t91 + nC[1] * t92;
-    const double t115 = t52 * t89;
-    const double t116 = nA[1] * t100 + nB[1] * t101;
-    const double t117 = nA[0] * t100 + nB[0] * t101;
-    const double t118 = 3.0 * (t78 - (2.0 / 3.0) + t79);
-    const double t119 = 3.0 * (t99 - t93) - 2.0;
+    const double t109 = nD[2] * t80 + nC[2] * t92;
+    const double t110 = nD[1] * t80 + nC[1] * t92;
+    const double t111 = t7 - t8;
+    const double t112 = t47 * t93;
+    const double t113 = t48 * t89;
+    const double t114 = 3.0 * (t89 - (2.0 / 3.0) + t93);
+    const double t115 = t83 + t95;
+    const double t116 = nA[1] * t84 + nB[1] * t96;
+    const double t117 = nA[0] * t84 + nB[0] * t96;
+    const double t118 = nA[2] * t84 + nB[2] * t96;
+    const double t119 = t38 + t10;
     const double t120 = t39 + t16;
-    const double t121 = t54 * t90;
-    const double t122 = t53 * t99;
-    const double t123 = t46 * t118;
-    const double t124 = t58 * t119;
-    const double t125 = 3.0 * (t90 - t89) + 2.0;
-    const double t126 = nA[2] * t100 + nB[2] * t101;
-    const double t127 = t85 + t37 * t77 + t39 * t86 - t38 * t87 + 2.0 * (nC[2] * t96 - nB[2] * t105);
-    const double t128 = t58 * t93;
-    const double t129 = t45 * t118;
-    const double t130 = t54 * t125;
-    const double t131 = 3.0 * (t67 + t68) + 2.0;
-    const double t132 = t95 + t38 * t77 + t37 * t87 - t39 * t102 + 2.0 * (nC[1] * t96 - nB[1] * t105);
-    const double t133 = t85 + t9 * t88 - t10 * t97 + t16 * t106 + 2.0 * (nD[2] * t107 - nA[2] * t113);
-    const double t134 = t40 * t131;
-    const double t135 = t52 * t125;
-    const double t136 = t95 + t10 * t88 - t16 * t103 + t9 * t97 + 2.0 * (nD[1] * t107 - nA[1] * t113);
-    const double t137 = t104 + t39 * t77 + t38 * t102 - t37 * t86 + 2.0 * (nC[0] * t96 - nB[0] * t105);
-    const double t138 = t1 * t98 - t108 - t3 * t109 + t7 * t114 + 2.0 * (nC[2] * t115 + nD[2] * t121);
-    const double t139 = t41 * t131;
-    const double t140 = t53 * t119;
-    const double t141 = t3 * t98 - t111 - t7 * t112 + t1 * t109 + 2.0 * (nC[1] * t115 + nD[1] * t121);
-    const double t142 = t104 + t16 * t88 - t9 * t106 + t10 * t103 + 2.0 * (nD[0] * t107 - nA[0] * t113);
-    const double t143 = t2 * t110 - t108 - t8 * t116 + t4 * t117 + 2.0 * (nB[2] * t122 + nA[2] * t128);
-    const double t144 = t4 * t110 - t111 - t2 * t117 + t8 * t126 + 2.0 * (nB[1] * t122 + nA[1] * t128);
-    const double t145 = t7 * t98 - t120 - t1 * t114 + t3 * t112 + 2.0 * (nC[0] * t115 + nD[0] * t121);
-    const double t146 = t8 * t110 - t120 - t4 * t126 + t2 * t116 + 2.0 * (nB[0] * t122 + nA[0] * t128);
+    const double t121 = t97 + t37 * t85 + t39 * t86 - t38 * t87 + 2.0 * (nC[2] * t103 - nB[2] * t105);
+    const double t122 = t53 * t91;
+    const double t123 = 3.0 * (t79 - t91) + 2.0;
+    const double t124 = t57 * t79;
+    const double t125 = 3.0 * (t95 - t83) - 2.0;
+    const double t126 = t55 * t95;
+    const double t127 = t61 * t83;
+    const double t128 = t100 + t38 * t85 + t37 * t87 - t39 * t88 + 2.0 * (nC[1] * t103 - nB[1] * t105);
+    const double t129 = t111 + t39 * t85 + t38 * t88 - t37 * t86 + 2.0 * (nC[0] * t103 - nB[0] * t105);
+    const double t130 = t97 + t9 * t98 - t10 * t99 + t16 * t102 + 2.0 * (nD[2] * t112 - nA[2] * t113);
+    const double t131 = t48 * t114;
+    const double t132 = t47 * t114;
+    const double t133 = t61 * t125;
+    const double t134 = t55 * t125;
+    const double t135 = t100 + t10 * t98 - t16 * t101 + t9 * t99 + 2.0 * (nD[1] * t112 - nA[1] * t113);
+    const double t136 = t111 + t16 * t98 - t9 * t102 + t10 * t101 + 2.0 * (nD[0] * t112 - nA[0] * t113);
+    const double t137 = t1 * t106 - t108 - t3 * t107 + t7 * t110 + 2.0 * (nC[2] * t122 + nD[2] * t124);
+    const double t138 = t57 * t123;
+    const double t139 = t53 * t123;
+    const double t140 = t3 * t106 - t119 - t7 * t109 + t1 * t107 + 2.0 * (nC[1] * t122 + nD[1] * t124);
+    const double t141 = t7 * t106 - t120 - t1 * t110 + t3 * t109 + 2.0 * (nC[0] * t122 + nD[0] * t124);
+    const double t142 = t2 * t115 - t108 - t8 * t116 + t4 * t117 + 2.0 * (nB[2] * t126 + nA[2] * t127);
+    const double t143 = t40 * t104;
+    const double t144 = t41 * t104;
+    const double t145 = t4 * t115 - t119 - t2 * t117 + t8 * t118 + 2.0 * (nB[1] * t126 + nA[1] * t127);
+    const double t146 = t8 * t115 - t120 - t4 * t118 + t2 * t116 + 2.0 * (nB[0] * t126 + nA[0] * t127);
     double u4 = 0.225;
     const double t147 = (u4 < t34 ? u4 : t34);
     double u5 = -0.275;
@@ -1153,25 +1153,25 @@ FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const d
     const double t165 = t161 + t163;
     const double t166 = t161 + t160;
     const double t167 = t160 + t162;
-    const double t168 = t160 * t160;
-    const double t169 = t161 * t162;
-    const double t170 = t5 * t160 - t9;
-    const double t171 = t163 * t163;
-    const double t172 = t6 * t160 - t10;
-    const double t173 = t161 * t161;
-    const double t174 = t160 * t163;
-    const double t175 = t11 * t160 - t16;
+    const double t168 = t5 * t160 - t9;
+    const double t169 = t160 * t160;
+    const double t170 = t161 * t162;
+    const double t171 = t6 * t160 - t10;
+    const double t172 = t163 * t163;
+    const double t173 = t11 * t160 - t16;
+    const double t174 = t161 * t161;
+    const double t175 = t160 * t163;
     const double t176 = t162 * t162;
     const double t177 = t162 * t163;
     const double t178 = t161 * t163;
     const double t179 = t161 * t160;
     const double t180 = t160 * t162;
-    const double t181 = t129 * t162 - t130 * t160;
-    const double t182 = t135 * t163 - t134 * t162;
-    const double t183 = t160 - t163;
-    const double t184 = t139 * t161 + t140 * t163;
-    const double t185 = t161 - t162;
-    const double t186 = t123 * t161 + t124 * t160;
+    const double t181 = t132 * t162 - t138 * t160;
+    const double t182 = t139 * t163 - t143 * t162;
+    const double t183 = t144 * t161 + t134 * t163;
+    const double t184 = t160 - t163;
+    const double t185 = t131 * t161 + t133 * t160;
+    const double t186 = t161 - t162;
     const double t187 = 2.0 * t161;
     const double t188 = 2.0 * t163;
     const double t189 = 2.0 * t162;
@@ -1183,145 +1183,145 @@ FOOTPOINT_FN void footpoint_paper_gregory_precise_at(const double xA[3], const d
     const double t194 = (u7 > t167 ? u7 : t167);
     const double t195 = 1.0 / t191;
     const double t196 = 1.0 / t192;
-    const double t197 = t163 * t195;
-    const double t198 = t163 * t196;
-    const double t199 = 1.0 / t193;
-    const double t200 = 1.0 / t194;
-    const double t201 = 1.0 - t197;
-    const double t202 = 1.0 - t198;
-    const double t203 = t160 * t199;
-    const double t204 = t160 * t200;
+    const double t197 = 1.0 / t193;
+    const double t198 = 1.0 / t194;
+    const double t199 = t163 * t195;
+    const double t200 = t163 * t196;
+    const double t201 = 1.0 - t199;
+    const double t202 = 1.0 - t200;
+    const double t203 = t160 * t197;
+    const double t204 = t160 * t198;
     const double t205 = t163 * t201;
     const double t206 = t163 * t202;
     const double t207 = t203 - 1.0;
     const double t208 = t204 - 1.0;
-    const double t209 = t160 * t207;
-    const double t210 = t160 * t208;
+    const double t209 = t40 + t143 * t205;
+    const double t210 = t53 + t139 * t205;
     const double t211 = t161 * t205 + t162 * t206;
-    const double t212 = t168 * t169 * t211;
-    const double t213 = t162 * t209 + t161 * t210;
-    const double t214 = t171 * t169 * t213;
-    const double t215 = t160 * t205 - t163 * t210;
-    const double t216 = t46 + t123 * t209;
-    const double t217 = t58 + t124 * t209;
-    const double t218 = t173 * t174 * t215;
-    const double t219 = t160 * t206 - t163 * t209;
-    const double t220 = t45 + t129 * t210;
-    const double t221 = t130 * t210 - t54;
-    const double t222 = t176 * t174 * t219;
-    const double t223 = t161 * t216 + t160 * t217;
-    const double t224 = t40 + t134 * t205;
-    const double t225 = t52 + t135 * t205;
-    const double t226 = t177 * t177 * t223;
-    const double t227 = t160 * t221 - t162 * t220;
-    const double t228 = t41 + t139 * t206;
-    const double t229 = t140 * t206 - t53;
-    const double t230 = t178 * t178 * t227;
-    const double t231 = t163 * t225 - t162 * t224;
-    const double t232 = t179 * t179 * t231;
-    const double t233 = t161 * t228 + t163 * t229;
-    const double t234 = t180 * t180 * t233;
-    const double t235 = t2 * t160 - t19 - t161 * t170 - t127 * t212 - t133 * t214 - t138 * t218 + t143 * t222 -
-        nA[2] * t226 - nD[2] * t230 - nC[2] * t232 - nB[2] * t234;
-    const double t236 = t4 * t160 - t20 - t161 * t172 - t132 * t212 - t136 * t214 - t141 * t218 + t144 * t222 -
-        nA[1] * t226 - nD[1] * t230 - nC[1] * t232 - nB[1] * t234;
-    const double t237 = t8 * t160 - t21 - t161 * t175 - t137 * t212 - t142 * t214 - t145 * t218 + t146 * t222 -
-        nA[0] * t226 - nD[0] * t230 - nC[0] * t232 - nB[0] * t234;
+    const double t212 = t160 * t207;
+    const double t213 = t48 + t131 * t212;
+    const double t214 = t61 + t133 * t212;
+    const double t215 = t160 * t208;
+    const double t216 = t47 + t132 * t215;
+    const double t217 = t138 * t215 - t57;
+    const double t218 = t41 + t144 * t206;
+    const double t219 = t134 * t206 - t55;
+    const double t220 = t160 * t206 - t163 * t212;
+    const double t221 = t162 * t212 + t161 * t215;
+    const double t222 = t160 * t205 - t163 * t215;
+    const double t223 = t169 * t170 * t211;
+    const double t224 = t172 * t170 * t221;
+    const double t225 = t174 * t175 * t222;
+    const double t226 = t161 * t213 + t160 * t214;
+    const double t227 = t176 * t175 * t220;
+    const double t228 = t160 * t217 - t162 * t216;
+    const double t229 = t177 * t177 * t226;
+    const double t230 = t163 * t210 - t162 * t209;
+    const double t231 = t178 * t178 * t228;
+    const double t232 = t161 * t218 + t163 * t219;
+    const double t233 = t179 * t179 * t230;
+    const double t234 = t180 * t180 * t232;
+    const double t235 = t2 * t160 - t19 - t161 * t168 - t121 * t223 - t130 * t224 - t137 * t225 + t142 * t227 -
+        nA[2] * t229 - nD[2] * t231 - nC[2] * t233 - nB[2] * t234;
+    const double t236 = t4 * t160 - t20 - t161 * t171 - t128 * t223 - t135 * t224 - t140 * t225 + t145 * t227 -
+        nA[1] * t229 - nD[1] * t231 - nC[1] * t233 - nB[1] * t234;
+    const double t237 = t8 * t160 - t24 - t161 * t173 - t129 * t223 - t136 * t224 - t141 * t225 + t146 * t227 -
+        nA[0] * t229 - nD[0] * t231 - nC[0] * t233 - nB[0] * t234;
     const double t238 = t203 * t203;
     const double t239 = t201 * t201;
     const double t240 = t207 * t207;
     const double t241 = t204 * t204;
-    const double t242 = t197 * t197;
-    const double t243 = t198 * t198;
-    const double t244 = t208 * t208;
-    const double t245 = t138 * t235 + t141 * t236 + t145 * t237;
-    const double t246 = t133 * t235 + t136 * t236 + t142 * t237;
-    const double t247 = t202 * t202;
-    const double t248 = t127 * t235 + t132 * t236 + t137 * t237;
+    const double t242 = t199 * t199;
+    const double t243 = t200 * t200;
+    const double t244 = t137 * t235 + t140 * t236 + t141 * t237;
+    const double t245 = t130 * t235 + t135 * t236 + t136 * t237;
+    const double t246 = t208 * t208;
+    const double t247 = t121 * t235 + t128 * t236 + t129 * t237;
+    const double t248 = t202 * t202;
     const double t249 = nD[2] * t235 + nD[1] * t236 + nD[0] * t237;
-    const double t250 = nC[2] * t235 + nC[1] * t236 + nC[0] * t237;
-    const double t251 = t143 * t235 + t144 * t236 + t146 * t237;
-    const double t252 = nB[2] * t235 + nB[1] * t236 + nB[0] * t237;
-    const double t253 = t208 * t246 + t204 * t245 + t181 * t200 * t249;
-    const double t254 = t183 * t215 + t174 * (t160 * t239 - t210 - t205 - t163 * t244);
-    const double t255 = t185 * t213 + t169 * (t162 * t238 + t209 - t161 * t241 - t210);
-    const double t256 = t201 * t248 + t197 * t245 + t182 * t195 * t250;
-    const double t257 = nA[2] * t235 + nA[1] * t236 + nA[0] * t237;
-    const double t258 = t173 * t254;
-    const double t259 = t183 * t219 - t174 * (t209 + t163 * t240 + t206 - t160 * t247);
-    const double t260 = t171 * t255;
-    const double t261 = t185 * t211 - t169 * (t162 * t243 - t161 * t242 + t205 - t206);
-    const double t262 = t202 * t248 - t198 * t251 + t184 * t196 * t252;
-    const double t263 = t45 * t249;
-    const double t264 = t162 * t253 - t54 * t249;
-    const double t265 = t176 * t259;
-    const double t266 = t168 * t261;
-    const double t267 = t40 * t250;
-    const double t268 = t52 * t250 + t162 * t256;
-    const double t269 = t203 * t251 - t207 * t246 + t186 * t199 * t257;
-    const double t270 = t160 * t169 * (2.0 * t211 - t160 * (t161 * t239 + t162 * t247));
-    const double t271 = t161 * t174 * (2.0 * t215 - t161 * (t160 * t242 + t163 * t241));
-    const double t272 = t41 * t252;
-    const double t273 = t161 * t262 - t53 * t252;
-    const double t274 = t160 * t264 - t162 * t263;
-    const double t275 = t163 * t169 * (2.0 * t213 + t163 * (t162 * t240 + t161 * t244));
-    const double u8 = 2.0 * t223;
-    const double t276 = t162 * t174 * (2.0 * t219 - t162 * (t163 * t238 + t160 * t243));
-    const double t277 = t163 * t268 - t162 * t267;
-    const double t278 = t274 - (t160 * t253 - t263) * t187;
-    const double t279 = t46 * t257;
-    const double t280 = t161 * t269 - t58 * t257;
-    const double t281 = t162 * t177 * (u8 + t163 * (t186 * t240 - t217));
-    const double u9 = 2.0 * t227;
-    const double t282 = t163 * t177 * (u8 + t162 * (t186 * t238 - t216));
-    const double t283 = t277 - (t163 * t256 - t267) * t187;
-    const double t284 = t161 * t272 + t163 * t273;
-    const double t285 = t274 - t264 * t188;
-    const double t286 = t161 * t178 * (u9 - t163 * (t181 * t244 + t221));
-    const double u10 = 2.0 * t231;
-    const double t287 = t163 * t178 * (u9 - t161 * (t181 * t241 - t220));
-    const double t288 = (t272 + t163 * t262) * t189 - t284;
-    const double t289 = t160 * t280 - t161 * t279;
-    const double t290 = t277 - t268 * t190;
-    const double t291 = t161 * t179 * (u10 - t160 * (t182 * t239 + t225));
-    const double u11 = 2.0 * t233;
-    const double t292 = t160 * t179 * (u10 - t161 * (t182 * t242 - t224));
-    const double t293 = t289 - (t160 * t269 - t279) * t189;
-    const double t294 = t273 * t190 - t284;
-    const double t295 = t162 * t180 * (t160 * (t184 * t247 + t229) - u11);
-    const double t296 = t160 * t180 * (u11 - t162 * (t184 * t243 + t228));
-    const double t297 = t289 - t280 * t188;
-    const double t298 = t5 * t161 - t2 - t138 * t258 + t143 * t265 + t127 * t270 - t133 * t275 - nA[2] * t281 -
-        nD[2] * t286 + nC[2] * t291 - nB[2] * t295;
-    const double t299 = t6 * t161 - t4 - t141 * t258 + t144 * t265 + t132 * t270 - t136 * t275 - nA[1] * t281 -
-        nD[1] * t286 + nC[1] * t291 - nB[1] * t295;
-    const double t300 = t170 - t133 * t260 - t127 * t266 + t138 * t271 + t143 * t276 - nA[2] * t282 + nD[2] * t287 +
-        nC[2] * t292 - nB[2] * t296;
-    const double t301 = t172 - t136 * t260 - t132 * t266 + t141 * t271 + t144 * t276 - nA[1] * t282 + nD[1] * t287 +
-        nC[1] * t292 - nB[1] * t296;
-    const double t302 = t11 * t161 - t8 - t145 * t258 + t146 * t265 + t137 * t270 - t142 * t275 - nA[0] * t281 -
-        nD[0] * t286 + nC[0] * t291 - nB[0] * t295;
-    const double t303 = t175 - t142 * t260 - t137 * t266 + t145 * t271 + t146 * t276 - nA[0] * t282 + nD[0] * t287 +
-        nC[0] * t292 - nB[0] * t296;
-    const double t304 = 2.0 * (t178 * (0.5 * (t178 * t253 + t278 + t285) + t274) - t179 * (0.5 * (t179 * t256 + t283
-        + t290) + t277) - t180 * (0.5 * (t288 - t180 * t262 + t294) - t284) + t177 * (0.5 * (t177 * t269 + t293 +
-        t297) + t289)) - t5 * t235 - t6 * t236 - t11 * t237;
-    const double t305 = t300 * t300 + t301 * t301 + t303 * t303 + 2.0 * (t168 * (t288 - t283) + t171 * (t293 -
-        t278));
-    const double t306 = t300 * t298 + t301 * t299 + t303 * t302 + t304;
-    const double t307 = t298 * t298 + t299 * t299 + t302 * t302 + 2.0 * (t176 * (t294 + t297) - t173 * (t285 +
+    const double t250 = t208 * t245 + t204 * t244 + t181 * t198 * t249;
+    const double t251 = t47 * t249;
+    const double t252 = nC[2] * t235 + nC[1] * t236 + nC[0] * t237;
+    const double t253 = t201 * t247 + t199 * t244 + t182 * t195 * t252;
+    const double t254 = t40 * t252;
+    const double t255 = t142 * t235 + t145 * t236 + t146 * t237;
+    const double t256 = nB[2] * t235 + nB[1] * t236 + nB[0] * t237;
+    const double t257 = t202 * t247 - t200 * t255 + t183 * t196 * t256;
+    const double t258 = t41 * t256;
+    const double t259 = t184 * t222 + t175 * (t160 * t239 - t215 - t205 - t163 * t246);
+    const double t260 = t184 * t220 - t175 * (t212 + t163 * t240 + t206 - t160 * t248);
+    const double t261 = t174 * t259;
+    const double t262 = t176 * t260;
+    const double t263 = t186 * t211 - t170 * (t162 * t243 - t161 * t242 + t205 - t206);
+    const double t264 = t186 * t221 + t170 * (t162 * t238 + t212 - t161 * t241 - t215);
+    const double t265 = t172 * t264;
+    const double t266 = t169 * t263;
+    const double t267 = t160 * t170 * (2.0 * t211 - t160 * (t161 * t239 + t162 * t248));
+    const double t268 = t161 * t175 * (2.0 * t222 - t161 * (t160 * t242 + t163 * t241));
+    const double t269 = nA[2] * t235 + nA[1] * t236 + nA[0] * t237;
+    const double t270 = t203 * t255 - t207 * t245 + t185 * t197 * t269;
+    const double t271 = t48 * t269;
+    const double u8 = 2.0 * t228;
+    const double t272 = t163 * t170 * (2.0 * t221 + t163 * (t162 * t240 + t161 * t246));
+    const double t273 = t162 * t175 * (2.0 * t220 - t162 * (t163 * t238 + t160 * t243));
+    const double u9 = 2.0 * t226;
+    const double t274 = t162 * t177 * (u9 + t163 * (t185 * t240 - t214));
+    const double t275 = t163 * t177 * (u9 + t162 * (t185 * t238 - t213));
+    const double t276 = t162 * t250 - t57 * t249;
+    const double t277 = t161 * t178 * (u8 - t163 * (t181 * t246 + t217));
+    const double u10 = 2.0 * t230;
+    const double t278 = t163 * t178 * (u8 - t161 * (t181 * t241 - t216));
+    const double t279 = t53 * t252 + t162 * t253;
+    const double t280 = t161 * t179 * (u10 - t160 * (t182 * t239 + t210));
+    const double u11 = 2.0 * t232;
+    const double t281 = t160 * t179 * (u10 - t161 * (t182 * t242 - t209));
+    const double t282 = t161 * t257 - t55 * t256;
+    const double t283 = t160 * t276 - t162 * t251;
+    const double t284 = t283 - (t160 * t250 - t251) * t187;
+    const double t285 = t283 - t276 * t188;
+    const double t286 = t162 * t180 * (t160 * (t183 * t248 + t219) - u11);
+    const double t287 = t160 * t180 * (u11 - t162 * (t183 * t243 + t218));
+    const double t288 = t163 * t279 - t162 * t254;
+    const double t289 = t288 - (t163 * t253 - t254) * t187;
+    const double t290 = t288 - t279 * t190;
+    const double t291 = t161 * t258 + t163 * t282;
+    const double t292 = (t258 + t163 * t257) * t189 - t291;
+    const double t293 = t282 * t190 - t291;
+    const double t294 = t161 * t270 - t61 * t269;
+    const double t295 = t160 * t294 - t161 * t271;
+    const double t296 = t295 - (t160 * t270 - t271) * t189;
+    const double t297 = t295 - t294 * t188;
+    const double t298 = 2.0 * (t178 * (0.5 * (t178 * t250 + t284 + t285) + t283) - t179 * (0.5 * (t179 * t253 + t289
+        + t290) + t288) - t180 * (0.5 * (t292 - t180 * t257 + t293) - t291) + t177 * (0.5 * (t177 * t270 + t296 +
+        t297) + t295)) - t5 * t235 - t6 * t236 - t11 * t237;
+    const double t299 = t5 * t161 - t2 - t137 * t261 + t142 * t262 + t121 * t267 - t130 * t272 - nA[2] * t274 -
+        nD[2] * t277 + nC[2] * t280 - nB[2] * t286;
+    const double t300 = t168 - t130 * t265 - t121 * t266 + t137 * t268 + t142 * t273 - nA[2] * t275 + nD[2] * t278 +
+        nC[2] * t281 - nB[2] * t287;
+    const double t301 = t6 * t161 - t4 - t140 * t261 + t145 * t262 + t128 * t267 - t135 * t272 - nA[1] * t274 -
+        nD[1] * t277 + nC[1] * t280 - nB[1] * t286;
+    const double t302 = t171 - t135 * t265 - t128 * t266 + t140 * t268 + t145 * t273 - nA[1] * t275 + nD[1] * t278 +
+        nC[1] * t281 - nB[1] * t287;
+    const double t303 = t11 * t161 - t8 - t141 * t261 + t146 * t262 + t129 * t267 - t136 * t272 - nA[0] * t274 -
+        nD[0] * t277 + nC[0] * t280 - nB[0] * t286;
+    const double t304 = t173 - t136 * t265 - t129 * t266 + t141 * t268 + t146 * t273 - nA[0] * t275 + nD[0] * t278 +
+        nC[0] * t281 - nB[0] * t287;
+    const double t305 = t300 * t300 + t302 * t302 + t304 * t304 + 2.0 * (t169 * (t292 - t289) + t172 * (t296 -
+        t284));
+    const double t306 = t300 * t299 + t302 * t301 + t304 * t303 + t298;
+    const double t307 = t299 * t299 + t301 * t301 + t303 * t303 + 2.0 * (t176 * (t293 + t297) - t174 * (t285 +
         t290));
-    const double t308 = t305 * t307;
-    const double t309 = t308 - t306 * t306;
-    const double t310 = t235 * t298 + t236 * t299 + t237 * t302;
-    const double t311 = t235 * t300 + t236 * t301 + t237 * t303;
-    const double t312 = t310 * t305 - t311 * t306;
-    const double t313 = t311 * t307 - t310 * t306;
-    const double u12 = 0.1 * t308;
-    const double t314 = (t309 > u12 ? t309 : u12);
+    const double t308 = t235 * t299 + t236 * t301 + t237 * t303;
+    const double t309 = t235 * t300 + t236 * t302 + t237 * t304;
+    const double t310 = t305 * t307;
+    const double t311 = t308 * t305 - t309 * t306;
+    const double t312 = t309 * t307 - t308 * t306;
+    const double t313 = t310 - t306 * t306;
+    const double u12 = 0.1 * t310;
+    const double t314 = (t313 > u12 ? t313 : u12);
     const double t315 = 1.0 / t314;
-    const double t316 = t157 - 0.225 + t312 * t315;
-    const double t317 = t159 - 0.225 + t313 * t315;
+    const double t316 = t157 - 0.225 + t311 * t315;
+    const double t317 = t159 - 0.225 + t312 * t315;
     const double u13 = 2.0 * t316;
     double u14 = 0.0;
     const double t318 = (u14 < u13 ? u14 : u13);
@@ -1374,14 +1374,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_precise_n(size_t n, const double *co
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_gregory_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54824424794263771, 0, 1.8289132859432751e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54824424794263771, 0, 1.8289132859432727e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28001844213714977, 0, 7.2261652274818618e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.28001844213714977, 0, 7.2261652274818382e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.49830628048623121, 9.8813129168249309e-324, 1.0977365866280815e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.49830628048623121, 9.8813129168249309e-324, 1.097736586628081e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31901295068527763, 9.8813129168249309e-324, 3.3382057777039851e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.31901295068527763, 9.8813129168249309e-324, 3.3382057777039819e-15},
 };
 #endif
 
@@ -1419,134 +1419,134 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
     const double t24 = t13 * t13 + t15 * t15 + t20 * t20;
     const double t25 = t2 - (40.0 / 11.0) * t17 + t12;
     const double t26 = t4 - (40.0 / 11.0) * t18 + t14;
-    const double t27 = t8 - (40.0 / 11.0) * t21 + t19;
-    const double t28 = t12 * t25 + t14 * t26 + t19 * t27;
-    const double t29 = t13 * t25 + t15 * t26 + t20 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t28 = t8 - (40.0 / 11.0) * t21 + t19;
+    const double t29 = t12 * t25 + t14 * t26 + t19 * t28;
+    const double t30 = t13 * t25 + t15 * t26 + t20 * t28;
     const double t31 = t5 * t12 + t6 * t14 + t11 * t19;
     const double t32 = t5 * t13 + t6 * t15 + t11 * t20;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t31 * t24 - t32 * t22) * t30;
-    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t31 * t24 - t32 * t22) * t27;
+    const double t36 = (t32 * t23 - t31 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t42 = t10 * t8 - t16 * t4;
-    const double t43 = t16 * t2 - t9 * t8;
-    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
-    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t47 = t10 * t11 - t16 * t6;
-    const double t48 = t42 - (t8 * t6 - t4 * t11);
-    const double t49 = t16 * t5 - t9 * t11;
-    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t43 = t42 - (t8 * t6 - t4 * t11);
+    const double t44 = t16 * t2 - t9 * t8;
+    const double t45 = t44 - (t2 * t11 - t8 * t5);
+    const double t46 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t47 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t48 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t49 = t10 * t11 - t16 * t6;
+    const double t50 = t16 * t5 - t9 * t11;
     const double t51 = t9 * t4 - t10 * t2;
-    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
-    const double t56 = t9 * t6 - t10 * t5;
-    const double t57 = t51 - (t4 * t5 - t2 * t6);
-    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
-    const double t62 = 1.0 / (t44 - t40 * t40);
-    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
-    const double t64 = 1.0 / (t44 - t41 * t41);
-    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
-    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
-    const double t67 = t61 * t62;
-    const double t68 = t63 * t64;
-    const double t69 = t65 * t62;
-    const double t70 = t66 * t64;
-    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
-    const double t72 = 1.0 / (t55 - t45 * t45);
-    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
-    const double t74 = 1.0 / (t55 - t46 * t46);
-    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
-    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
-    const double t77 = t68 - t67;
-    const double t78 = t71 * t72;
-    const double t79 = t73 * t74;
-    const double t80 = t75 * t72;
-    const double t81 = t76 * t74;
-    const double t82 = 1.0 / (t59 - t54 * t54);
-    const double t83 = 1.0 / (t59 - t52 * t52);
-    const double t84 = 1.0 / (t60 - t53 * t53);
-    const double t85 = t2 - t1;
-    const double t86 = nB[1] * t69 + nC[1] * t70;
-    const double t87 = nB[0] * t69 + nC[0] * t70;
-    const double t88 = t79 - t78;
-    const double t89 = t71 * t82;
-    const double t90 = t61 * t83;
-    const double t91 = t65 * t83;
-    const double t92 = t75 * t82;
-    const double t93 = t63 * t84;
-    const double t94 = 1.0 / (t60 - t58 * t58);
-    const double t95 = t4 - t3;
-    const double t96 = t40 * t68;
-    const double t97 = nA[0] * t80 + nD[0] * t81;
-    const double t98 = t89 + t90;
-    const double t99 = t73 * t94;
-    const double t100 = t66 * t84;
-    const double t101 = t76 * t94;
-    const double t102 = nB[2] * t69 + nC[2] * t70;
-    const double t103 = nA[2] * t80 + nD[2] * t81;
-    const double t104 = t8 - t7;
-    const double t105 = t41 * t67;
-    const double t106 = nA[1] * t80 + nD[1] * t81;
-    const double t107 = t45 * t79;
+    const double t52 = t51 - (t4 * t5 - t2 * t6);
+    const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t54 = 1.0 / (t46 - t40 * t40);
+    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t56 = 1.0 / (t46 - t41 * t41);
+    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t59 = t9 * t6 - t10 * t5;
+    const double t60 = 1.0 / (t58 - t47 * t47);
+    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t62 = 1.0 / (t58 - t48 * t48);
+    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t65 = 1.0 / (t63 - t57 * t57);
+    const double t66 = 1.0 / (t63 - t53 * t53);
+    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
+    const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
+    const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
+    const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
+    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
+    const double t77 = t73 * t54;
+    const double t78 = t68 * t54;
+    const double t79 = t73 * t66;
+    const double t80 = t68 * t66;
+    const double t81 = t74 * t56;
+    const double t82 = t69 * t56;
+    const double t83 = t74 * t67;
+    const double t84 = t69 * t67;
+    const double t85 = t81 - t77;
+    const double t86 = nB[1] * t78 + nC[1] * t82;
+    const double t87 = nB[0] * t78 + nC[0] * t82;
+    const double t88 = nB[2] * t78 + nC[2] * t82;
+    const double t89 = t75 * t60;
+    const double t90 = t70 * t60;
+    const double t91 = t75 * t65;
+    const double t92 = t70 * t65;
+    const double t93 = t76 * t62;
+    const double t94 = t71 * t62;
+    const double t95 = t76 * t72;
+    const double t96 = t71 * t72;
+    const double t97 = t2 - t1;
+    const double t98 = t93 - t89;
+    const double t99 = nA[0] * t90 + nD[0] * t94;
+    const double t100 = t4 - t3;
+    const double t101 = nA[2] * t90 + nD[2] * t94;
+    const double t102 = nA[1] * t90 + nD[1] * t94;
+    const double t103 = t40 * t81;
+    const double t104 = t77 + (2.0 / 3.0) + t81;
+    const double t105 = t41 * t77;
+    const double t106 = t91 + t79;
+    const double t107 = nD[0] * t80 + nC[0] * t92;
     const double t108 = t37 + t9;
-    const double t109 = nD[0] * t91 + nC[0] * t92;
-    const double t110 = t93 + t99;
-    const double t111 = t78 - (2.0 / 3.0) + t79;
-    const double t112 = t99 - (2.0 / 3.0) - t93;
-    const double t113 = t38 + t10;
-    const double t114 = nD[2] * t91 + nC[2] * t92;
-    const double t115 = t46 * t78;
-    const double t116 = nD[1] * t91 + nC[1] * t92;
-    const double t117 = t52 * t89;
-    const double t118 = nA[1] * t100 + nB[1] * t101;
-    const double t119 = nA[0] * t100 + nB[0] * t101;
-    const double t120 = t46 * t111;
-    const double t121 = t58 * t112;
-    const double t122 = t90 + (2.0 / 3.0) - t89;
+    const double t109 = nD[2] * t80 + nC[2] * t92;
+    const double t110 = nD[1] * t80 + nC[1] * t92;
+    const double t111 = t8 - t7;
+    const double t112 = t47 * t93;
+    const double t113 = t89 - (2.0 / 3.0) + t93;
+    const double t114 = t48 * t89;
+    const double t115 = t83 + t95;
+    const double t116 = nA[1] * t84 + nB[1] * t96;
+    const double t117 = nA[0] * t84 + nB[0] * t96;
+    const double t118 = nA[2] * t84 + nB[2] * t96;
+    const double t119 = t95 - (2.0 / 3.0) - t83;
+    const double t120 = t55 * t95;
+    const double t121 = t61 * t83;
+    const double t122 = t38 + t10;
     const double t123 = t39 + t16;
-    const double t124 = t54 * t90;
-    const double t125 = t53 * t99;
-    const double t126 = 3.0 * t120;
-    const double t127 = 3.0 * t121;
-    const double t128 = t45 * t111;
-    const double t129 = t54 * t122;
-    const double t130 = t67 + (2.0 / 3.0) + t68;
-    const double t131 = nA[2] * t100 + nB[2] * t101;
-    const double t132 = t85 - t37 * t77 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t96 - nB[2] * t105);
-    const double t133 = t58 * t93;
-    const double t134 = 3.0 * t128;
-    const double t135 = 3.0 * t129;
-    const double t136 = t40 * t130;
-    const double t137 = t52 * t122;
-    const double t138 = t95 - t38 * t77 - t37 * t87 + t39 * t102 - 2.0 * (nC[1] * t96 - nB[1] * t105);
-    const double t139 = t85 - t9 * t88 + t10 * t97 - t16 * t106 - 2.0 * (nD[2] * t107 - nA[2] * t115);
-    const double t140 = 3.0 * t136;
-    const double t141 = 3.0 * t137;
-    const double t142 = t41 * t130;
-    const double t143 = t53 * t112;
-    const double t144 = t95 - t10 * t88 + t16 * t103 - t9 * t97 - 2.0 * (nD[1] * t107 - nA[1] * t115);
-    const double t145 = t104 - t39 * t77 - t38 * t102 + t37 * t86 - 2.0 * (nC[0] * t96 - nB[0] * t105);
-    const double t146 = t108 - t1 * t98 + t3 * t109 - t7 * t116 - 2.0 * (nC[2] * t117 + nD[2] * t124);
-    const double t147 = 3.0 * t142;
-    const double t148 = 3.0 * t143;
-    const double t149 = t113 - t3 * t98 + t7 * t114 - t1 * t109 - 2.0 * (nC[1] * t117 + nD[1] * t124);
-    const double t150 = t104 - t16 * t88 + t9 * t106 - t10 * t103 - 2.0 * (nD[0] * t107 - nA[0] * t115);
-    const double t151 = t108 - t2 * t110 + t8 * t118 - t4 * t119 - 2.0 * (nB[2] * t125 + nA[2] * t133);
-    const double t152 = t113 - t4 * t110 + t2 * t119 - t8 * t131 - 2.0 * (nB[1] * t125 + nA[1] * t133);
-    const double t153 = t123 - t7 * t98 + t1 * t116 - t3 * t114 - 2.0 * (nC[0] * t117 + nD[0] * t124);
-    const double t154 = t123 - t8 * t110 + t4 * t131 - t2 * t118 - 2.0 * (nB[0] * t125 + nA[0] * t133);
+    const double t124 = t97 - t37 * t85 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t103 - nB[2] * t105);
+    const double t125 = t53 * t91;
+    const double t126 = t79 + (2.0 / 3.0) - t91;
+    const double t127 = t57 * t79;
+    const double t128 = t48 * t113;
+    const double t129 = t47 * t113;
+    const double t130 = t61 * t119;
+    const double t131 = t55 * t119;
+    const double t132 = t100 - t38 * t85 - t37 * t87 + t39 * t88 - 2.0 * (nC[1] * t103 - nB[1] * t105);
+    const double t133 = t111 - t39 * t85 - t38 * t88 + t37 * t86 - 2.0 * (nC[0] * t103 - nB[0] * t105);
+    const double t134 = t97 - t9 * t98 + t10 * t99 - t16 * t102 - 2.0 * (nD[2] * t112 - nA[2] * t114);
+    const double t135 = 3.0 * t128;
+    const double t136 = 3.0 * t130;
+    const double t137 = t57 * t126;
+    const double t138 = t53 * t126;
+    const double t139 = t100 - t10 * t98 + t16 * t101 - t9 * t99 - 2.0 * (nD[1] * t112 - nA[1] * t114);
+    const double t140 = t111 - t16 * t98 + t9 * t102 - t10 * t101 - 2.0 * (nD[0] * t112 - nA[0] * t114);
+    const double t141 = t108 - t1 * t106 + t3 * t107 - t7 * t110 - 2.0 * (nC[2] * t125 + nD[2] * t127);
+    const double t142 = 3.0 * t129;
+    const double t143 = 3.0 * t137;
+    const double t144 = t40 * t104;
+    const double t145 = t41 * t104;
+    const double t146 = t122 - t3 * t106 + t7 * t109 - t1 * t107 - 2.0 * (nC[1] * t125 + nD[1] * t127);
+    const double t147 = t123 - t7 * t106 + t1 * t110 - t3 * t109 - 2.0 * (nC[0] * t125 + nD[0] * t127);
+    const double t148 = t108 - t2 * t115 + t8 * t116 - t4 * t117 - 2.0 * (nB[2] * t120 + nA[2] * t121);
+    const double t149 = 3.0 * t144;
+    const double t150 = 3.0 * t138;
+    const double t151 = t122 - t4 * t115 + t2 * t117 - t8 * t118 - 2.0 * (nB[1] * t120 + nA[1] * t121);
+    const double t152 = t123 - t8 * t115 + t4 * t118 - t2 * t116 - 2.0 * (nB[0] * t120 + nA[0] * t121);
+    const double t153 = 3.0 * t145;
+    const double t154 = 3.0 * t131;
     const double u4 = -0.275 * t34;
     double u5 = 0.225;
     const double t155 = (u5 < u4 ? u5 : u4);
@@ -1579,8 +1579,8 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
     const double t177 = t170 * t171;
     const double t178 = t168 * t170;
     const double t179 = t169 * t168;
-    const double t180 = t168 * t171;
-    const double t181 = t9 - t5 * t168;
+    const double t180 = t9 - t5 * t168;
+    const double t181 = t168 * t171;
     const double t182 = t10 - t6 * t168;
     const double t183 = t16 - t11 * t168;
     const double t184 = nA[2] * t177;
@@ -1595,16 +1595,16 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
     const double t193 = nB[1] * t178;
     const double t194 = nC[0] * t179;
     const double t195 = nB[0] * t178;
-    const double t196 = 3.0 * (t120 * t169 + t121 * t168);
-    const double t197 = 3.0 * (t129 * t168 + t128 * t170);
-    const double t198 = t168 + t171;
-    const double t199 = 3.0 * (t137 * t171 - t136 * t170);
-    const double t200 = t169 + t170;
-    const double t201 = t169 * t170;
-    const double t202 = 0.5 * t169;
-    const double t203 = 0.5 * t171;
-    const double t204 = 0.5 * t168;
-    const double t205 = 3.0 * (t143 * t171 - t142 * t169);
+    const double t196 = 3.0 * (t128 * t169 + t130 * t168);
+    const double t197 = 3.0 * (t137 * t168 + t129 * t170);
+    const double t198 = 3.0 * (t138 * t171 - t144 * t170);
+    const double t199 = 3.0 * (t131 * t171 - t145 * t169);
+    const double t200 = t168 + t171;
+    const double t201 = t169 + t170;
+    const double t202 = t169 * t170;
+    const double t203 = 0.5 * t169;
+    const double t204 = 0.5 * t171;
+    const double t205 = 0.5 * t168;
     const double t206 = 0.5 * t170;
     const double t207 = t169 * t169;
     const double t208 = t171 * t171;
@@ -1622,141 +1622,141 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
     const double t218 = (u12 > t175 ? u12 : t175);
     const double t219 = 1.0 / t215;
     const double t220 = 1.0 / t216;
-    const double t221 = t171 * t219;
-    const double t222 = t171 * t220;
-    const double t223 = 1.0 / t217;
-    const double t224 = 1.0 / t218;
-    const double t225 = t221 + 1.0;
-    const double t226 = t222 + 1.0;
-    const double t227 = t168 * t223;
-    const double t228 = t168 * t224;
-    const double t229 = t227 - 1.0;
-    const double t230 = t228 - 1.0;
-    const double t231 = t177 * t226 - t176 * t225;
-    const double t232 = t178 * t229 - t179 * t230;
-    const double t233 = t168 * t229;
-    const double t234 = t178 * t179 * t231;
-    const double t235 = t180 * t230 - t180 * t225;
-    const double t236 = t168 * t230;
-    const double t237 = t176 * t177 * t232;
-    const double t238 = t180 * t229 - t180 * t226;
-    const double t239 = t46 + t233 * t126;
-    const double t240 = t58 + t233 * t127;
-    const double t241 = t171 * t225;
-    const double t242 = t176 * t179 * t235;
-    const double t243 = t45 + t236 * t134;
-    const double t244 = t54 - t236 * t135;
-    const double t245 = t171 * t226;
-    const double t246 = t178 * t177 * t238;
-    const double t247 = t169 * t239 + t168 * t240;
-    const double t248 = t40 - t241 * t140;
-    const double t249 = t52 - t241 * t141;
-    const double t250 = t177 * t247;
-    const double t251 = t168 * t244 - t170 * t243;
-    const double t252 = t41 - t245 * t147;
-    const double t253 = t53 + t245 * t148;
-    const double t254 = t176 * t251;
-    const double t255 = t171 * t249 - t170 * t248;
-    const double t256 = t179 * t255;
-    const double t257 = t169 * t252 + t171 * t253;
-    const double t258 = t178 * t257;
-    const double t259 = t17 - t2 * t168 - t169 * t181 + t132 * t234 - t139 * t237 + t146 * t242 - t151 * t246 + t184
-        * t250 - t186 * t254 - t189 * t256 + t192 * t258;
-    const double t260 = t18 - t4 * t168 - t169 * t182 + t138 * t234 - t144 * t237 + t149 * t242 - t152 * t246 + t185
-        * t250 - t187 * t254 - t190 * t256 + t193 * t258;
-    const double t261 = t21 - t8 * t168 - t169 * t183 + t145 * t234 - t150 * t237 + t153 * t242 - t154 * t246 + t188
-        * t250 - t191 * t254 - t194 * t256 + t195 * t258;
+    const double t221 = 1.0 / t217;
+    const double t222 = 1.0 / t218;
+    const double t223 = t171 * t219;
+    const double t224 = t171 * t220;
+    const double t225 = t223 + 1.0;
+    const double t226 = t224 + 1.0;
+    const double t227 = t168 * t221;
+    const double t228 = t168 * t222;
+    const double t229 = t177 * t226 - t176 * t225;
+    const double t230 = t227 - 1.0;
+    const double t231 = t228 - 1.0;
+    const double t232 = t178 * t230 - t179 * t231;
+    const double t233 = t178 * t179 * t229;
+    const double t234 = t181 * t231 - t181 * t225;
+    const double t235 = t168 * t230;
+    const double t236 = t176 * t177 * t232;
+    const double t237 = t181 * t230 - t181 * t226;
+    const double t238 = t48 + t235 * t135;
+    const double t239 = t61 + t235 * t136;
+    const double t240 = t168 * t231;
+    const double t241 = t176 * t179 * t234;
+    const double t242 = t47 + t240 * t142;
+    const double t243 = t57 - t240 * t143;
+    const double t244 = t171 * t225;
+    const double t245 = t178 * t177 * t237;
+    const double t246 = t169 * t238 + t168 * t239;
+    const double t247 = t40 - t244 * t149;
+    const double t248 = t53 - t244 * t150;
+    const double t249 = t171 * t226;
+    const double t250 = t168 * t243 - t170 * t242;
+    const double t251 = t41 - t249 * t153;
+    const double t252 = t55 + t249 * t154;
+    const double t253 = t177 * t246;
+    const double t254 = t171 * t248 - t170 * t247;
+    const double t255 = t176 * t250;
+    const double t256 = t169 * t251 + t171 * t252;
+    const double t257 = t179 * t254;
+    const double t258 = t178 * t256;
+    const double t259 = t17 - t2 * t168 - t169 * t180 + t124 * t233 - t134 * t236 + t141 * t241 - t148 * t245 + t184
+        * t253 - t186 * t255 - t189 * t257 + t192 * t258;
+    const double t260 = t18 - t4 * t168 - t169 * t182 + t132 * t233 - t139 * t236 + t146 * t241 - t151 * t245 + t185
+        * t253 - t187 * t255 - t190 * t257 + t193 * t258;
+    const double t261 = t21 - t8 * t168 - t169 * t183 + t133 * t233 - t140 * t236 + t147 * t241 - t152 * t245 + t188
+        * t253 - t191 * t255 - t194 * t257 + t195 * t258;
     const double t262 = t227 * t227;
     const double t263 = t225 * t225;
-    const double t264 = t229 * t229;
+    const double t264 = t230 * t230;
     const double t265 = t228 * t228;
-    const double t266 = t221 * t221;
-    const double t267 = t222 * t222;
-    const double t268 = t230 * t230;
-    const double t269 = t146 * t259 + t149 * t260 + t153 * t261;
-    const double t270 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
-    const double t271 = t139 * t259 + t144 * t260 + t150 * t261;
-    const double t272 = t226 * t226;
+    const double t266 = t223 * t223;
+    const double t267 = t224 * t224;
+    const double t268 = t141 * t259 + t146 * t260 + t147 * t261;
+    const double t269 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
+    const double t270 = t134 * t259 + t139 * t260 + t140 * t261;
+    const double t271 = t231 * t270 + t228 * t268 + t222 * t269 * t197;
+    const double t272 = t231 * t231;
     const double t273 = nC[2] * t259 + nC[1] * t260 + nC[0] * t261;
-    const double t274 = t132 * t259 + t138 * t260 + t145 * t261;
-    const double t275 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
-    const double t276 = t151 * t259 + t152 * t260 + t154 * t261;
-    const double t277 = t230 * t271 + t228 * t269 + t224 * t270 * t197;
-    const double t278 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
-    const double t279 = t180 * (t241 - t236 + t168 * t263 + t171 * t268) - t198 * t235;
-    const double t280 = t200 * t232 + t201 * (t233 - t170 * t262 - t169 * t265 - t236);
-    const double t281 = t221 * t269 - t225 * t274 - t219 * t273 * t199;
-    const double t282 = t207 * t279;
-    const double t283 = t198 * t238 + t180 * (t233 - t171 * t264 - t245 - t168 * t272);
-    const double t284 = t208 * t280;
-    const double t285 = t200 * t231 + t201 * (t245 - t169 * t266 - t170 * t267 - t241);
-    const double t286 = t226 * t274 + t222 * t276 + t220 * t275 * t205;
-    const double t287 = t45 * t270;
-    const double t288 = t54 * t270 - t170 * t277;
-    const double t289 = t209 * t283;
-    const double t290 = t170 * (t247 + (t240 - t264 * t196) * t203);
-    const double t291 = t210 * t285;
-    const double t292 = t179 * t171 * (t235 + (t171 * t265 - t168 * t266) * t202);
-    const double t293 = t40 * t273;
-    const double t294 = t52 * t273 - t170 * t281;
-    const double t295 = t227 * t276 - t229 * t271 - t223 * t278 * t196;
-    const double t296 = t179 * t170 * (t231 + (t170 * t272 - t169 * t263) * t204);
-    const double t297 = t177 * t168 * (t238 - (t171 * t262 - t168 * t267) * t206);
-    const double t298 = t41 * t275;
-    const double t299 = t53 * t275 + t169 * t286;
-    const double t300 = t168 * t288 - t170 * t287;
-    const double t301 = t177 * t169 * (t232 - (t170 * t264 - t169 * t268) * t203);
-    const double t302 = t171 * (t247 + (t239 - t262 * t196) * t206);
-    const double t303 = t171 * t294 - t170 * t293;
-    const double t304 = t300 - (t287 + t168 * t277) * t211;
-    const double t305 = t46 * t278;
-    const double t306 = t58 * t278 + t169 * t295;
-    const double t307 = t169 * (t251 + (t268 * t197 + t244) * t203);
-    const double t308 = t171 * (t251 - (t265 * t197 + t243) * t202);
-    const double t309 = t303 - (t293 + t171 * t281) * t211;
-    const double t310 = t169 * t298 + t171 * t299;
-    const double t311 = t288 * t212 + t300;
-    const double t312 = t169 * (t255 + (t249 - t263 * t199) * t204);
-    const double t313 = t168 * (t255 - (t266 * t199 + t248) * t202);
-    const double t314 = (t298 + t171 * t286) * t213 + t310;
-    const double t315 = t169 * t305 + t168 * t306;
-    const double t316 = t294 * t214 + t303;
-    const double t317 = t170 * (t257 + (t272 * t205 + t253) * t204);
-    const double t318 = t168 * (t257 + (t252 - t267 * t205) * t206);
-    const double t319 = (t305 + t168 * t295) * t213 + t315;
-    const double t320 = t299 * t214 + t310;
-    const double t321 = t306 * t212 + t315;
-    const double t322 = t2 - t5 * t169 + t146 * t282 + t151 * t289 - 2.0 * (t184 * t290 + t132 * t296 - t139 * t301
-        - t186 * t307 - t189 * t312 + t192 * t317);
-    const double t323 = t4 - t6 * t169 + t149 * t282 + t152 * t289 - 2.0 * (t185 * t290 + t138 * t296 - t144 * t301
-        - t187 * t307 - t190 * t312 + t193 * t317);
-    const double t324 = t181 + t139 * t284 - t132 * t291 - 2.0 * (t146 * t292 - t151 * t297 + t184 * t302 - t186 *
-        t308 - t189 * t313 + t192 * t318);
-    const double t325 = t182 + t144 * t284 - t138 * t291 - 2.0 * (t149 * t292 - t152 * t297 + t185 * t302 - t187 *
-        t308 - t190 * t313 + t193 * t318);
-    const double t326 = t8 - t11 * t169 + t153 * t282 + t154 * t289 - 2.0 * (t188 * t290 + t145 * t296 - t150 * t301
-        - t191 * t307 - t194 * t312 + t195 * t317);
-    const double t327 = t183 + t150 * t284 - t145 * t291 - 2.0 * (t153 * t292 - t154 * t297 + t188 * t302 - t191 *
-        t308 - t194 * t313 + t195 * t318);
-    const double t328 = t210 * (t314 - t309) + t208 * (t319 - t304);
-    const double t329 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t300 - 0.5 * (t176 * t277 - t304 -
-        t311)) - t179 * (t303 - 0.5 * (t179 * t281 - t309 - t316)) + t178 * (0.5 * (t178 * t286 + t314 + t320) +
-        t310) + t177 * (0.5 * (t177 * t295 + t319 + t321) + t315);
-    const double t330 = t209 * (t320 + t321) - t207 * (t311 + t316);
-    const double t331 = t324 * t324 + t325 * t325 + t327 * t327 + 2.0 * t328;
-    const double t332 = t324 * t322 + t325 * t323 + t327 * t326 + 2.0 * t329;
-    const double t333 = t322 * t322 + t323 * t323 + t326 * t326 + 2.0 * t330;
-    const double t334 = t331 * t333;
-    const double t335 = t334 - t332 * t332;
-    const double t336 = t259 * t322 + t260 * t323 + t261 * t326;
-    const double t337 = t259 * t324 + t260 * t325 + t261 * t327;
-    const double t338 = t336 * t331 - t337 * t332;
-    const double t339 = t337 * t333 - t336 * t332;
-    const double u13 = 0.1 * t334;
-    const double t340 = (t335 > u13 ? t335 : u13);
+    const double t274 = t124 * t259 + t132 * t260 + t133 * t261;
+    const double t275 = t223 * t268 - t225 * t274 - t219 * t273 * t198;
+    const double t276 = t226 * t226;
+    const double t277 = t181 * (t244 - t240 + t168 * t263 + t171 * t272) - t200 * t234;
+    const double t278 = t207 * t277;
+    const double t279 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
+    const double t280 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t281 = t148 * t259 + t151 * t260 + t152 * t261;
+    const double t282 = t226 * t274 + t224 * t281 + t220 * t280 * t199;
+    const double t283 = t200 * t237 + t181 * (t235 - t171 * t264 - t249 - t168 * t276);
+    const double t284 = t209 * t283;
+    const double t285 = t170 * (t246 + (t239 - t264 * t196) * t204);
+    const double t286 = t201 * t232 + t202 * (t235 - t170 * t262 - t169 * t265 - t240);
+    const double t287 = t201 * t229 + t202 * (t249 - t169 * t266 - t170 * t267 - t244);
+    const double t288 = t208 * t286;
+    const double t289 = t210 * t287;
+    const double t290 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
+    const double t291 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
+    const double t292 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t293 = t227 * t281 - t230 * t270 - t221 * t292 * t196;
+    const double t294 = t177 * t169 * (t232 - (t170 * t264 - t169 * t272) * t204);
+    const double t295 = t171 * (t246 + (t238 - t262 * t196) * t206);
+    const double t296 = t169 * (t250 + (t272 * t197 + t243) * t204);
+    const double t297 = t171 * (t250 - (t265 * t197 + t242) * t203);
+    const double t298 = t47 * t269;
+    const double t299 = t57 * t269 - t170 * t271;
+    const double t300 = t169 * (t254 + (t248 - t263 * t198) * t205);
+    const double t301 = t168 * (t254 - (t266 * t198 + t247) * t203);
+    const double t302 = t40 * t273;
+    const double t303 = t53 * t273 - t170 * t275;
+    const double t304 = t170 * (t256 + (t276 * t199 + t252) * t205);
+    const double t305 = t168 * (t256 + (t251 - t267 * t199) * t206);
+    const double t306 = t41 * t280;
+    const double t307 = t55 * t280 + t169 * t282;
+    const double t308 = t168 * t299 - t170 * t298;
+    const double t309 = t308 - (t298 + t168 * t271) * t211;
+    const double t310 = t299 * t212 + t308;
+    const double t311 = t171 * t303 - t170 * t302;
+    const double t312 = t311 - (t302 + t171 * t275) * t211;
+    const double t313 = t303 * t214 + t311;
+    const double t314 = t169 * t306 + t171 * t307;
+    const double t315 = (t306 + t171 * t282) * t213 + t314;
+    const double t316 = t307 * t214 + t314;
+    const double t317 = t48 * t292;
+    const double t318 = t61 * t292 + t169 * t293;
+    const double t319 = t169 * t317 + t168 * t318;
+    const double t320 = (t317 + t168 * t293) * t213 + t319;
+    const double t321 = t318 * t212 + t319;
+    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t308 - 0.5 * (t176 * t271 - t309 -
+        t310)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t282 + t315 + t316) +
+        t314) + t177 * (0.5 * (t177 * t293 + t320 + t321) + t319);
+    const double t323 = t210 * (t315 - t312) + t208 * (t320 - t309);
+    const double t324 = t209 * (t316 + t321) - t207 * (t310 + t313);
+    const double t325 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t290 - t134 * t294
+        - t186 * t296 - t189 * t300 + t192 * t304);
+    const double t326 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t279 - t148 * t291 + t184 * t295 - t186 *
+        t297 - t189 * t301 + t192 * t305);
+    const double t327 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t290 - t139 * t294
+        - t187 * t296 - t190 * t300 + t193 * t304);
+    const double t328 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t279 - t151 * t291 + t185 * t295 - t187 *
+        t297 - t190 * t301 + t193 * t305);
+    const double t329 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t290 - t140 * t294
+        - t191 * t296 - t194 * t300 + t195 * t304);
+    const double t330 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t279 - t152 * t291 + t188 * t295 - t191 *
+        t297 - t194 * t301 + t195 * t305);
+    const double t331 = t326 * t326 + t328 * t328 + t330 * t330 + 2.0 * t323;
+    const double t332 = t326 * t325 + t328 * t327 + t330 * t329 + 2.0 * t322;
+    const double t333 = t325 * t325 + t327 * t327 + t329 * t329 + 2.0 * t324;
+    const double t334 = t259 * t325 + t260 * t327 + t261 * t329;
+    const double t335 = t259 * t326 + t260 * t328 + t261 * t330;
+    const double t336 = t331 * t333;
+    const double t337 = t334 * t331 - t335 * t332;
+    const double t338 = t335 * t333 - t334 * t332;
+    const double t339 = t336 - t332 * t332;
+    const double u13 = 0.1 * t336;
+    const double t340 = (t339 > u13 ? t339 : u13);
     const double t341 = 1.0 / t340;
-    const double t342 = t165 + t338 * t341;
-    const double t343 = t167 + t339 * t341;
+    const double t342 = t165 + t337 * t341;
+    const double t343 = t167 + t338 * t341;
     const double t344 = (u5 < t342 ? u5 : t342);
     const double t345 = (u6 > t344 ? u6 : t344);
     const double t346 = (u5 < t343 ? u5 : t343);
@@ -1769,37 +1769,37 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
     const double t353 = t349 + t348;
     const double t354 = t348 - t350;
     const double t355 = t349 - t351;
-    const double t356 = t348 * t350;
-    const double t357 = t349 * t348;
-    const double t358 = t348 * t351;
-    const double t359 = t349 * t351;
-    const double t360 = t350 * t351;
-    const double t361 = 3.0 * (t120 * t349 + t121 * t348);
-    const double t362 = t348 + t351;
-    const double t363 = t349 + t350;
-    const double t364 = t349 * t350;
-    const double t365 = 0.5 * t349;
-    const double t366 = 0.5 * t351;
-    const double t367 = 0.5 * t348;
-    const double t368 = 0.5 * t350;
-    const double t369 = 3.0 * (t129 * t348 + t128 * t350);
-    const double t370 = 3.0 * (t137 * t351 - t136 * t350);
-    const double t371 = t9 - t5 * t348;
-    const double t372 = nA[2] * t360;
-    const double t373 = 3.0 * (t143 * t351 - t142 * t349);
-    const double t374 = t10 - t6 * t348;
-    const double t375 = nA[1] * t360;
+    const double t356 = 3.0 * (t128 * t349 + t130 * t348);
+    const double t357 = 3.0 * (t137 * t348 + t129 * t350);
+    const double t358 = 3.0 * (t138 * t351 - t144 * t350);
+    const double t359 = t348 * t350;
+    const double t360 = t349 * t348;
+    const double t361 = t348 * t351;
+    const double t362 = 3.0 * (t131 * t351 - t145 * t349);
+    const double t363 = t349 * t351;
+    const double t364 = t350 * t351;
+    const double t365 = t348 + t351;
+    const double t366 = t349 + t350;
+    const double t367 = t349 * t350;
+    const double t368 = 0.5 * t349;
+    const double t369 = 0.5 * t351;
+    const double t370 = 0.5 * t348;
+    const double t371 = 0.5 * t350;
+    const double t372 = t9 - t5 * t348;
+    const double t373 = t10 - t6 * t348;
+    const double t374 = nA[2] * t364;
+    const double t375 = nA[1] * t364;
     const double t376 = t16 - t11 * t348;
-    const double t377 = nA[0] * t360;
-    const double t378 = nD[2] * t359;
-    const double t379 = nD[1] * t359;
-    const double t380 = nC[2] * t357;
-    const double t381 = nC[1] * t357;
-    const double t382 = nD[0] * t359;
-    const double t383 = nB[2] * t356;
-    const double t384 = nB[1] * t356;
-    const double t385 = nC[0] * t357;
-    const double t386 = nB[0] * t356;
+    const double t377 = nA[0] * t364;
+    const double t378 = nD[2] * t363;
+    const double t379 = nD[1] * t363;
+    const double t380 = nC[2] * t360;
+    const double t381 = nC[1] * t360;
+    const double t382 = nD[0] * t363;
+    const double t383 = nB[2] * t359;
+    const double t384 = nB[1] * t359;
+    const double t385 = nC[0] * t360;
+    const double t386 = nB[0] * t359;
     const double u14 = -t352;
     const double t387 = (u12 > u14 ? u12 : u14);
     const double t388 = (u12 > t355 ? u12 : t355);
@@ -1808,96 +1808,96 @@ FOOTPOINT_FN void footpoint_paper_gregory_exact_at(const double xA[3], const dou
     const double t391 = t351 / t387;
     const double t392 = t348 / t389;
     const double t393 = t348 / t390;
-    const double t394 = t391 + 1.0;
-    const double t395 = t351 / t388;
-    const double t396 = t392 - 1.0;
-    const double t397 = t393 - 1.0;
+    const double t394 = t351 / t388;
+    const double t395 = t391 + 1.0;
+    const double t396 = t391 * t391;
+    const double t397 = t392 - 1.0;
     const double t398 = t392 * t392;
-    const double t399 = t348 * t396;
-    const double t400 = t348 * t397;
-    const double t401 = t351 * t394;
-    const double t402 = t394 * t394;
-    const double t403 = t396 * t396;
-    const double t404 = t393 * t393;
-    const double t405 = t391 * t391;
+    const double t399 = t393 - 1.0;
+    const double t400 = t393 * t393;
+    const double t401 = t348 * t397;
+    const double t402 = t48 + t401 * t135;
+    const double t403 = t61 + t401 * t136;
+    const double t404 = t348 * t399;
+    const double t405 = t351 * t395;
     const double t406 = t395 * t395;
-    const double t407 = t395 + 1.0;
-    const double t408 = t397 * t397;
-    const double t409 = t351 * t407;
-    const double t410 = t407 * t407;
-    const double t411 = t356 * t396 - t357 * t397;
-    const double t412 = t358 * t397 - t358 * t394;
-    const double t413 = t46 + t399 * t126;
-    const double t414 = t58 + t399 * t127;
-    const double t415 = t360 * t407 - t359 * t394;
-    const double t416 = t358 * t396 - t358 * t407;
-    const double t417 = t349 * t413 + t348 * t414;
-    const double t418 = t358 * (t401 - t400 + t348 * t402 + t351 * t408) - t362 * t412;
-    const double t419 = t363 * t411 + t364 * (t399 - t350 * t398 - t349 * t404 - t400);
-    const double t420 = t45 + t400 * t134;
-    const double t421 = t54 - t400 * t135;
-    const double t422 = t349 * t349 * t418;
-    const double t423 = t362 * t416 + t358 * (t399 - t351 * t403 - t409 - t348 * t410);
-    const double t424 = t351 * t351 * t419;
-    const double t425 = t363 * t415 + t364 * (t409 - t349 * t405 - t350 * t406 - t401);
-    const double t426 = t40 - t401 * t140;
-    const double t427 = t52 - t401 * t141;
-    const double t428 = t350 * t350 * t423;
-    const double t429 = t350 * (t417 + (t414 - t403 * t361) * t366);
-    const double t430 = t348 * t348 * t425;
-    const double t431 = t357 * t351 * (t412 + (t351 * t404 - t348 * t405) * t365);
-    const double t432 = t348 * t421 - t350 * t420;
-    const double t433 = t41 - t409 * t147;
-    const double t434 = t53 + t409 * t148;
-    const double t435 = t357 * t350 * (t415 + (t350 * t410 - t349 * t402) * t367);
-    const double t436 = t360 * t348 * (t416 - (t351 * t398 - t348 * t406) * t368);
-    const double t437 = t351 * t427 - t350 * t426;
-    const double t438 = t360 * t349 * (t411 - (t350 * t403 - t349 * t408) * t366);
-    const double t439 = t351 * (t417 + (t413 - t398 * t361) * t368);
-    const double t440 = t349 * t433 + t351 * t434;
-    const double t441 = t349 * (t432 + (t408 * t369 + t421) * t366);
-    const double t442 = t351 * (t432 - (t404 * t369 + t420) * t365);
-    const double t443 = t349 * (t437 + (t427 - t402 * t370) * t367);
-    const double t444 = t348 * (t437 - (t405 * t370 + t426) * t365);
-    const double t445 = t350 * (t440 + (t410 * t373 + t434) * t367);
-    const double t446 = t348 * (t440 + (t433 - t406 * t373) * t368);
-    const double t447 = t356 * t357 * t415;
-    const double t448 = t359 * t360 * t411;
-    const double t449 = t2 - t5 * t349 + t146 * t422 + t151 * t428 - 2.0 * (t372 * t429 + t132 * t435 - t139 * t438
-        - t378 * t441 - t380 * t443 + t383 * t445);
-    const double t450 = t4 - t6 * t349 + t149 * t422 + t152 * t428 - 2.0 * (t375 * t429 + t138 * t435 - t144 * t438
-        - t379 * t441 - t381 * t443 + t384 * t445);
-    const double t451 = t371 + t139 * t424 - t132 * t430 - 2.0 * (t146 * t431 - t151 * t436 + t372 * t439 - t378 *
-        t442 - t380 * t444 + t383 * t446);
-    const double t452 = t374 + t144 * t424 - t138 * t430 - 2.0 * (t149 * t431 - t152 * t436 + t375 * t439 - t379 *
-        t442 - t381 * t444 + t384 * t446);
-    const double t453 = t359 * t357 * t412;
-    const double t454 = t8 - t11 * t349 + t153 * t422 + t154 * t428 - 2.0 * (t377 * t429 + t145 * t435 - t150 * t438
-        - t382 * t441 - t385 * t443 + t386 * t445);
-    const double t455 = t376 + t150 * t424 - t145 * t430 - 2.0 * (t153 * t431 - t154 * t436 + t377 * t439 - t382 *
-        t442 - t385 * t444 + t386 * t446);
-    const double t456 = t356 * t360 * t416;
-    const double t457 = t360 * t417;
-    const double t458 = t359 * t432;
-    const double t459 = t357 * t437;
-    const double t460 = t328 + 0.5 * (t451 * t451 + t452 * t452 + t455 * t455);
-    const double t461 = t329 + 0.5 * (t451 * t449 + t452 * t450 + t455 * t454);
-    const double t462 = t330 + 0.5 * (t449 * t449 + t450 * t450 + t454 * t454);
-    const double t463 = t356 * t440;
-    const double t464 = t460 * t462;
-    const double t465 = t464 - t461 * t461;
-    const double t466 = t17 - t2 * t348 - t349 * t371 + t132 * t447 - t139 * t448 + t146 * t453 - t151 * t456 + t372
-        * t457 - t378 * t458 - t380 * t459 + t383 * t463;
-    const double t467 = t18 - t4 * t348 - t349 * t374 + t138 * t447 - t144 * t448 + t149 * t453 - t152 * t456 + t375
-        * t457 - t379 * t458 - t381 * t459 + t384 * t463;
-    const double t468 = t21 - t8 * t348 - t349 * t376 + t145 * t447 - t150 * t448 + t153 * t453 - t154 * t456 + t377
-        * t457 - t382 * t458 - t385 * t459 + t386 * t463;
-    const double t469 = t466 * t449 + t467 * t450 + t468 * t454;
-    const double t470 = t466 * t451 + t467 * t452 + t468 * t455;
-    const double t471 = t469 * t460 - t470 * t461;
-    const double t472 = t470 * t462 - t469 * t461;
-    const double u15 = 0.4 * t464;
-    const double u16 = 4.0 * t465;
+    const double t407 = t397 * t397;
+    const double t408 = t394 * t394;
+    const double t409 = t47 + t404 * t142;
+    const double t410 = t57 - t404 * t143;
+    const double t411 = t394 + 1.0;
+    const double t412 = t399 * t399;
+    const double t413 = t40 - t405 * t149;
+    const double t414 = t53 - t405 * t150;
+    const double t415 = t359 * t397 - t360 * t399;
+    const double t416 = t361 * t399 - t361 * t395;
+    const double t417 = t351 * t411;
+    const double t418 = t411 * t411;
+    const double t419 = t41 - t417 * t153;
+    const double t420 = t55 + t417 * t154;
+    const double t421 = t360 * t351 * (t416 + (t351 * t400 - t348 * t396) * t368);
+    const double t422 = t348 * t410 - t350 * t409;
+    const double t423 = t364 * t411 - t363 * t395;
+    const double t424 = t361 * t397 - t361 * t411;
+    const double t425 = t349 * t402 + t348 * t403;
+    const double t426 = t350 * (t425 + (t403 - t407 * t356) * t369);
+    const double t427 = t360 * t350 * (t423 + (t350 * t418 - t349 * t406) * t370);
+    const double t428 = t351 * t414 - t350 * t413;
+    const double t429 = t364 * t348 * (t424 - (t351 * t398 - t348 * t408) * t371);
+    const double t430 = t364 * t349 * (t415 - (t350 * t407 - t349 * t412) * t369);
+    const double t431 = t351 * (t425 + (t402 - t398 * t356) * t371);
+    const double t432 = t361 * (t405 - t404 + t348 * t406 + t351 * t412) - t365 * t416;
+    const double t433 = t349 * t349 * t432;
+    const double t434 = t365 * t424 + t361 * (t401 - t351 * t407 - t417 - t348 * t418);
+    const double t435 = t350 * t350 * t434;
+    const double t436 = t366 * t415 + t367 * (t401 - t350 * t398 - t349 * t400 - t404);
+    const double t437 = t351 * t351 * t436;
+    const double t438 = t349 * t419 + t351 * t420;
+    const double t439 = t351 * (t422 - (t400 * t357 + t409) * t368);
+    const double t440 = t366 * t423 + t367 * (t417 - t349 * t396 - t350 * t408 - t405);
+    const double t441 = t348 * t348 * t440;
+    const double t442 = t349 * (t422 + (t412 * t357 + t410) * t369);
+    const double t443 = t349 * (t428 + (t414 - t406 * t358) * t370);
+    const double t444 = t350 * (t438 + (t418 * t362 + t420) * t370);
+    const double t445 = t348 * (t428 - (t396 * t358 + t413) * t368);
+    const double t446 = t348 * (t438 + (t419 - t408 * t362) * t371);
+    const double t447 = t359 * t360 * t423;
+    const double t448 = t363 * t364 * t415;
+    const double t449 = t363 * t360 * t416;
+    const double t450 = t359 * t364 * t424;
+    const double t451 = t364 * t425;
+    const double t452 = t2 - t5 * t349 + t141 * t433 + t148 * t435 - 2.0 * (t374 * t426 + t124 * t427 - t134 * t430
+        - t378 * t442 - t380 * t443 + t383 * t444);
+    const double t453 = t4 - t6 * t349 + t146 * t433 + t151 * t435 - 2.0 * (t375 * t426 + t132 * t427 - t139 * t430
+        - t379 * t442 - t381 * t443 + t384 * t444);
+    const double t454 = t8 - t11 * t349 + t147 * t433 + t152 * t435 - 2.0 * (t377 * t426 + t133 * t427 - t140 * t430
+        - t382 * t442 - t385 * t443 + t386 * t444);
+    const double t455 = t372 + t134 * t437 - t124 * t441 - 2.0 * (t141 * t421 - t148 * t429 + t374 * t431 - t378 *
+        t439 - t380 * t445 + t383 * t446);
+    const double t456 = t373 + t139 * t437 - t132 * t441 - 2.0 * (t146 * t421 - t151 * t429 + t375 * t431 - t379 *
+        t439 - t381 * t445 + t384 * t446);
+    const double t457 = t363 * t422;
+    const double t458 = t376 + t140 * t437 - t133 * t441 - 2.0 * (t147 * t421 - t152 * t429 + t377 * t431 - t382 *
+        t439 - t385 * t445 + t386 * t446);
+    const double t459 = t360 * t428;
+    const double t460 = t359 * t438;
+    const double t461 = t323 + 0.5 * (t455 * t455 + t456 * t456 + t458 * t458);
+    const double t462 = t322 + 0.5 * (t455 * t452 + t456 * t453 + t458 * t454);
+    const double t463 = t17 - t2 * t348 - t349 * t372 + t124 * t447 - t134 * t448 + t141 * t449 - t148 * t450 + t374
+        * t451 - t378 * t457 - t380 * t459 + t383 * t460;
+    const double t464 = t18 - t4 * t348 - t349 * t373 + t132 * t447 - t139 * t448 + t146 * t449 - t151 * t450 + t375
+        * t451 - t379 * t457 - t381 * t459 + t384 * t460;
+    const double t465 = t324 + 0.5 * (t452 * t452 + t453 * t453 + t454 * t454);
+    const double t466 = t21 - t8 * t348 - t349 * t376 + t133 * t447 - t140 * t448 + t147 * t449 - t152 * t450 + t377
+        * t451 - t382 * t457 - t385 * t459 + t386 * t460;
+    const double t467 = t463 * t452 + t464 * t453 + t466 * t454;
+    const double t468 = t463 * t455 + t464 * t456 + t466 * t458;
+    const double t469 = t461 * t465;
+    const double t470 = t469 - t462 * t462;
+    const double t471 = t467 * t461 - t468 * t462;
+    const double t472 = t468 * t465 - t467 * t462;
+    const double u15 = 0.4 * t469;
+    const double u16 = 4.0 * t470;
     const double t473 = (u16 > u15 ? u16 : u15);
     const double t474 = 2.0 / t473;
     const double t475 = t345 - 0.225 + t471 * t474;
@@ -1956,12 +1956,12 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_exact_n(size_t n, const double *cons
 static const double footpoint_paper_gregory_exact_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.5454186915404331, 0, 1.5832485998562673e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.12475213832385891, 0, 7.375493640165774e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.12475213832385891, 0, 7.3754936401657535e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.1941076804350968, 9.8813129168249309e-324, 1.2295081779289994e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.1941076804350968, 9.8813129168249309e-324, 1.2295081779289944e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29246290133790293, 9.8813129168249309e-324, 2.4947599449116814e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29246290133790293, 9.8813129168249309e-324, 2.4947599449116795e-15},
 };
 #endif
 
@@ -1999,134 +1999,134 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t24 = t13 * t13 + t15 * t15 + t20 * t20;
     const double t25 = t2 - (40.0 / 11.0) * t17 + t12;
     const double t26 = t4 - (40.0 / 11.0) * t18 + t14;
-    const double t27 = t8 - (40.0 / 11.0) * t21 + t19;
-    const double t28 = t12 * t25 + t14 * t26 + t19 * t27;
-    const double t29 = t13 * t25 + t15 * t26 + t20 * t27;
-    const double t30 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t27 = 1.0 / (t23 * t24 - t22 * t22);
+    const double t28 = t8 - (40.0 / 11.0) * t21 + t19;
+    const double t29 = t12 * t25 + t14 * t26 + t19 * t28;
+    const double t30 = t13 * t25 + t15 * t26 + t20 * t28;
     const double t31 = t5 * t12 + t6 * t14 + t11 * t19;
     const double t32 = t5 * t13 + t6 * t15 + t11 * t20;
-    const double t33 = (t23 * t29 - t22 * t28) * t30;
-    const double t34 = (t24 * t28 - t22 * t29) * t30;
-    const double t35 = (t31 * t24 - t32 * t22) * t30;
-    const double t36 = (t32 * t23 - t31 * t22) * t30;
+    const double t33 = (t23 * t30 - t22 * t29) * t27;
+    const double t34 = (t24 * t29 - t22 * t30) * t27;
+    const double t35 = (t31 * t24 - t32 * t22) * t27;
+    const double t36 = (t32 * t23 - t31 * t22) * t27;
     const double t37 = xB[2] - xC[2];
     const double t38 = xB[1] - xC[1];
     const double t39 = xB[0] - xC[0];
     const double t40 = nC[2] * t37 + nC[1] * t38 + nC[0] * t39;
     const double t41 = nB[2] * t37 + nB[1] * t38 + nB[0] * t39;
     const double t42 = t10 * t8 - t16 * t4;
-    const double t43 = t16 * t2 - t9 * t8;
-    const double t44 = t37 * t37 + t38 * t38 + t39 * t39;
-    const double t45 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t46 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
-    const double t47 = t10 * t11 - t16 * t6;
-    const double t48 = t42 - (t8 * t6 - t4 * t11);
-    const double t49 = t16 * t5 - t9 * t11;
-    const double t50 = t43 - (t2 * t11 - t8 * t5);
+    const double t43 = t42 - (t8 * t6 - t4 * t11);
+    const double t44 = t16 * t2 - t9 * t8;
+    const double t45 = t44 - (t2 * t11 - t8 * t5);
+    const double t46 = t37 * t37 + t38 * t38 + t39 * t39;
+    const double t47 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t48 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t49 = t10 * t11 - t16 * t6;
+    const double t50 = t16 * t5 - t9 * t11;
     const double t51 = t9 * t4 - t10 * t2;
-    const double t52 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t53 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t54 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t55 = t9 * t9 + t10 * t10 + t16 * t16;
-    const double t56 = t9 * t6 - t10 * t5;
-    const double t57 = t51 - (t4 * t5 - t2 * t6);
-    const double t58 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t59 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t60 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t61 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t52;
-    const double t62 = 1.0 / (t44 - t40 * t40);
-    const double t63 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t53;
-    const double t64 = 1.0 / (t44 - t41 * t41);
-    const double t65 = nC[2] * (t48 - t47) + nC[1] * (t50 - t49) + nC[0] * (t57 - t56);
-    const double t66 = nB[2] * t48 + nB[1] * t50 + nB[0] * t57;
-    const double t67 = t61 * t62;
-    const double t68 = t63 * t64;
-    const double t69 = t65 * t62;
-    const double t70 = t66 * t64;
-    const double t71 = t1 * t9 + t3 * t10 + t7 * t16 - t45 * t54;
-    const double t72 = 1.0 / (t55 - t45 * t45);
-    const double t73 = t9 * t2 + t10 * t4 + t16 * t8 - t46 * t58;
-    const double t74 = 1.0 / (t55 - t46 * t46);
-    const double t75 = nD[2] * (t42 - t47) + nD[1] * (t43 - t49) + nD[0] * (t51 - t56);
-    const double t76 = nA[2] * t42 + nA[1] * t43 + nA[0] * t51;
-    const double t77 = t68 - t67;
-    const double t78 = t71 * t72;
-    const double t79 = t73 * t74;
-    const double t80 = t75 * t72;
-    const double t81 = t76 * t74;
-    const double t82 = 1.0 / (t59 - t54 * t54);
-    const double t83 = 1.0 / (t59 - t52 * t52);
-    const double t84 = 1.0 / (t60 - t53 * t53);
-    const double t85 = t2 - t1;
-    const double t86 = nB[1] * t69 + nC[1] * t70;
-    const double t87 = nB[0] * t69 + nC[0] * t70;
-    const double t88 = t79 - t78;
-    const double t89 = t71 * t82;
-    const double t90 = t61 * t83;
-    const double t91 = t65 * t83;
-    const double t92 = t75 * t82;
-    const double t93 = t63 * t84;
-    const double t94 = 1.0 / (t60 - t58 * t58);
-    const double t95 = t4 - t3;
-    const double t96 = t40 * t68;
-    const double t97 = nA[0] * t80 + nD[0] * t81;
-    const double t98 = t89 + t90;
-    const double t99 = t73 * t94;
-    const double t100 = t66 * t84;
-    const double t101 = t76 * t94;
-    const double t102 = nB[2] * t69 + nC[2] * t70;
-    const double t103 = nA[2] * t80 + nD[2] * t81;
-    const double t104 = t8 - t7;
-    const double t105 = t41 * t67;
-    const double t106 = nA[1] * t80 + nD[1] * t81;
-    const double t107 = t45 * t79;
+    const double t52 = t51 - (t4 * t5 - t2 * t6);
+    const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
+    const double t54 = 1.0 / (t46 - t40 * t40);
+    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t56 = 1.0 / (t46 - t41 * t41);
+    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t59 = t9 * t6 - t10 * t5;
+    const double t60 = 1.0 / (t58 - t47 * t47);
+    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t62 = 1.0 / (t58 - t48 * t48);
+    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t65 = 1.0 / (t63 - t57 * t57);
+    const double t66 = 1.0 / (t63 - t53 * t53);
+    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
+    const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
+    const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
+    const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
+    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
+    const double t77 = t73 * t54;
+    const double t78 = t68 * t54;
+    const double t79 = t73 * t66;
+    const double t80 = t68 * t66;
+    const double t81 = t74 * t56;
+    const double t82 = t69 * t56;
+    const double t83 = t74 * t67;
+    const double t84 = t69 * t67;
+    const double t85 = t81 - t77;
+    const double t86 = nB[1] * t78 + nC[1] * t82;
+    const double t87 = nB[0] * t78 + nC[0] * t82;
+    const double t88 = nB[2] * t78 + nC[2] * t82;
+    const double t89 = t75 * t60;
+    const double t90 = t70 * t60;
+    const double t91 = t75 * t65;
+    const double t92 = t70 * t65;
+    const double t93 = t76 * t62;
+    const double t94 = t71 * t62;
+    const double t95 = t76 * t72;
+    const double t96 = t71 * t72;
+    const double t97 = t2 - t1;
+    const double t98 = t93 - t89;
+    const double t99 = nA[0] * t90 + nD[0] * t94;
+    const double t100 = t4 - t3;
+    const double t101 = nA[2] * t90 + nD[2] * t94;
+    const double t102 = nA[1] * t90 + nD[1] * t94;
+    const double t103 = t40 * t81;
+    const double t104 = t77 + (2.0 / 3.0) + t81;
+    const double t105 = t41 * t77;
+    const double t106 = t91 + t79;
+    const double t107 = nD[0] * t80 + nC[0] * t92;
     const double t108 = t37 + t9;
-    const double t109 = nD[0] * t91 + nC[0] * t92;
-    const double t110 = t93 + t99;
-    const double t111 = t78 - (2.0 / 3.0) + t79;
-    const double t112 = t99 - (2.0 / 3.0) - t93;
-    const double t113 = t38 + t10;
-    const double t114 = nD[2] * t91 + nC[2] * t92;
-    const double t115 = t46 * t78;
-    const double t116 = nD[1] * t91 + nC[1] * t92;
-    const double t117 = t52 * t89;
-    const double t118 = nA[1] * t100 + nB[1] * t101;
-    const double t119 = nA[0] * t100 + nB[0] * t101;
-    const double t120 = t46 * t111;
-    const double t121 = t58 * t112;
-    const double t122 = t90 + (2.0 / 3.0) - t89;
+    const double t109 = nD[2] * t80 + nC[2] * t92;
+    const double t110 = nD[1] * t80 + nC[1] * t92;
+    const double t111 = t8 - t7;
+    const double t112 = t47 * t93;
+    const double t113 = t89 - (2.0 / 3.0) + t93;
+    const double t114 = t48 * t89;
+    const double t115 = t83 + t95;
+    const double t116 = nA[1] * t84 + nB[1] * t96;
+    const double t117 = nA[0] * t84 + nB[0] * t96;
+    const double t118 = nA[2] * t84 + nB[2] * t96;
+    const double t119 = t95 - (2.0 / 3.0) - t83;
+    const double t120 = t55 * t95;
+    const double t121 = t61 * t83;
+    const double t122 = t38 + t10;
     const double t123 = t39 + t16;
-    const double t124 = t54 * t90;
-    const double t125 = t53 * t99;
-    const double t126 = 3.0 * t120;
-    const double t127 = 3.0 * t121;
-    const double t128 = t45 * t111;
-    const double t129 = t54 * t122;
-    const double t130 = t67 + (2.0 / 3.0) + t68;
-    const double t131 = nA[2] * t100 + nB[2] * t101;
-    const double t132 = t85 - t37 * t77 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t96 - nB[2] * t105);
-    const double t133 = t58 * t93;
-    const double t134 = 3.0 * t128;
-    const double t135 = 3.0 * t129;
-    const double t136 = t40 * t130;
-    const double t137 = t52 * t122;
-    const double t138 = t95 - t38 * t77 - t37 * t87 + t39 * t102 - 2.0 * (nC[1] * t96 - nB[1] * t105);
-    const double t139 = t85 - t9 * t88 + t10 * t97 - t16 * t106 - 2.0 * (nD[2] * t107 - nA[2] * t115);
-    const double t140 = 3.0 * t136;
-    const double t141 = 3.0 * t137;
-    const double t142 = t41 * t130;
-    const double t143 = t53 * t112;
-    const double t144 = t95 - t10 * t88 + t16 * t103 - t9 * t97 - 2.0 * (nD[1] * t107 - nA[1] * t115);
-    const double t145 = t104 - t39 * t77 - t38 * t102 + t37 * t86 - 2.0 * (nC[0] * t96 - nB[0] * t105);
-    const double t146 = t108 - t1 * t98 + t3 * t109 - t7 * t116 - 2.0 * (nC[2] * t117 + nD[2] * t124);
-    const double t147 = 3.0 * t142;
-    const double t148 = 3.0 * t143;
-    const double t149 = t113 - t3 * t98 + t7 * t114 - t1 * t109 - 2.0 * (nC[1] * t117 + nD[1] * t124);
-    const double t150 = t104 - t16 * t88 + t9 * t106 - t10 * t103 - 2.0 * (nD[0] * t107 - nA[0] * t115);
-    const double t151 = t108 - t2 * t110 + t8 * t118 - t4 * t119 - 2.0 * (nB[2] * t125 + nA[2] * t133);
-    const double t152 = t113 - t4 * t110 + t2 * t119 - t8 * t131 - 2.0 * (nB[1] * t125 + nA[1] * t133);
-    const double t153 = t123 - t7 * t98 + t1 * t116 - t3 * t114 - 2.0 * (nC[0] * t117 + nD[0] * t124);
-    const double t154 = t123 - t8 * t110 + t4 * t131 - t2 * t118 - 2.0 * (nB[0] * t125 + nA[0] * t133);
+    const double t124 = t97 - t37 * t85 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t103 - nB[2] * t105);
+    const double t125 = t53 * t91;
+    const double t126 = t79 + (2.0 / 3.0) - t91;
+    const double t127 = t57 * t79;
+    const double t128 = t48 * t113;
+    const double t129 = t47 * t113;
+    const double t130 = t61 * t119;
+    const double t131 = t55 * t119;
+    const double t132 = t100 - t38 * t85 - t37 * t87 + t39 * t88 - 2.0 * (nC[1] * t103 - nB[1] * t105);
+    const double t133 = t111 - t39 * t85 - t38 * t88 + t37 * t86 - 2.0 * (nC[0] * t103 - nB[0] * t105);
+    const double t134 = t97 - t9 * t98 + t10 * t99 - t16 * t102 - 2.0 * (nD[2] * t112 - nA[2] * t114);
+    const double t135 = 3.0 * t128;
+    const double t136 = 3.0 * t130;
+    const double t137 = t57 * t126;
+    const double t138 = t53 * t126;
+    const double t139 = t100 - t10 * t98 + t16 * t101 - t9 * t99 - 2.0 * (nD[1] * t112 - nA[1] * t114);
+    const double t140 = t111 - t16 * t98 + t9 * t102 - t10 * t101 - 2.0 * (nD[0] * t112 - nA[0] * t114);
+    const double t141 = t108 - t1 * t106 + t3 * t107 - t7 * t110 - 2.0 * (nC[2] * t125 + nD[2] * t127);
+    const double t142 = 3.0 * t129;
+    const double t143 = 3.0 * t137;
+    const double t144 = t40 * t104;
+    const double t145 = t41 * t104;
+    const double t146 = t122 - t3 * t106 + t7 * t109 - t1 * t107 - 2.0 * (nC[1] * t125 + nD[1] * t127);
+    const double t147 = t123 - t7 * t106 + t1 * t110 - t3 * t109 - 2.0 * (nC[0] * t125 + nD[0] * t127);
+    const double t148 = t108 - t2 * t115 + t8 * t116 - t4 * t117 - 2.0 * (nB[2] * t120 + nA[2] * t121);
+    const double t149 = 3.0 * t144;
+    const double t150 = 3.0 * t138;
+    const double t151 = t122 - t4 * t115 + t2 * t117 - t8 * t118 - 2.0 * (nB[1] * t120 + nA[1] * t121);
+    const double t152 = t123 - t8 * t115 + t4 * t118 - t2 * t116 - 2.0 * (nB[0] * t120 + nA[0] * t121);
+    const double t153 = 3.0 * t145;
+    const double t154 = 3.0 * t131;
     const double u4 = -0.275 * t34;
     double u5 = 0.225;
     const double t155 = (u5 < u4 ? u5 : u4);
@@ -2159,8 +2159,8 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t177 = t170 * t171;
     const double t178 = t168 * t170;
     const double t179 = t169 * t168;
-    const double t180 = t168 * t171;
-    const double t181 = t9 - t5 * t168;
+    const double t180 = t9 - t5 * t168;
+    const double t181 = t168 * t171;
     const double t182 = t10 - t6 * t168;
     const double t183 = t16 - t11 * t168;
     const double t184 = nA[2] * t177;
@@ -2175,16 +2175,16 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t193 = nB[1] * t178;
     const double t194 = nC[0] * t179;
     const double t195 = nB[0] * t178;
-    const double t196 = 3.0 * (t120 * t169 + t121 * t168);
-    const double t197 = 3.0 * (t129 * t168 + t128 * t170);
-    const double t198 = t168 + t171;
-    const double t199 = 3.0 * (t137 * t171 - t136 * t170);
-    const double t200 = t169 + t170;
-    const double t201 = t169 * t170;
-    const double t202 = 0.5 * t169;
-    const double t203 = 0.5 * t171;
-    const double t204 = 0.5 * t168;
-    const double t205 = 3.0 * (t143 * t171 - t142 * t169);
+    const double t196 = 3.0 * (t128 * t169 + t130 * t168);
+    const double t197 = 3.0 * (t137 * t168 + t129 * t170);
+    const double t198 = 3.0 * (t138 * t171 - t144 * t170);
+    const double t199 = 3.0 * (t131 * t171 - t145 * t169);
+    const double t200 = t168 + t171;
+    const double t201 = t169 + t170;
+    const double t202 = t169 * t170;
+    const double t203 = 0.5 * t169;
+    const double t204 = 0.5 * t171;
+    const double t205 = 0.5 * t168;
     const double t206 = 0.5 * t170;
     const double t207 = t169 * t169;
     const double t208 = t171 * t171;
@@ -2202,141 +2202,141 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t218 = (u12 > t175 ? u12 : t175);
     const double t219 = 1.0 / t215;
     const double t220 = 1.0 / t216;
-    const double t221 = t171 * t219;
-    const double t222 = t171 * t220;
-    const double t223 = 1.0 / t217;
-    const double t224 = 1.0 / t218;
-    const double t225 = t221 + 1.0;
-    const double t226 = t222 + 1.0;
-    const double t227 = t168 * t223;
-    const double t228 = t168 * t224;
-    const double t229 = t227 - 1.0;
-    const double t230 = t228 - 1.0;
-    const double t231 = t177 * t226 - t176 * t225;
-    const double t232 = t178 * t229 - t179 * t230;
-    const double t233 = t168 * t229;
-    const double t234 = t178 * t179 * t231;
-    const double t235 = t180 * t230 - t180 * t225;
-    const double t236 = t168 * t230;
-    const double t237 = t176 * t177 * t232;
-    const double t238 = t180 * t229 - t180 * t226;
-    const double t239 = t46 + t233 * t126;
-    const double t240 = t58 + t233 * t127;
-    const double t241 = t171 * t225;
-    const double t242 = t176 * t179 * t235;
-    const double t243 = t45 + t236 * t134;
-    const double t244 = t54 - t236 * t135;
-    const double t245 = t171 * t226;
-    const double t246 = t178 * t177 * t238;
-    const double t247 = t169 * t239 + t168 * t240;
-    const double t248 = t40 - t241 * t140;
-    const double t249 = t52 - t241 * t141;
-    const double t250 = t177 * t247;
-    const double t251 = t168 * t244 - t170 * t243;
-    const double t252 = t41 - t245 * t147;
-    const double t253 = t53 + t245 * t148;
-    const double t254 = t176 * t251;
-    const double t255 = t171 * t249 - t170 * t248;
-    const double t256 = t179 * t255;
-    const double t257 = t169 * t252 + t171 * t253;
-    const double t258 = t178 * t257;
-    const double t259 = t17 - t2 * t168 - t169 * t181 + t132 * t234 - t139 * t237 + t146 * t242 - t151 * t246 + t184
-        * t250 - t186 * t254 - t189 * t256 + t192 * t258;
-    const double t260 = t18 - t4 * t168 - t169 * t182 + t138 * t234 - t144 * t237 + t149 * t242 - t152 * t246 + t185
-        * t250 - t187 * t254 - t190 * t256 + t193 * t258;
-    const double t261 = t21 - t8 * t168 - t169 * t183 + t145 * t234 - t150 * t237 + t153 * t242 - t154 * t246 + t188
-        * t250 - t191 * t254 - t194 * t256 + t195 * t258;
+    const double t221 = 1.0 / t217;
+    const double t222 = 1.0 / t218;
+    const double t223 = t171 * t219;
+    const double t224 = t171 * t220;
+    const double t225 = t223 + 1.0;
+    const double t226 = t224 + 1.0;
+    const double t227 = t168 * t221;
+    const double t228 = t168 * t222;
+    const double t229 = t177 * t226 - t176 * t225;
+    const double t230 = t227 - 1.0;
+    const double t231 = t228 - 1.0;
+    const double t232 = t178 * t230 - t179 * t231;
+    const double t233 = t178 * t179 * t229;
+    const double t234 = t181 * t231 - t181 * t225;
+    const double t235 = t168 * t230;
+    const double t236 = t176 * t177 * t232;
+    const double t237 = t181 * t230 - t181 * t226;
+    const double t238 = t48 + t235 * t135;
+    const double t239 = t61 + t235 * t136;
+    const double t240 = t168 * t231;
+    const double t241 = t176 * t179 * t234;
+    const double t242 = t47 + t240 * t142;
+    const double t243 = t57 - t240 * t143;
+    const double t244 = t171 * t225;
+    const double t245 = t178 * t177 * t237;
+    const double t246 = t169 * t238 + t168 * t239;
+    const double t247 = t40 - t244 * t149;
+    const double t248 = t53 - t244 * t150;
+    const double t249 = t171 * t226;
+    const double t250 = t168 * t243 - t170 * t242;
+    const double t251 = t41 - t249 * t153;
+    const double t252 = t55 + t249 * t154;
+    const double t253 = t177 * t246;
+    const double t254 = t171 * t248 - t170 * t247;
+    const double t255 = t176 * t250;
+    const double t256 = t169 * t251 + t171 * t252;
+    const double t257 = t179 * t254;
+    const double t258 = t178 * t256;
+    const double t259 = t17 - t2 * t168 - t169 * t180 + t124 * t233 - t134 * t236 + t141 * t241 - t148 * t245 + t184
+        * t253 - t186 * t255 - t189 * t257 + t192 * t258;
+    const double t260 = t18 - t4 * t168 - t169 * t182 + t132 * t233 - t139 * t236 + t146 * t241 - t151 * t245 + t185
+        * t253 - t187 * t255 - t190 * t257 + t193 * t258;
+    const double t261 = t21 - t8 * t168 - t169 * t183 + t133 * t233 - t140 * t236 + t147 * t241 - t152 * t245 + t188
+        * t253 - t191 * t255 - t194 * t257 + t195 * t258;
     const double t262 = t227 * t227;
     const double t263 = t225 * t225;
-    const double t264 = t229 * t229;
+    const double t264 = t230 * t230;
     const double t265 = t228 * t228;
-    const double t266 = t221 * t221;
-    const double t267 = t222 * t222;
-    const double t268 = t230 * t230;
-    const double t269 = t146 * t259 + t149 * t260 + t153 * t261;
-    const double t270 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
-    const double t271 = t139 * t259 + t144 * t260 + t150 * t261;
-    const double t272 = t226 * t226;
+    const double t266 = t223 * t223;
+    const double t267 = t224 * t224;
+    const double t268 = t141 * t259 + t146 * t260 + t147 * t261;
+    const double t269 = nD[2] * t259 + nD[1] * t260 + nD[0] * t261;
+    const double t270 = t134 * t259 + t139 * t260 + t140 * t261;
+    const double t271 = t231 * t270 + t228 * t268 + t222 * t269 * t197;
+    const double t272 = t231 * t231;
     const double t273 = nC[2] * t259 + nC[1] * t260 + nC[0] * t261;
-    const double t274 = t132 * t259 + t138 * t260 + t145 * t261;
-    const double t275 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
-    const double t276 = t151 * t259 + t152 * t260 + t154 * t261;
-    const double t277 = t230 * t271 + t228 * t269 + t224 * t270 * t197;
-    const double t278 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
-    const double t279 = t180 * (t241 - t236 + t168 * t263 + t171 * t268) - t198 * t235;
-    const double t280 = t200 * t232 + t201 * (t233 - t170 * t262 - t169 * t265 - t236);
-    const double t281 = t221 * t269 - t225 * t274 - t219 * t273 * t199;
-    const double t282 = t207 * t279;
-    const double t283 = t198 * t238 + t180 * (t233 - t171 * t264 - t245 - t168 * t272);
-    const double t284 = t208 * t280;
-    const double t285 = t200 * t231 + t201 * (t245 - t169 * t266 - t170 * t267 - t241);
-    const double t286 = t226 * t274 + t222 * t276 + t220 * t275 * t205;
-    const double t287 = t45 * t270;
-    const double t288 = t54 * t270 - t170 * t277;
-    const double t289 = t209 * t283;
-    const double t290 = t170 * (t247 + (t240 - t264 * t196) * t203);
-    const double t291 = t210 * t285;
-    const double t292 = t179 * t171 * (t235 + (t171 * t265 - t168 * t266) * t202);
-    const double t293 = t40 * t273;
-    const double t294 = t52 * t273 - t170 * t281;
-    const double t295 = t227 * t276 - t229 * t271 - t223 * t278 * t196;
-    const double t296 = t179 * t170 * (t231 + (t170 * t272 - t169 * t263) * t204);
-    const double t297 = t177 * t168 * (t238 - (t171 * t262 - t168 * t267) * t206);
-    const double t298 = t41 * t275;
-    const double t299 = t53 * t275 + t169 * t286;
-    const double t300 = t168 * t288 - t170 * t287;
-    const double t301 = t177 * t169 * (t232 - (t170 * t264 - t169 * t268) * t203);
-    const double t302 = t171 * (t247 + (t239 - t262 * t196) * t206);
-    const double t303 = t171 * t294 - t170 * t293;
-    const double t304 = t300 - (t287 + t168 * t277) * t211;
-    const double t305 = t46 * t278;
-    const double t306 = t58 * t278 + t169 * t295;
-    const double t307 = t169 * (t251 + (t268 * t197 + t244) * t203);
-    const double t308 = t171 * (t251 - (t265 * t197 + t243) * t202);
-    const double t309 = t303 - (t293 + t171 * t281) * t211;
-    const double t310 = t169 * t298 + t171 * t299;
-    const double t311 = t288 * t212 + t300;
-    const double t312 = t169 * (t255 + (t249 - t263 * t199) * t204);
-    const double t313 = t168 * (t255 - (t266 * t199 + t248) * t202);
-    const double t314 = (t298 + t171 * t286) * t213 + t310;
-    const double t315 = t169 * t305 + t168 * t306;
-    const double t316 = t294 * t214 + t303;
-    const double t317 = t170 * (t257 + (t272 * t205 + t253) * t204);
-    const double t318 = t168 * (t257 + (t252 - t267 * t205) * t206);
-    const double t319 = (t305 + t168 * t295) * t213 + t315;
-    const double t320 = t299 * t214 + t310;
-    const double t321 = t306 * t212 + t315;
-    const double t322 = t2 - t5 * t169 + t146 * t282 + t151 * t289 - 2.0 * (t184 * t290 + t132 * t296 - t139 * t301
-        - t186 * t307 - t189 * t312 + t192 * t317);
-    const double t323 = t4 - t6 * t169 + t149 * t282 + t152 * t289 - 2.0 * (t185 * t290 + t138 * t296 - t144 * t301
-        - t187 * t307 - t190 * t312 + t193 * t317);
-    const double t324 = t181 + t139 * t284 - t132 * t291 - 2.0 * (t146 * t292 - t151 * t297 + t184 * t302 - t186 *
-        t308 - t189 * t313 + t192 * t318);
-    const double t325 = t182 + t144 * t284 - t138 * t291 - 2.0 * (t149 * t292 - t152 * t297 + t185 * t302 - t187 *
-        t308 - t190 * t313 + t193 * t318);
-    const double t326 = t8 - t11 * t169 + t153 * t282 + t154 * t289 - 2.0 * (t188 * t290 + t145 * t296 - t150 * t301
-        - t191 * t307 - t194 * t312 + t195 * t317);
-    const double t327 = t183 + t150 * t284 - t145 * t291 - 2.0 * (t153 * t292 - t154 * t297 + t188 * t302 - t191 *
-        t308 - t194 * t313 + t195 * t318);
-    const double t328 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t300 - 0.5 * (t176 * t277 - t304 -
-        t311)) - t179 * (t303 - 0.5 * (t179 * t281 - t309 - t316)) + t178 * (0.5 * (t178 * t286 + t314 + t320) +
-        t310) + t177 * (0.5 * (t177 * t295 + t319 + t321) + t315);
-    const double t329 = t324 * t324 + t325 * t325 + t327 * t327 + 2.0 * (t210 * (t314 - t309) + t208 * (t319 -
-        t304));
-    const double t330 = t324 * t322 + t325 * t323 + t327 * t326 + 2.0 * t328;
-    const double t331 = t322 * t322 + t323 * t323 + t326 * t326 + 2.0 * (t209 * (t320 + t321) - t207 * (t311 +
-        t316));
-    const double t332 = t329 * t331;
-    const double t333 = t332 - t330 * t330;
-    const double t334 = t259 * t322 + t260 * t323 + t261 * t326;
-    const double t335 = t259 * t324 + t260 * t325 + t261 * t327;
-    const double t336 = t334 * t329 - t335 * t330;
-    const double t337 = t335 * t331 - t334 * t330;
-    const double u13 = 0.1 * t332;
-    const double t338 = (t333 > u13 ? t333 : u13);
+    const double t274 = t124 * t259 + t132 * t260 + t133 * t261;
+    const double t275 = t223 * t268 - t225 * t274 - t219 * t273 * t198;
+    const double t276 = t226 * t226;
+    const double t277 = t181 * (t244 - t240 + t168 * t263 + t171 * t272) - t200 * t234;
+    const double t278 = t207 * t277;
+    const double t279 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
+    const double t280 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t281 = t148 * t259 + t151 * t260 + t152 * t261;
+    const double t282 = t226 * t274 + t224 * t281 + t220 * t280 * t199;
+    const double t283 = t200 * t237 + t181 * (t235 - t171 * t264 - t249 - t168 * t276);
+    const double t284 = t209 * t283;
+    const double t285 = t170 * (t246 + (t239 - t264 * t196) * t204);
+    const double t286 = t201 * t232 + t202 * (t235 - t170 * t262 - t169 * t265 - t240);
+    const double t287 = t201 * t229 + t202 * (t249 - t169 * t266 - t170 * t267 - t244);
+    const double t288 = t208 * t286;
+    const double t289 = t210 * t287;
+    const double t290 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
+    const double t291 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
+    const double t292 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t293 = t227 * t281 - t230 * t270 - t221 * t292 * t196;
+    const double t294 = t177 * t169 * (t232 - (t170 * t264 - t169 * t272) * t204);
+    const double t295 = t171 * (t246 + (t238 - t262 * t196) * t206);
+    const double t296 = t169 * (t250 + (t272 * t197 + t243) * t204);
+    const double t297 = t171 * (t250 - (t265 * t197 + t242) * t203);
+    const double t298 = t47 * t269;
+    const double t299 = t57 * t269 - t170 * t271;
+    const double t300 = t169 * (t254 + (t248 - t263 * t198) * t205);
+    const double t301 = t168 * (t254 - (t266 * t198 + t247) * t203);
+    const double t302 = t40 * t273;
+    const double t303 = t53 * t273 - t170 * t275;
+    const double t304 = t170 * (t256 + (t276 * t199 + t252) * t205);
+    const double t305 = t168 * (t256 + (t251 - t267 * t199) * t206);
+    const double t306 = t41 * t280;
+    const double t307 = t55 * t280 + t169 * t282;
+    const double t308 = t168 * t299 - t170 * t298;
+    const double t309 = t308 - (t298 + t168 * t271) * t211;
+    const double t310 = t299 * t212 + t308;
+    const double t311 = t171 * t303 - t170 * t302;
+    const double t312 = t311 - (t302 + t171 * t275) * t211;
+    const double t313 = t303 * t214 + t311;
+    const double t314 = t169 * t306 + t171 * t307;
+    const double t315 = (t306 + t171 * t282) * t213 + t314;
+    const double t316 = t307 * t214 + t314;
+    const double t317 = t48 * t292;
+    const double t318 = t61 * t292 + t169 * t293;
+    const double t319 = t169 * t317 + t168 * t318;
+    const double t320 = (t317 + t168 * t293) * t213 + t319;
+    const double t321 = t318 * t212 + t319;
+    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t308 - 0.5 * (t176 * t271 - t309 -
+        t310)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t282 + t315 + t316) +
+        t314) + t177 * (0.5 * (t177 * t293 + t320 + t321) + t319);
+    const double t323 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t290 - t134 * t294
+        - t186 * t296 - t189 * t300 + t192 * t304);
+    const double t324 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t279 - t148 * t291 + t184 * t295 - t186 *
+        t297 - t189 * t301 + t192 * t305);
+    const double t325 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t290 - t139 * t294
+        - t187 * t296 - t190 * t300 + t193 * t304);
+    const double t326 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t279 - t151 * t291 + t185 * t295 - t187 *
+        t297 - t190 * t301 + t193 * t305);
+    const double t327 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t290 - t140 * t294
+        - t191 * t296 - t194 * t300 + t195 * t304);
+    const double t328 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t279 - t152 * t291 + t188 * t295 - t191 *
+        t297 - t194 * t301 + t195 * t305);
+    const double t329 = t324 * t324 + t326 * t326 + t328 * t328 + 2.0 * (t210 * (t315 - t312) + t208 * (t320 -
+        t309));
+    const double t330 = t324 * t323 + t326 * t325 + t328 * t327 + 2.0 * t322;
+    const double t331 = t323 * t323 + t325 * t325 + t327 * t327 + 2.0 * (t209 * (t316 + t321) - t207 * (t310 +
+        t313));
+    const double t332 = t259 * t323 + t260 * t325 + t261 * t327;
+    const double t333 = t259 * t324 + t260 * t326 + t261 * t328;
+    const double t334 = t329 * t331;
+    const double t335 = t332 * t329 - t333 * t330;
+    const double t336 = t333 * t331 - t332 * t330;
+    const double t337 = t334 - t330 * t330;
+    const double u13 = 0.1 * t334;
+    const double t338 = (t337 > u13 ? t337 : u13);
     const double t339 = 1.0 / t338;
-    const double t340 = t165 + t336 * t339;
-    const double t341 = t167 + t337 * t339;
+    const double t340 = t165 + t335 * t339;
+    const double t341 = t167 + t336 * t339;
     const double t342 = (u5 < t340 ? u5 : t340);
     const double t343 = (u6 > t342 ? u6 : t342);
     const double t344 = (u5 < t341 ? u5 : t341);
@@ -2353,8 +2353,8 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t355 = t348 * t349;
     const double t356 = t346 * t348;
     const double t357 = t347 * t346;
-    const double t358 = t346 * t349;
-    const double t359 = t9 - t5 * t346;
+    const double t358 = t9 - t5 * t346;
+    const double t359 = t346 * t349;
     const double t360 = t10 - t6 * t346;
     const double t361 = t16 - t11 * t346;
     const double t362 = nA[2] * t355;
@@ -2369,16 +2369,16 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t371 = nB[1] * t356;
     const double t372 = nC[0] * t357;
     const double t373 = nB[0] * t356;
-    const double t374 = 3.0 * (t120 * t347 + t121 * t346);
-    const double t375 = 3.0 * (t129 * t346 + t128 * t348);
-    const double t376 = t346 + t349;
-    const double t377 = 3.0 * (t137 * t349 - t136 * t348);
-    const double t378 = t347 + t348;
-    const double t379 = t347 * t348;
-    const double t380 = 0.5 * t347;
-    const double t381 = 0.5 * t349;
-    const double t382 = 0.5 * t346;
-    const double t383 = 3.0 * (t143 * t349 - t142 * t347);
+    const double t374 = 3.0 * (t128 * t347 + t130 * t346);
+    const double t375 = 3.0 * (t137 * t346 + t129 * t348);
+    const double t376 = 3.0 * (t138 * t349 - t144 * t348);
+    const double t377 = 3.0 * (t131 * t349 - t145 * t347);
+    const double t378 = t346 + t349;
+    const double t379 = t347 + t348;
+    const double t380 = t347 * t348;
+    const double t381 = 0.5 * t347;
+    const double t382 = 0.5 * t349;
+    const double t383 = 0.5 * t346;
     const double t384 = 0.5 * t348;
     const double t385 = t347 * t347;
     const double t386 = t349 * t349;
@@ -2395,141 +2395,141 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t396 = (u12 > t353 ? u12 : t353);
     const double t397 = 1.0 / t393;
     const double t398 = 1.0 / t394;
-    const double t399 = t349 * t397;
-    const double t400 = t349 * t398;
-    const double t401 = 1.0 / t395;
-    const double t402 = 1.0 / t396;
-    const double t403 = t399 + 1.0;
-    const double t404 = t400 + 1.0;
-    const double t405 = t346 * t401;
-    const double t406 = t346 * t402;
-    const double t407 = t405 - 1.0;
-    const double t408 = t406 - 1.0;
-    const double t409 = t355 * t404 - t354 * t403;
-    const double t410 = t356 * t407 - t357 * t408;
-    const double t411 = t346 * t407;
-    const double t412 = t356 * t357 * t409;
-    const double t413 = t358 * t408 - t358 * t403;
-    const double t414 = t346 * t408;
-    const double t415 = t354 * t355 * t410;
-    const double t416 = t358 * t407 - t358 * t404;
-    const double t417 = t46 + t411 * t126;
-    const double t418 = t58 + t411 * t127;
-    const double t419 = t349 * t403;
-    const double t420 = t354 * t357 * t413;
-    const double t421 = t45 + t414 * t134;
-    const double t422 = t54 - t414 * t135;
-    const double t423 = t349 * t404;
-    const double t424 = t356 * t355 * t416;
-    const double t425 = t347 * t417 + t346 * t418;
-    const double t426 = t40 - t419 * t140;
-    const double t427 = t52 - t419 * t141;
-    const double t428 = t355 * t425;
-    const double t429 = t346 * t422 - t348 * t421;
-    const double t430 = t41 - t423 * t147;
-    const double t431 = t53 + t423 * t148;
-    const double t432 = t354 * t429;
-    const double t433 = t349 * t427 - t348 * t426;
-    const double t434 = t357 * t433;
-    const double t435 = t347 * t430 + t349 * t431;
-    const double t436 = t356 * t435;
-    const double t437 = t17 - t2 * t346 - t347 * t359 + t132 * t412 - t139 * t415 + t146 * t420 - t151 * t424 + t362
-        * t428 - t364 * t432 - t367 * t434 + t370 * t436;
-    const double t438 = t18 - t4 * t346 - t347 * t360 + t138 * t412 - t144 * t415 + t149 * t420 - t152 * t424 + t363
-        * t428 - t365 * t432 - t368 * t434 + t371 * t436;
-    const double t439 = t21 - t8 * t346 - t347 * t361 + t145 * t412 - t150 * t415 + t153 * t420 - t154 * t424 + t366
-        * t428 - t369 * t432 - t372 * t434 + t373 * t436;
+    const double t399 = 1.0 / t395;
+    const double t400 = 1.0 / t396;
+    const double t401 = t349 * t397;
+    const double t402 = t349 * t398;
+    const double t403 = t401 + 1.0;
+    const double t404 = t402 + 1.0;
+    const double t405 = t346 * t399;
+    const double t406 = t346 * t400;
+    const double t407 = t355 * t404 - t354 * t403;
+    const double t408 = t405 - 1.0;
+    const double t409 = t406 - 1.0;
+    const double t410 = t356 * t408 - t357 * t409;
+    const double t411 = t356 * t357 * t407;
+    const double t412 = t359 * t409 - t359 * t403;
+    const double t413 = t346 * t408;
+    const double t414 = t354 * t355 * t410;
+    const double t415 = t359 * t408 - t359 * t404;
+    const double t416 = t48 + t413 * t135;
+    const double t417 = t61 + t413 * t136;
+    const double t418 = t346 * t409;
+    const double t419 = t354 * t357 * t412;
+    const double t420 = t47 + t418 * t142;
+    const double t421 = t57 - t418 * t143;
+    const double t422 = t349 * t403;
+    const double t423 = t356 * t355 * t415;
+    const double t424 = t347 * t416 + t346 * t417;
+    const double t425 = t40 - t422 * t149;
+    const double t426 = t53 - t422 * t150;
+    const double t427 = t349 * t404;
+    const double t428 = t346 * t421 - t348 * t420;
+    const double t429 = t41 - t427 * t153;
+    const double t430 = t55 + t427 * t154;
+    const double t431 = t355 * t424;
+    const double t432 = t349 * t426 - t348 * t425;
+    const double t433 = t354 * t428;
+    const double t434 = t347 * t429 + t349 * t430;
+    const double t435 = t357 * t432;
+    const double t436 = t356 * t434;
+    const double t437 = t17 - t2 * t346 - t347 * t358 + t124 * t411 - t134 * t414 + t141 * t419 - t148 * t423 + t362
+        * t431 - t364 * t433 - t367 * t435 + t370 * t436;
+    const double t438 = t18 - t4 * t346 - t347 * t360 + t132 * t411 - t139 * t414 + t146 * t419 - t151 * t423 + t363
+        * t431 - t365 * t433 - t368 * t435 + t371 * t436;
+    const double t439 = t21 - t8 * t346 - t347 * t361 + t133 * t411 - t140 * t414 + t147 * t419 - t152 * t423 + t366
+        * t431 - t369 * t433 - t372 * t435 + t373 * t436;
     const double t440 = t405 * t405;
     const double t441 = t403 * t403;
-    const double t442 = t407 * t407;
+    const double t442 = t408 * t408;
     const double t443 = t406 * t406;
-    const double t444 = t399 * t399;
-    const double t445 = t400 * t400;
-    const double t446 = t408 * t408;
-    const double t447 = t146 * t437 + t149 * t438 + t153 * t439;
-    const double t448 = nD[2] * t437 + nD[1] * t438 + nD[0] * t439;
-    const double t449 = t139 * t437 + t144 * t438 + t150 * t439;
-    const double t450 = t404 * t404;
+    const double t444 = t401 * t401;
+    const double t445 = t402 * t402;
+    const double t446 = t141 * t437 + t146 * t438 + t147 * t439;
+    const double t447 = nD[2] * t437 + nD[1] * t438 + nD[0] * t439;
+    const double t448 = t134 * t437 + t139 * t438 + t140 * t439;
+    const double t449 = t409 * t448 + t406 * t446 + t400 * t447 * t375;
+    const double t450 = t409 * t409;
     const double t451 = nC[2] * t437 + nC[1] * t438 + nC[0] * t439;
-    const double t452 = t132 * t437 + t138 * t438 + t145 * t439;
-    const double t453 = nB[2] * t437 + nB[1] * t438 + nB[0] * t439;
-    const double t454 = t151 * t437 + t152 * t438 + t154 * t439;
-    const double t455 = t408 * t449 + t406 * t447 + t402 * t448 * t375;
-    const double t456 = nA[2] * t437 + nA[1] * t438 + nA[0] * t439;
-    const double t457 = t358 * (t419 - t414 + t346 * t441 + t349 * t446) - t376 * t413;
-    const double t458 = t378 * t410 + t379 * (t411 - t348 * t440 - t347 * t443 - t414);
-    const double t459 = t399 * t447 - t403 * t452 - t397 * t451 * t377;
-    const double t460 = t385 * t457;
-    const double t461 = t376 * t416 + t358 * (t411 - t349 * t442 - t423 - t346 * t450);
-    const double t462 = t386 * t458;
-    const double t463 = t378 * t409 + t379 * (t423 - t347 * t444 - t348 * t445 - t419);
-    const double t464 = t404 * t452 + t400 * t454 + t398 * t453 * t383;
-    const double t465 = t45 * t448;
-    const double t466 = t54 * t448 - t348 * t455;
-    const double t467 = t387 * t461;
-    const double t468 = t348 * (t425 + (t418 - t442 * t374) * t381);
-    const double t469 = t388 * t463;
-    const double t470 = t357 * t349 * (t413 + (t349 * t443 - t346 * t444) * t380);
-    const double t471 = t40 * t451;
-    const double t472 = t52 * t451 - t348 * t459;
-    const double t473 = t405 * t454 - t407 * t449 - t401 * t456 * t374;
-    const double t474 = t357 * t348 * (t409 + (t348 * t450 - t347 * t441) * t382);
-    const double t475 = t355 * t346 * (t416 - (t349 * t440 - t346 * t445) * t384);
-    const double t476 = t41 * t453;
-    const double t477 = t53 * t453 + t347 * t464;
-    const double t478 = t346 * t466 - t348 * t465;
-    const double t479 = t355 * t347 * (t410 - (t348 * t442 - t347 * t446) * t381);
-    const double t480 = t349 * (t425 + (t417 - t440 * t374) * t384);
-    const double t481 = t349 * t472 - t348 * t471;
-    const double t482 = t478 - (t465 + t346 * t455) * t389;
-    const double t483 = t46 * t456;
-    const double t484 = t58 * t456 + t347 * t473;
-    const double t485 = t347 * (t429 + (t446 * t375 + t422) * t381);
-    const double t486 = t349 * (t429 - (t443 * t375 + t421) * t380);
-    const double t487 = t481 - (t471 + t349 * t459) * t389;
-    const double t488 = t347 * t476 + t349 * t477;
-    const double t489 = t466 * t390 + t478;
-    const double t490 = t347 * (t433 + (t427 - t441 * t377) * t382);
-    const double t491 = t346 * (t433 - (t444 * t377 + t426) * t380);
-    const double t492 = (t476 + t349 * t464) * t391 + t488;
-    const double t493 = t347 * t483 + t346 * t484;
-    const double t494 = t472 * t392 + t481;
-    const double t495 = t348 * (t435 + (t450 * t383 + t431) * t382);
-    const double t496 = t346 * (t435 + (t430 - t445 * t383) * t384);
-    const double t497 = (t483 + t346 * t473) * t391 + t493;
-    const double t498 = t477 * t392 + t488;
-    const double t499 = t484 * t390 + t493;
-    const double t500 = t2 - t5 * t347 + t146 * t460 + t151 * t467 - 2.0 * (t362 * t468 + t132 * t474 - t139 * t479
-        - t364 * t485 - t367 * t490 + t370 * t495);
-    const double t501 = t4 - t6 * t347 + t149 * t460 + t152 * t467 - 2.0 * (t363 * t468 + t138 * t474 - t144 * t479
-        - t365 * t485 - t368 * t490 + t371 * t495);
-    const double t502 = t359 + t139 * t462 - t132 * t469 - 2.0 * (t146 * t470 - t151 * t475 + t362 * t480 - t364 *
-        t486 - t367 * t491 + t370 * t496);
-    const double t503 = t360 + t144 * t462 - t138 * t469 - 2.0 * (t149 * t470 - t152 * t475 + t363 * t480 - t365 *
-        t486 - t368 * t491 + t371 * t496);
-    const double t504 = t8 - t11 * t347 + t153 * t460 + t154 * t467 - 2.0 * (t366 * t468 + t145 * t474 - t150 * t479
-        - t369 * t485 - t372 * t490 + t373 * t495);
-    const double t505 = t361 + t150 * t462 - t145 * t469 - 2.0 * (t153 * t470 - t154 * t475 + t366 * t480 - t369 *
-        t486 - t372 * t491 + t373 * t496);
-    const double t506 = t388 * (t492 - t487) + t386 * (t497 - t482);
-    const double t507 = 0.5 * (t5 * t437 + t6 * t438 + t11 * t439) - t354 * (t478 - 0.5 * (t354 * t455 - t482 -
-        t489)) - t357 * (t481 - 0.5 * (t357 * t459 - t487 - t494)) + t356 * (0.5 * (t356 * t464 + t492 + t498) +
-        t488) + t355 * (0.5 * (t355 * t473 + t497 + t499) + t493);
-    const double t508 = t387 * (t498 + t499) - t385 * (t489 + t494);
-    const double t509 = t502 * t502 + t503 * t503 + t505 * t505 + 2.0 * t506;
-    const double t510 = t502 * t500 + t503 * t501 + t505 * t504 + 2.0 * t507;
-    const double t511 = t500 * t500 + t501 * t501 + t504 * t504 + 2.0 * t508;
-    const double t512 = t509 * t511;
-    const double t513 = t512 - t510 * t510;
-    const double t514 = t437 * t500 + t438 * t501 + t439 * t504;
-    const double t515 = t437 * t502 + t438 * t503 + t439 * t505;
-    const double t516 = t514 * t509 - t515 * t510;
-    const double t517 = t515 * t511 - t514 * t510;
-    const double u15 = 0.1 * t512;
-    const double t518 = (t513 > u15 ? t513 : u15);
+    const double t452 = t124 * t437 + t132 * t438 + t133 * t439;
+    const double t453 = t401 * t446 - t403 * t452 - t397 * t451 * t376;
+    const double t454 = t404 * t404;
+    const double t455 = t359 * (t422 - t418 + t346 * t441 + t349 * t450) - t378 * t412;
+    const double t456 = t385 * t455;
+    const double t457 = t357 * t349 * (t412 + (t349 * t443 - t346 * t444) * t381);
+    const double t458 = nB[2] * t437 + nB[1] * t438 + nB[0] * t439;
+    const double t459 = t148 * t437 + t151 * t438 + t152 * t439;
+    const double t460 = t404 * t452 + t402 * t459 + t398 * t458 * t377;
+    const double t461 = t378 * t415 + t359 * (t413 - t349 * t442 - t427 - t346 * t454);
+    const double t462 = t387 * t461;
+    const double t463 = t348 * (t424 + (t417 - t442 * t374) * t382);
+    const double t464 = t379 * t410 + t380 * (t413 - t348 * t440 - t347 * t443 - t418);
+    const double t465 = t379 * t407 + t380 * (t427 - t347 * t444 - t348 * t445 - t422);
+    const double t466 = t386 * t464;
+    const double t467 = t388 * t465;
+    const double t468 = t357 * t348 * (t407 + (t348 * t454 - t347 * t441) * t383);
+    const double t469 = t355 * t346 * (t415 - (t349 * t440 - t346 * t445) * t384);
+    const double t470 = nA[2] * t437 + nA[1] * t438 + nA[0] * t439;
+    const double t471 = t405 * t459 - t408 * t448 - t399 * t470 * t374;
+    const double t472 = t355 * t347 * (t410 - (t348 * t442 - t347 * t450) * t382);
+    const double t473 = t349 * (t424 + (t416 - t440 * t374) * t384);
+    const double t474 = t347 * (t428 + (t450 * t375 + t421) * t382);
+    const double t475 = t349 * (t428 - (t443 * t375 + t420) * t381);
+    const double t476 = t47 * t447;
+    const double t477 = t57 * t447 - t348 * t449;
+    const double t478 = t347 * (t432 + (t426 - t441 * t376) * t383);
+    const double t479 = t346 * (t432 - (t444 * t376 + t425) * t381);
+    const double t480 = t40 * t451;
+    const double t481 = t53 * t451 - t348 * t453;
+    const double t482 = t348 * (t434 + (t454 * t377 + t430) * t383);
+    const double t483 = t346 * (t434 + (t429 - t445 * t377) * t384);
+    const double t484 = t41 * t458;
+    const double t485 = t55 * t458 + t347 * t460;
+    const double t486 = t346 * t477 - t348 * t476;
+    const double t487 = t486 - (t476 + t346 * t449) * t389;
+    const double t488 = t477 * t390 + t486;
+    const double t489 = t349 * t481 - t348 * t480;
+    const double t490 = t489 - (t480 + t349 * t453) * t389;
+    const double t491 = t481 * t392 + t489;
+    const double t492 = t347 * t484 + t349 * t485;
+    const double t493 = (t484 + t349 * t460) * t391 + t492;
+    const double t494 = t485 * t392 + t492;
+    const double t495 = t48 * t470;
+    const double t496 = t61 * t470 + t347 * t471;
+    const double t497 = t347 * t495 + t346 * t496;
+    const double t498 = (t495 + t346 * t471) * t391 + t497;
+    const double t499 = t496 * t390 + t497;
+    const double t500 = 0.5 * (t5 * t437 + t6 * t438 + t11 * t439) - t354 * (t486 - 0.5 * (t354 * t449 - t487 -
+        t488)) - t357 * (t489 - 0.5 * (t357 * t453 - t490 - t491)) + t356 * (0.5 * (t356 * t460 + t493 + t494) +
+        t492) + t355 * (0.5 * (t355 * t471 + t498 + t499) + t497);
+    const double t501 = t388 * (t493 - t490) + t386 * (t498 - t487);
+    const double t502 = t387 * (t494 + t499) - t385 * (t488 + t491);
+    const double t503 = t2 - t5 * t347 + t141 * t456 + t148 * t462 - 2.0 * (t362 * t463 + t124 * t468 - t134 * t472
+        - t364 * t474 - t367 * t478 + t370 * t482);
+    const double t504 = t358 + t134 * t466 - t124 * t467 - 2.0 * (t141 * t457 - t148 * t469 + t362 * t473 - t364 *
+        t475 - t367 * t479 + t370 * t483);
+    const double t505 = t4 - t6 * t347 + t146 * t456 + t151 * t462 - 2.0 * (t363 * t463 + t132 * t468 - t139 * t472
+        - t365 * t474 - t368 * t478 + t371 * t482);
+    const double t506 = t360 + t139 * t466 - t132 * t467 - 2.0 * (t146 * t457 - t151 * t469 + t363 * t473 - t365 *
+        t475 - t368 * t479 + t371 * t483);
+    const double t507 = t8 - t11 * t347 + t147 * t456 + t152 * t462 - 2.0 * (t366 * t463 + t133 * t468 - t140 * t472
+        - t369 * t474 - t372 * t478 + t373 * t482);
+    const double t508 = t361 + t140 * t466 - t133 * t467 - 2.0 * (t147 * t457 - t152 * t469 + t366 * t473 - t369 *
+        t475 - t372 * t479 + t373 * t483);
+    const double t509 = t504 * t504 + t506 * t506 + t508 * t508 + 2.0 * t501;
+    const double t510 = t504 * t503 + t506 * t505 + t508 * t507 + 2.0 * t500;
+    const double t511 = t503 * t503 + t505 * t505 + t507 * t507 + 2.0 * t502;
+    const double t512 = t437 * t503 + t438 * t505 + t439 * t507;
+    const double t513 = t437 * t504 + t438 * t506 + t439 * t508;
+    const double t514 = t509 * t511;
+    const double t515 = t512 * t509 - t513 * t510;
+    const double t516 = t513 * t511 - t512 * t510;
+    const double t517 = t514 - t510 * t510;
+    const double u15 = 0.1 * t514;
+    const double t518 = (t517 > u15 ? t517 : u15);
     const double t519 = 1.0 / t518;
-    const double t520 = t343 + t516 * t519;
-    const double t521 = t345 + t517 * t519;
+    const double t520 = t343 + t515 * t519;
+    const double t521 = t345 + t516 * t519;
     const double t522 = (u5 < t520 ? u5 : t520);
     const double t523 = (u6 > t522 ? u6 : t522);
     const double t524 = (u5 < t521 ? u5 : t521);
@@ -2542,37 +2542,37 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t531 = t527 + t526;
     const double t532 = t526 - t528;
     const double t533 = t527 - t529;
-    const double t534 = t526 * t528;
-    const double t535 = t527 * t526;
-    const double t536 = t526 * t529;
-    const double t537 = t527 * t529;
-    const double t538 = t528 * t529;
-    const double t539 = 3.0 * (t120 * t527 + t121 * t526);
-    const double t540 = t526 + t529;
-    const double t541 = t527 + t528;
-    const double t542 = t527 * t528;
-    const double t543 = 0.5 * t527;
-    const double t544 = 0.5 * t529;
-    const double t545 = 0.5 * t526;
-    const double t546 = 0.5 * t528;
-    const double t547 = 3.0 * (t129 * t526 + t128 * t528);
-    const double t548 = 3.0 * (t137 * t529 - t136 * t528);
-    const double t549 = t9 - t5 * t526;
-    const double t550 = nA[2] * t538;
-    const double t551 = 3.0 * (t143 * t529 - t142 * t527);
-    const double t552 = t10 - t6 * t526;
-    const double t553 = nA[1] * t538;
+    const double t534 = 3.0 * (t128 * t527 + t130 * t526);
+    const double t535 = 3.0 * (t137 * t526 + t129 * t528);
+    const double t536 = 3.0 * (t138 * t529 - t144 * t528);
+    const double t537 = t526 * t528;
+    const double t538 = t527 * t526;
+    const double t539 = t526 * t529;
+    const double t540 = 3.0 * (t131 * t529 - t145 * t527);
+    const double t541 = t527 * t529;
+    const double t542 = t528 * t529;
+    const double t543 = t526 + t529;
+    const double t544 = t527 + t528;
+    const double t545 = t527 * t528;
+    const double t546 = 0.5 * t527;
+    const double t547 = 0.5 * t529;
+    const double t548 = 0.5 * t526;
+    const double t549 = 0.5 * t528;
+    const double t550 = t9 - t5 * t526;
+    const double t551 = t10 - t6 * t526;
+    const double t552 = nA[2] * t542;
+    const double t553 = nA[1] * t542;
     const double t554 = t16 - t11 * t526;
-    const double t555 = nA[0] * t538;
-    const double t556 = nD[2] * t537;
-    const double t557 = nD[1] * t537;
-    const double t558 = nC[2] * t535;
-    const double t559 = nC[1] * t535;
-    const double t560 = nD[0] * t537;
-    const double t561 = nB[2] * t534;
-    const double t562 = nB[1] * t534;
-    const double t563 = nC[0] * t535;
-    const double t564 = nB[0] * t534;
+    const double t555 = nA[0] * t542;
+    const double t556 = nD[2] * t541;
+    const double t557 = nD[1] * t541;
+    const double t558 = nC[2] * t538;
+    const double t559 = nC[1] * t538;
+    const double t560 = nD[0] * t541;
+    const double t561 = nB[2] * t537;
+    const double t562 = nB[1] * t537;
+    const double t563 = nC[0] * t538;
+    const double t564 = nB[0] * t537;
     const double u16 = -t530;
     const double t565 = (u12 > u16 ? u12 : u16);
     const double t566 = (u12 > t533 ? u12 : t533);
@@ -2581,96 +2581,96 @@ FOOTPOINT_FN void footpoint_paper_gregory_full_at(const double xA[3], const doub
     const double t569 = t529 / t565;
     const double t570 = t526 / t567;
     const double t571 = t526 / t568;
-    const double t572 = t569 + 1.0;
-    const double t573 = t529 / t566;
-    const double t574 = t570 - 1.0;
-    const double t575 = t571 - 1.0;
+    const double t572 = t529 / t566;
+    const double t573 = t569 + 1.0;
+    const double t574 = t569 * t569;
+    const double t575 = t570 - 1.0;
     const double t576 = t570 * t570;
-    const double t577 = t526 * t574;
-    const double t578 = t526 * t575;
-    const double t579 = t529 * t572;
-    const double t580 = t572 * t572;
-    const double t581 = t574 * t574;
-    const double t582 = t571 * t571;
-    const double t583 = t569 * t569;
+    const double t577 = t571 - 1.0;
+    const double t578 = t571 * t571;
+    const double t579 = t526 * t575;
+    const double t580 = t48 + t579 * t135;
+    const double t581 = t61 + t579 * t136;
+    const double t582 = t526 * t577;
+    const double t583 = t529 * t573;
     const double t584 = t573 * t573;
-    const double t585 = t573 + 1.0;
-    const double t586 = t575 * t575;
-    const double t587 = t529 * t585;
-    const double t588 = t585 * t585;
-    const double t589 = t534 * t574 - t535 * t575;
-    const double t590 = t536 * t575 - t536 * t572;
-    const double t591 = t46 + t577 * t126;
-    const double t592 = t58 + t577 * t127;
-    const double t593 = t538 * t585 - t537 * t572;
-    const double t594 = t536 * t574 - t536 * t585;
-    const double t595 = t527 * t591 + t526 * t592;
-    const double t596 = t536 * (t579 - t578 + t526 * t580 + t529 * t586) - t540 * t590;
-    const double t597 = t541 * t589 + t542 * (t577 - t528 * t576 - t527 * t582 - t578);
-    const double t598 = t45 + t578 * t134;
-    const double t599 = t54 - t578 * t135;
-    const double t600 = t527 * t527 * t596;
-    const double t601 = t540 * t594 + t536 * (t577 - t529 * t581 - t587 - t526 * t588);
-    const double t602 = t529 * t529 * t597;
-    const double t603 = t541 * t593 + t542 * (t587 - t527 * t583 - t528 * t584 - t579);
-    const double t604 = t40 - t579 * t140;
-    const double t605 = t52 - t579 * t141;
-    const double t606 = t528 * t528 * t601;
-    const double t607 = t528 * (t595 + (t592 - t581 * t539) * t544);
-    const double t608 = t526 * t526 * t603;
-    const double t609 = t535 * t529 * (t590 + (t529 * t582 - t526 * t583) * t543);
-    const double t610 = t526 * t599 - t528 * t598;
-    const double t611 = t41 - t587 * t147;
-    const double t612 = t53 + t587 * t148;
-    const double t613 = t535 * t528 * (t593 + (t528 * t588 - t527 * t580) * t545);
-    const double t614 = t538 * t526 * (t594 - (t529 * t576 - t526 * t584) * t546);
-    const double t615 = t529 * t605 - t528 * t604;
-    const double t616 = t538 * t527 * (t589 - (t528 * t581 - t527 * t586) * t544);
-    const double t617 = t529 * (t595 + (t591 - t576 * t539) * t546);
-    const double t618 = t527 * t611 + t529 * t612;
-    const double t619 = t527 * (t610 + (t586 * t547 + t599) * t544);
-    const double t620 = t529 * (t610 - (t582 * t547 + t598) * t543);
-    const double t621 = t527 * (t615 + (t605 - t580 * t548) * t545);
-    const double t622 = t526 * (t615 - (t583 * t548 + t604) * t543);
-    const double t623 = t528 * (t618 + (t588 * t551 + t612) * t545);
-    const double t624 = t526 * (t618 + (t611 - t584 * t551) * t546);
-    const double t625 = t534 * t535 * t593;
-    const double t626 = t537 * t538 * t589;
-    const double t627 = t2 - t5 * t527 + t146 * t600 + t151 * t606 - 2.0 * (t550 * t607 + t132 * t613 - t139 * t616
-        - t556 * t619 - t558 * t621 + t561 * t623);
-    const double t628 = t4 - t6 * t527 + t149 * t600 + t152 * t606 - 2.0 * (t553 * t607 + t138 * t613 - t144 * t616
-        - t557 * t619 - t559 * t621 + t562 * t623);
-    const double t629 = t549 + t139 * t602 - t132 * t608 - 2.0 * (t146 * t609 - t151 * t614 + t550 * t617 - t556 *
-        t620 - t558 * t622 + t561 * t624);
-    const double t630 = t552 + t144 * t602 - t138 * t608 - 2.0 * (t149 * t609 - t152 * t614 + t553 * t617 - t557 *
-        t620 - t559 * t622 + t562 * t624);
-    const double t631 = t537 * t535 * t590;
-    const double t632 = t8 - t11 * t527 + t153 * t600 + t154 * t606 - 2.0 * (t555 * t607 + t145 * t613 - t150 * t616
-        - t560 * t619 - t563 * t621 + t564 * t623);
-    const double t633 = t554 + t150 * t602 - t145 * t608 - 2.0 * (t153 * t609 - t154 * t614 + t555 * t617 - t560 *
-        t620 - t563 * t622 + t564 * t624);
-    const double t634 = t534 * t538 * t594;
-    const double t635 = t538 * t595;
-    const double t636 = t537 * t610;
-    const double t637 = t535 * t615;
-    const double t638 = t506 + 0.5 * (t629 * t629 + t630 * t630 + t633 * t633);
-    const double t639 = t507 + 0.5 * (t629 * t627 + t630 * t628 + t633 * t632);
-    const double t640 = t508 + 0.5 * (t627 * t627 + t628 * t628 + t632 * t632);
-    const double t641 = t534 * t618;
-    const double t642 = t638 * t640;
-    const double t643 = t642 - t639 * t639;
-    const double t644 = t17 - t2 * t526 - t527 * t549 + t132 * t625 - t139 * t626 + t146 * t631 - t151 * t634 + t550
-        * t635 - t556 * t636 - t558 * t637 + t561 * t641;
-    const double t645 = t18 - t4 * t526 - t527 * t552 + t138 * t625 - t144 * t626 + t149 * t631 - t152 * t634 + t553
-        * t635 - t557 * t636 - t559 * t637 + t562 * t641;
-    const double t646 = t21 - t8 * t526 - t527 * t554 + t145 * t625 - t150 * t626 + t153 * t631 - t154 * t634 + t555
-        * t635 - t560 * t636 - t563 * t637 + t564 * t641;
-    const double t647 = t644 * t627 + t645 * t628 + t646 * t632;
-    const double t648 = t644 * t629 + t645 * t630 + t646 * t633;
-    const double t649 = t647 * t638 - t648 * t639;
-    const double t650 = t648 * t640 - t647 * t639;
-    const double u17 = 0.4 * t642;
-    const double u18 = 4.0 * t643;
+    const double t585 = t575 * t575;
+    const double t586 = t572 * t572;
+    const double t587 = t47 + t582 * t142;
+    const double t588 = t57 - t582 * t143;
+    const double t589 = t572 + 1.0;
+    const double t590 = t577 * t577;
+    const double t591 = t40 - t583 * t149;
+    const double t592 = t53 - t583 * t150;
+    const double t593 = t537 * t575 - t538 * t577;
+    const double t594 = t539 * t577 - t539 * t573;
+    const double t595 = t529 * t589;
+    const double t596 = t589 * t589;
+    const double t597 = t41 - t595 * t153;
+    const double t598 = t55 + t595 * t154;
+    const double t599 = t538 * t529 * (t594 + (t529 * t578 - t526 * t574) * t546);
+    const double t600 = t526 * t588 - t528 * t587;
+    const double t601 = t542 * t589 - t541 * t573;
+    const double t602 = t539 * t575 - t539 * t589;
+    const double t603 = t527 * t580 + t526 * t581;
+    const double t604 = t528 * (t603 + (t581 - t585 * t534) * t547);
+    const double t605 = t538 * t528 * (t601 + (t528 * t596 - t527 * t584) * t548);
+    const double t606 = t529 * t592 - t528 * t591;
+    const double t607 = t542 * t526 * (t602 - (t529 * t576 - t526 * t586) * t549);
+    const double t608 = t542 * t527 * (t593 - (t528 * t585 - t527 * t590) * t547);
+    const double t609 = t529 * (t603 + (t580 - t576 * t534) * t549);
+    const double t610 = t539 * (t583 - t582 + t526 * t584 + t529 * t590) - t543 * t594;
+    const double t611 = t527 * t527 * t610;
+    const double t612 = t543 * t602 + t539 * (t579 - t529 * t585 - t595 - t526 * t596);
+    const double t613 = t528 * t528 * t612;
+    const double t614 = t544 * t593 + t545 * (t579 - t528 * t576 - t527 * t578 - t582);
+    const double t615 = t529 * t529 * t614;
+    const double t616 = t527 * t597 + t529 * t598;
+    const double t617 = t529 * (t600 - (t578 * t535 + t587) * t546);
+    const double t618 = t544 * t601 + t545 * (t595 - t527 * t574 - t528 * t586 - t583);
+    const double t619 = t526 * t526 * t618;
+    const double t620 = t527 * (t600 + (t590 * t535 + t588) * t547);
+    const double t621 = t527 * (t606 + (t592 - t584 * t536) * t548);
+    const double t622 = t528 * (t616 + (t596 * t540 + t598) * t548);
+    const double t623 = t526 * (t606 - (t574 * t536 + t591) * t546);
+    const double t624 = t526 * (t616 + (t597 - t586 * t540) * t549);
+    const double t625 = t537 * t538 * t601;
+    const double t626 = t541 * t542 * t593;
+    const double t627 = t541 * t538 * t594;
+    const double t628 = t537 * t542 * t602;
+    const double t629 = t542 * t603;
+    const double t630 = t2 - t5 * t527 + t141 * t611 + t148 * t613 - 2.0 * (t552 * t604 + t124 * t605 - t134 * t608
+        - t556 * t620 - t558 * t621 + t561 * t622);
+    const double t631 = t4 - t6 * t527 + t146 * t611 + t151 * t613 - 2.0 * (t553 * t604 + t132 * t605 - t139 * t608
+        - t557 * t620 - t559 * t621 + t562 * t622);
+    const double t632 = t8 - t11 * t527 + t147 * t611 + t152 * t613 - 2.0 * (t555 * t604 + t133 * t605 - t140 * t608
+        - t560 * t620 - t563 * t621 + t564 * t622);
+    const double t633 = t550 + t134 * t615 - t124 * t619 - 2.0 * (t141 * t599 - t148 * t607 + t552 * t609 - t556 *
+        t617 - t558 * t623 + t561 * t624);
+    const double t634 = t551 + t139 * t615 - t132 * t619 - 2.0 * (t146 * t599 - t151 * t607 + t553 * t609 - t557 *
+        t617 - t559 * t623 + t562 * t624);
+    const double t635 = t541 * t600;
+    const double t636 = t554 + t140 * t615 - t133 * t619 - 2.0 * (t147 * t599 - t152 * t607 + t555 * t609 - t560 *
+        t617 - t563 * t623 + t564 * t624);
+    const double t637 = t538 * t606;
+    const double t638 = t537 * t616;
+    const double t639 = t501 + 0.5 * (t633 * t633 + t634 * t634 + t636 * t636);
+    const double t640 = t500 + 0.5 * (t633 * t630 + t634 * t631 + t636 * t632);
+    const double t641 = t17 - t2 * t526 - t527 * t550 + t124 * t625 - t134 * t626 + t141 * t627 - t148 * t628 + t552
+        * t629 - t556 * t635 - t558 * t637 + t561 * t638;
+    const double t642 = t18 - t4 * t526 - t527 * t551 + t132 * t625 - t139 * t626 + t146 * t627 - t151 * t628 + t553
+        * t629 - t557 * t635 - t559 * t637 + t562 * t638;
+    const double t643 = t502 + 0.5 * (t630 * t630 + t631 * t631 + t632 * t632);
+    const double t644 = t21 - t8 * t526 - t527 * t554 + t133 * t625 - t140 * t626 + t147 * t627 - t152 * t628 + t555
+        * t629 - t560 * t635 - t563 * t637 + t564 * t638;
+    const double t645 = t641 * t630 + t642 * t631 + t644 * t632;
+    const double t646 = t641 * t633 + t642 * t634 + t644 * t636;
+    const double t647 = t639 * t643;
+    const double t648 = t647 - t640 * t640;
+    const double t649 = t645 * t639 - t646 * t640;
+    const double t650 = t646 * t643 - t645 * t640;
+    const double u17 = 0.4 * t647;
+    const double u18 = 4.0 * t648;
     const double t651 = (u18 > u17 ? u18 : u17);
     const double t652 = 2.0 / t651;
     const double t653 = t523 - 0.225 + t649 * t652;
@@ -2727,14 +2727,14 @@ FOOTPOINT_LOOP void footpoint_paper_gregory_full_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_gregory_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54249111767951608, 0, 1.6111229126986672e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -0.66303589267549012, 1.110223024625157e-16, 3.4093194462433467e-12},
-    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.23916456777681763, 0, 7.2903795365034853e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0.46875, 0.22265625, -0.390625, 0.890625, 0, -0.080078125, -0.0703125, 0.9879150390625, 0.04296875, 0.921875, 0.453125, 0.421875, 0.4375, -0.125, 0.140625, -0.671875, 0.96875, 0.109375, 0.6015625, 0.18359375, -0.54249111767951608, 0, 1.6111229126986445e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.421875, 0.1796875, 0, 0.111328125, -0.162109375, 0.991943359375, 0.142578125, -1, 0.6953125, 0.2734375, -0.078125, 0.578125, 0.703125, -0.234375, 0.59375, -0.234375, 1, -0.015625, -1, -0.66303589267549012, 1.110223024625157e-16, 3.4093194462433491e-12},
+    {0, 0, 0, 1, 0, 0, 0.78125, 1.9375, -0.16796875, -0.8203125, 0.2421875, 0, -0.103515625, 0.03515625, 0.9892578125, 0.064453125, -0.828125, 0.59375, 0.1328125, 0.8125, 0.796875, 0.65625, -0.515625, 0.1328125, -0.19140625, 0.8828125, -0.203125, -0.23916456777681763, 0, 7.2903795365034743e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -2, 1.4375, -0.125, 0.625, 0.390625, 0, -0.029296875, -0.189453125, 0.986572265625, -0.154296875, 0.84375, 0.1953125, -0.6953125, 0.359375, 0.8046875, -0.421875, -0.390625, 0.859375, -0.26171875, 0.03125, -0.07421875, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, -1.46875, 0.859375, -0.26171875, 0.859375, 0.15625, 0, -0.119140625, 0.056640625, 0.9947509765625, -0.1875, -0.84375, 0.2265625, 0.15625, 0.84375, 0.296875, -0.3125, 0.453125, 0.5859375, -0.1171875, 0.1171875, -0.0234375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.2914092943426691, 9.8813129168249309e-324, 1.2223509174195031e-14},
+    {0, 0, 0, 1, 0, 0, -1.4375, 1.9375, -0.05078125, 0.03125, 0.4296875, 0, 0.169921875, -0.1171875, 0.9969482421875, -0.0546875, -0.015625, 0.6953125, -0.1328125, -0.34375, -0.140625, -0.46875, -0.015625, 0.25, 0.3046875, 0.7578125, 0.05859375, 0, -0.2914092943426691, 9.8813129168249309e-324, 1.2223509174194993e-14},
     {0, 0, 0, 1, 0, 0, -0.125, 1.078125, -0.08984375, -0.1875, 0.140625, 0, -0.171875, -0.017578125, 0.986328125, 0.1875, -0.25, 0.671875, 0.0078125, -0.03125, 0.265625, 0.453125, 0.375, -0.0234375, -0.02734375, 0.8203125, -0.2109375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29252969738319862, 9.8813129168249309e-324, 2.589326163083498e-15},
+    {0, 0, 0, 1, 0, 0, -0.0625, 1.71875, 0.0859375, -0.4296875, 0.453125, 0, -0.1015625, -0.044921875, 0.9842529296875, -0.09375, -0.546875, 0.9375, -0.71875, -0.234375, 0.234375, 0.1875, -0.25, 0.640625, 0.48828125, 0.5234375, -0.2109375, 0, -0.29252969738319862, 9.8813129168249309e-324, 2.5893261630834858e-15},
 };
 #endif
 

@@ -19,7 +19,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   rounding error of xi: <= 0.00011 proved (with or without FMA), 1.3e-10 worst of 10000 points
  *   rounding error of eta: <= 0.00011 proved (with or without FMA), 1.3e-10 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -38,9 +38,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t14 - t15 * t13: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
+ *   poles: t17 * t17 - t20 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
  *   rounding error of xi: <= 9.6e-05 proved (with or without FMA), 7.6e-15 worst of 10000 points
- *   rounding error of eta: <= 0.00011 proved (with or without FMA), 2.1e-14 worst of 10000 points
+ *   rounding error of eta: <= 0.00011 proved (with or without FMA), 1.9e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 7 mean 1.687e-02
@@ -57,7 +57,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   rounding error of xi: no bound found, 2e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 9.7e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -76,10 +76,10 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t36: proved free of zeros, |t36| >= 8.7e-09 (rounding error <= 3.1e+15)
- *   rounding error of xi: no bound found, 6.6e-07 worst of 10000 points
- *   rounding error of eta: no bound found, 3.3e-07 worst of 10000 points
+ *   rounding error of xi: no bound found, 9.1e-07 worst of 10000 points
+ *   rounding error of eta: no bound found, 4.8e-07 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 3.456e-03
@@ -97,8 +97,8 @@
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
  *   poles: t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 5.7e-15)
- *   rounding error of xi: no bound found, 5.8e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 8.6e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 3.8e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 7e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.244e-03
@@ -115,7 +115,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t43: proved free of zeros, |t43| >= 8.7e-10 (rounding error <= 0.052)
  *   rounding error of xi: no bound found, 4.8e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.4e-13 worst of 10000 points
@@ -155,9 +155,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t13 - t15 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 8.1e-15)
+ *   poles: t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 8.1e-15)
  *   poles: t49: proved free of zeros, |t49| >= 9e-10 (rounding error <= 6.8e+37)
- *   rounding error of xi: no bound found, 5.4e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 1.6e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 6.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -175,7 +175,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 2.1e+38)
  *   poles: t70: proved free of zeros, |t70| >= 1.2e-09
  *   rounding error of xi: no bound found, 2.4e-12 worst of 10000 points
@@ -196,7 +196,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 6.2e+38)
  *   poles: t70: proved free of zeros, |t70| >= 1.2e-09
  *   poles: t90: proved free of zeros, |t90| >= 1.3e-09
@@ -218,11 +218,11 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 3.3e+38)
  *   poles: t84: proved free of zeros, |t84| >= 9.2e-10
- *   rounding error of xi: no bound found, 8e-14 worst of 10000 points
- *   rounding error of eta: no bound found, 7.2e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 7.5e-14 worst of 10000 points
+ *   rounding error of eta: no bound found, 4.2e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.855e-05
@@ -239,12 +239,12 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.7e-15)
  *   poles: t50: proved free of zeros, |t50| >= 9e-10 (rounding error <= 1.4e+39)
  *   poles: t70: proved free of zeros, |t70| >= 1.2e-09
  *   poles: t90: proved free of zeros, |t90| >= 1.3e-09
  *   poles: t110: proved free of zeros, |t110| >= 1.2e-09
- *   rounding error of xi: no bound found, 9.7e-14 worst of 10000 points
+ *   rounding error of xi: no bound found, 9.4e-14 worst of 10000 points
  *   rounding error of eta: no bound found, 2.2e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -262,12 +262,12 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t15 * t16 - t14 * t14: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
  *   poles: t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 2e+40)
  *   poles: t43: proved free of zeros, |t43| >= 0.00014
  *   poles: t47: proved free of zeros, |t47| >= 0.0018
  *   poles: t59: proved free of zeros, |t59| >= 7.4e-05
- *   rounding error of xi: no bound found, 3.3e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 3.2e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.7e-13 worst of 10000 points
  *   found_both: seed 1 generations 2 islands 2
  *   twin: foot newton_kept solve_v newton_kept solve_v inside ut
@@ -284,13 +284,13 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
  *   poles: t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 4.1e+40)
  *   poles: t43: proved free of zeros, |t43| >= 0.00014
  *   poles: t47: proved free of zeros, |t47| >= 0.0018
  *   poles: t59: proved free of zeros, |t59| >= 7.4e-05
  *   poles: t75: proved free of zeros, |t75| >= 1.9e-05
- *   rounding error of xi: no bound found, 2.8e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 3.2e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 7.9e-12 worst of 10000 points
  *   found_both: seed 1 generations 2 islands 2
  *   twin: foot newton_kept newton_kept solve_v newton_kept solve_v inside ut
@@ -307,15 +307,15 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t17 * t16 - t15 * t15: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
+ *   poles: t18 * t17 - t16 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6.1e-15)
  *   poles: t34: proved free of zeros, |t34| >= 0.0017 (rounding error <= 9.7e+40)
  *   poles: t43: proved free of zeros, |t43| >= 0.00014
  *   poles: t47: proved free of zeros, |t47| >= 0.0018
  *   poles: t59: proved free of zeros, |t59| >= 7.4e-05
  *   poles: t75: proved free of zeros, |t75| >= 1.9e-05
  *   poles: t91: proved free of zeros, |t91| >= 0.00047
- *   rounding error of xi: no bound found, 5e-11 worst of 10000 points
- *   rounding error of eta: no bound found, 2.7e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 3.5e-11 worst of 10000 points
+ *   rounding error of eta: no bound found, 2.8e-12 worst of 10000 points
  *   found_both: seed 1 generations 2 islands 2
  *   twin: foot newton_kept newton_kept newton_kept solve_v newton_kept solve_v inside ut
  *   training_both: genes 9 mean 2.984e-06
@@ -445,20 +445,20 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const doubl
     const double u2 = 0.275 * t4;
     const double t9 = xA[1] - xD[1] - u2;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
     const double u3 = 0.275 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
-    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 2.0 / (t14 * t15 - t13 * t13);
-    *xi = (t14 * t20 - t13 * t19) * t21 - 0.45;
-    *eta = (t15 * t19 - t13 * t20) * t21 - 0.45;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.275 * (t5 + t13);
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t19 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t20 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t21 = 2.0 / (t17 * t20 - t16 * t16);
+    *xi = (t17 * t19 - t16 * t18) * t21 - 0.45;
+    *eta = (t20 * t18 - t16 * t19) * t21 - 0.45;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -511,14 +511,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1771482223347733e-14, 1.8939922442953568e-14},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1771482223347727e-14, 1.8939922442953575e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.3579394204165431, -3.407148023461624, 2.5361254954378672e-15, 6.5366396292127591e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 8.0598055834504351e-16, 2.2366032492270136e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 5.1044797702978862e-15, 7.8786266775795253e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 1.0869986744252695, -5.5318293486343464, 9.4017454102978559e-15, 1.9292238665721741e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -3.4601352542149084, 6.8649771107331352, 9.8331105669844917e-15, 2.1068554127284427e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3684376152086538e-15, 3.7314013572348307e-15},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.47487673190904767, 4.2388033683067521, 1.7688888282092505e-15, 9.6912652423417654e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 8.0598055834504361e-16, 2.2366032492270148e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 5.104479770297887e-15, 7.8786266775795237e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 1.0869986744252695, -5.5318293486343464, 9.4017454102978544e-15, 1.9292238665721741e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -3.4601352542149084, 6.8649771107331352, 9.8331105669844948e-15, 2.1068554127284424e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3684376152086536e-15, 3.7314013572348299e-15},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.47487673190904767, 4.2388033683067521, 1.7688888282092503e-15, 9.6912652423417654e-15},
 };
 #endif
 
@@ -534,24 +534,24 @@ FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double
     const double t6 = xC[0] - xD[0] + t5;
     const double u1 = 0.25 * t3;
     const double t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1;
     const double u2 = 0.25 * t4;
-    const double t8 = xA[1] - xD[1] - u2;
-    const double t9 = t1 - u1;
+    const double t9 = xA[1] - xD[1] - u2;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.25 * (t2 + t9);
     const double u3 = 0.25 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.25 * (t2 + t8);
-    const double t18 = (xA[0] - xS[0]) - 0.25 * (t5 + t11);
-    const double t19 = t9 * t16 + t10 * t17 + t12 * t18;
-    const double t20 = t7 * t16 + t8 * t17 + t11 * t18;
-    const double t21 = 1.0 / (t14 * t14 - t15 * t13);
-    const double t22 = (t14 * t20 - t13 * t19) * t21;
-    const double t23 = (t14 * t19 - t15 * t20) * t21;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.25 * (t5 + t13);
+    const double t16 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t17 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t18 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t19 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t20 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t21 = 1.0 / (t17 * t17 - t20 * t16);
+    const double t22 = (t17 * t18 - t16 * t19) * t21;
+    const double t23 = (t17 * t19 - t20 * t18) * t21;
     double u4 = 0.25;
     const double t24 = (u4 < t22 ? u4 : t22);
     double u5 = -0.25;
@@ -615,12 +615,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x
 static const double footpoint_paper_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.0625, -1.09018967775, 2.9837243786802477e-16, 5.3769229091804807e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983415e-16, 2.8116269970307505e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983415e-16, 2.811626997030751e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.0625, -0.090189677750000002, 6.2450045135171033e-17, 1.577579888390067e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.0625, -0.90981032225000003, 7.6327832942987068e-17, 4.5274615568102511e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.3701162091694334e-15, 6.7569112442495791e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056935e-15, 4.3470115325458735e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.3701162091694334e-15, 6.75691124424958e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056939e-15, 4.3470115325458735e-16},
 };
 #endif
 
@@ -638,23 +638,23 @@ FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const doubl
     const double t8 = xA[1] - xD[1] + t4;
     const double t9 = t1 + t3;
     const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t7;
-    const double t17 = t5 - (40.0 / 11.0) * (xA[0] - xS[0]) + t11;
-    const double t18 = t2 - (40.0 / 11.0) * (xA[1] - xS[1]) + t8;
-    const double t19 = t9 * t16 + t12 * t17 + t10 * t18;
-    const double t20 = t8 * t18 + t7 * t16 + t11 * t17;
-    const double t21 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t22 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t23 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t24 = (t14 * t20 - t13 * t19) * t23;
-    const double t25 = (t15 * t20 - t14 * t19) * t23;
-    const double t26 = (t21 * t15 - t22 * t14) * t23 * t24;
-    const double t27 = (t22 * t13 - t21 * t14) * t23 * t25;
+    const double t11 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t7;
+    const double t12 = t2 - (40.0 / 11.0) * (xA[1] - xS[1]) + t8;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 - (40.0 / 11.0) * (xA[0] - xS[0]) + t13;
+    const double t15 = t5 + t6;
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 + t8 * t10 + t13 * t15;
+    const double t18 = t9 * t9 + t10 * t10 + t15 * t15;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t8 * t12 + t7 * t11 + t13 * t14;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t3 * t9 + t4 * t10 + t6 * t15;
+    const double t23 = t9 * t11 + t15 * t14 + t10 * t12;
+    const double t24 = (t17 * t20 - t16 * t23) * t19;
+    const double t25 = (t18 * t20 - t17 * t23) * t19;
+    const double t26 = (t21 * t18 - t22 * t17) * t19 * t24;
+    const double t27 = (t22 * t16 - t21 * t17) * t19 * t25;
     const double t28 = t27 + 1.0 - t26;
     double u1 = 0.6;
     const double t29 = (u1 > t28 ? u1 : t28);
@@ -723,12 +723,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.99724850253418829, -1, 3.2364179887609064e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 8.6308089413715267e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.99724850253418829, -1, 3.2364179887609068e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 8.6308089413715247e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.065370588081732725, -0.74083235128139702, 2.2323688903420427e-14, 4.7497613808264744e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.3254542879794232e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.065370588081732725, -0.74083235128139702, 2.232368890342043e-14, 4.7497613808264744e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.3254542879794234e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.435748207034659, 0, 1.2948473930295103e-15, 9.8813129168249309e-324},
 };
 #endif
@@ -747,36 +747,36 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const doub
     const double t8 = t1 + t3;
     const double t9 = xA[1] - xD[1] + t4;
     const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t7;
-    const double t17 = t2 - (40.0 / 11.0) * (xA[1] - xS[1]) + t9;
-    const double t18 = t5 - (40.0 / 11.0) * (xA[0] - xS[0]) + t11;
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    const double t22 = (t14 * t20 - t13 * t19) * t21;
-    const double t23 = (t15 * t19 - t13 * t20) * t21;
-    const double t24 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t25 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t26 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t27 = t26 - t24 * t22;
-    const double t28 = t25 - t24 * t23;
-    const double t29 = t23 * t27;
-    const double t30 = t3 * t16 + t4 * t17 + t6 * t18;
-    const double t31 = t13 - (t25 * t22 + t29);
-    const double t32 = t22 * (t26 + t27) - t14;
-    const double t33 = t15 - t23 * (t25 + t28);
-    const double t34 = t19 - t22 * (t30 + t29);
-    const double t35 = t20 - t23 * (t30 + t22 * t28);
-    const double t36 = t31 * t31 + t32 * t33;
+    const double t11 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t7;
+    const double t12 = t2 - (40.0 / 11.0) * (xA[1] - xS[1]) + t9;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 + t6;
+    const double t15 = t5 - (40.0 / 11.0) * (xA[0] - xS[0]) + t13;
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t21 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t13;
+    const double t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19;
+    const double t26 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t27 = t3 * t11 + t4 * t12 + t6 * t15;
+    const double t28 = t22 - t26 * t24;
+    const double t29 = t23 - t26 * t25;
+    const double t30 = t25 * t28;
+    const double t31 = t24 * (t22 + t28) - t17;
+    const double t32 = t16 - (t23 * t24 + t30);
+    const double t33 = t18 - t25 * (t23 + t29);
+    const double t34 = t20 - t24 * (t27 + t30);
+    const double t35 = t21 - t25 * (t27 + t24 * t29);
+    const double t36 = t32 * t32 + t31 * t33;
     const double u1 = (9.0 / 11.0) * t36;
     const double t37 = -0.55 / t36;
-    *xi = (u1 + (t31 * t34 + t32 * t35)) * t37;
-    *eta = (u1 + (t31 * t35 - t33 * t34)) * t37;
+    *xi = (u1 + (t32 * t34 + t31 * t35)) * t37;
+    *eta = (u1 + (t32 * t35 - t33 * t34)) * t37;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -829,14 +829,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0625153934621076e-14, 2.6254175202621922e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.0738968755647275e-14, 5.0387511470448467e-13},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 1.0731430858126105e-15, 3.1085171392542456e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 1.3189660378828662e-13, 6.3526304416164736e-13},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.11661905718921374, -4.2155952220439019, 1.3255765202921096e-14, 4.2056608179586802e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -2.2279570204741979, 4.1085750118801654, 1.6099235682989364e-14, 3.465007767680353e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.4135980628102526e-15, 4.5926460102611312e-15},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.652618268063305e-15, 1.6168777776510453e-14},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0625153934621069e-14, 2.6254175202621929e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.0738968755647272e-14, 5.0387511470448437e-13},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 1.0731430858126105e-15, 3.1085171392542452e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 1.3189660378828655e-13, 6.3526304416164696e-13},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.11661905718921374, -4.2155952220439019, 1.3255765202921089e-14, 4.2056608179586796e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -2.2279570204741979, 4.1085750118801654, 1.6099235682989361e-14, 3.4650077676803537e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.4135980628102528e-15, 4.592646010261132e-15},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.6526182680633048e-15, 1.6168777776510456e-14},
 };
 #endif
 
@@ -852,36 +852,36 @@ FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const doub
     const double t6 = xC[0] - xD[0] + t3;
     const double u1 = 0.25 * t4;
     const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
+    const double t8 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
+    const double t9 = t1 - u1;
     const double u2 = 0.25 * t5;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.25 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.25 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t3 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.25 * (t2 + t9);
-    const double t15 = xA[0] - xS[0] - 0.25 * (t3 + t11);
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t17 = t7 * t7 + t11 * t11 + t9 * t9;
-    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t19 = t8 * t13 + t10 * t14 + t12 * t15;
-    const double t20 = t7 * t13 + t9 * t14 + t11 * t15;
-    const double t21 = t4 * t8 + t5 * t10 + t6 * t12;
-    const double t22 = t4 * t7 + t5 * t9 + t6 * t11;
-    const double t23 = 1.0 / (t16 * t16 - t17 * t18);
-    const double t24 = (t16 * t20 - t17 * t19) * t23;
-    const double t25 = (t22 * t18 - t21 * t16) * t23;
-    const double t26 = (t16 * t19 - t18 * t20) * t23;
-    const double t27 = (t22 * t16 - t17 * t21) * t23;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t3 - u3;
+    const double t15 = xA[0] - xS[0] - 0.25 * (t3 + t13);
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t13 * t13 + t10 * t10;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = t9 * t8 + t12 * t11 + t14 * t15;
+    const double t20 = t4 * t9 + t5 * t12 + t6 * t14;
+    const double t21 = 1.0 / (t16 * t16 - t17 * t18);
+    const double t22 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t23 = t4 * t7 + t5 * t10 + t6 * t13;
+    const double t24 = (t16 * t22 - t17 * t19) * t21;
+    const double t25 = (t23 * t18 - t20 * t16) * t21;
+    const double t26 = (t23 * t16 - t17 * t20) * t21;
+    const double t27 = (t16 * t19 - t18 * t22) * t21;
     const double t28 = t25 * t24;
-    const double t29 = t26 * t27;
+    const double t29 = t27 * t26;
     const double t30 = t29 + 1.0 - t28;
-    const double t31 = t23 * (t4 * t13 + t5 * t14 + t6 * t15 + t20 * t25 - t19 * t27);
+    const double t31 = t21 * (t4 * t8 + t5 * t11 + t6 * t15 + t22 * t25 - t19 * t26);
     double u4 = 0.6;
     const double t32 = (u4 > t30 ? u4 : t30);
     const double t33 = t24 * (t29 * t32 + 1.0);
-    const double t34 = t26 * (1.0 - t28 * t32);
+    const double t34 = t27 * (1.0 - t28 * t32);
     double u5 = 0.25;
     const double t35 = (u5 < t33 ? u5 : t33);
     double u6 = -0.25;
@@ -956,12 +956,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.99454269876060708, -0.009419332158369256, 3.0058461595480357e-14, 5.1460221577980949e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98947297499683495, -1, 2.4386106997067239e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22593361298873954, -0.012488609683776452, 7.6086191393702112e-16, 3.3889385967150305e-16},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.99454269876060708, -0.009419332158369256, 3.0058461595480344e-14, 5.146022157798093e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.98947297499683495, -1, 2.4386106997067231e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22593361298873954, -0.012488609683776452, 7.6086191393702112e-16, 3.388938596715031e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -0.98258681631141831, -0.080013110723799089, 6.4010087502483986e-15, 2.8247142990827579e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.21032367589664211, -0.47843691478932032, 2.0546334414603382e-14, 4.2292638851562006e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -0.98258681631141831, -0.080013110723799089, 6.4010087502483994e-15, 2.8247142990827576e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.21032367589664211, -0.47843691478932032, 2.0546334414603379e-14, 4.2292638851562006e-14},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.26195730925986482, -1, 1.0891857505664071e-15, 2.2204460492503772e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.63580143828854085, 0, 3.5417436032597413e-15, 9.8813129168249309e-324},
 };
@@ -983,47 +983,47 @@ FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const doub
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
     const double u3 = 0.275 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
-    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
-    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
-    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = (t15 * t19 - t14 * t20) * t21;
-    const double t24 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t25 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t26 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t27 = t3 * t16 + t4 * t17 + t6 * t18;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.275 * (t5 + t13);
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 + t8 * t10 + t13 * t14;
+    const double t18 = t9 * t9 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t7 * t11 + t8 * t12 + t13 * t15;
+    const double t21 = t9 * t11 + t10 * t12 + t14 * t15;
+    const double t22 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t23 = t3 * t9 + t4 * t10 + t6 * t14;
+    const double t24 = (t16 * t21 - t17 * t20) * t19;
+    const double t25 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t26 = t3 * t11 + t4 * t12 + t6 * t15;
+    const double t27 = (t18 * t20 - t17 * t21) * t19;
     double u4 = 0.225;
-    const double t28 = (u4 < t22 ? u4 : t22);
+    const double t28 = (u4 < t24 ? u4 : t24);
     double u5 = -0.275;
     const double t29 = (u5 > t28 ? u5 : t28);
-    const double t30 = (u4 < t23 ? u4 : t23);
+    const double t30 = (u4 < t27 ? u4 : t27);
     const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = t25 - t24 * t29;
-    const double t33 = t26 - t24 * t31;
+    const double t32 = t22 - t25 * t29;
+    const double t33 = t23 - t25 * t31;
     const double t34 = t31 * t32;
-    const double t35 = t26 * t29 + t34;
-    const double t36 = t13 - t29 * (t25 + t32);
-    const double t37 = t15 - t31 * (t26 + t33);
-    const double t38 = t14 + t27 - 2.0 * t35;
-    const double t39 = t36 * t37;
-    const double t40 = t39 - t38 * t38;
-    const double t41 = t19 - t29 * (t34 + t35);
-    const double t42 = t20 - t31 * (t29 * t33 + t35);
-    const double u6 = 0.02 * t39;
-    const double t43 = (t40 > u6 ? t40 : u6);
-    const double t44 = t40 - t43;
+    const double t35 = t16 - t29 * (t22 + t32);
+    const double t36 = t23 * t29 + t34;
+    const double t37 = t17 + t26 - 2.0 * t36;
+    const double t38 = t18 - t31 * (t23 + t33);
+    const double t39 = t20 - t29 * (t34 + t36);
+    const double t40 = t21 - t31 * (t29 * t33 + t36);
+    const double t41 = t35 * t38;
+    const double t42 = t41 - t37 * t37;
+    const double u6 = 0.02 * t41;
+    const double t43 = (t42 > u6 ? t42 : u6);
+    const double t44 = t42 - t43;
     const double t45 = 2.0 / t43;
-    const double t46 = t45 * (t36 * t42 - t38 * t41 - t29 * t44) - 0.45;
-    const double t47 = t45 * (t37 * t41 - t38 * t42 - t31 * t44) - 0.45;
+    const double t46 = t45 * (t35 * t40 - t37 * t39 - t29 * t44) - 0.45;
+    const double t47 = t45 * (t38 * t39 - t37 * t40 - t31 * t44) - 0.45;
     double u7 = 0.0;
     const double t48 = (u7 < t46 ? u7 : t46);
     double u8 = -1.0;
@@ -1090,7 +1090,7 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.3487947892354088e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29628846750830479, -1, 1.2663860660897592e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29628846750830479, -1, 1.2663860660897591e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
@@ -1107,55 +1107,55 @@ FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const doub
     const double t6 = xC[2] - xD[2] + t3;
     const double u1 = 0.275 * t4;
     const double t7 = xA[1] - xD[1] - u1;
+    const double t8 = (xS[1] - xA[1]) - 0.275 * (t1 - t7);
+    const double t9 = t1 + u1;
     const double u2 = 0.275 * t5;
-    const double t8 = xA[0] - xD[0] - u2;
+    const double t10 = xA[0] - xD[0] - u2;
     const double u3 = 0.275 * t6;
-    const double t9 = xA[2] - xD[2] - u3;
-    const double t10 = u3 - t3;
-    const double t11 = t1 + u1;
-    const double t12 = (xS[1] - xA[1]) - 0.275 * (t1 - t7);
-    const double t13 = t2 + u2;
-    const double t14 = xA[0] - xS[0] + 0.275 * (t2 - t8);
-    const double t15 = 0.275 * (t3 + t9) + (xS[2] - xA[2]);
-    const double t16 = t9 * t10 + t7 * t11 + t8 * t13;
-    const double t17 = t9 * t9 + t7 * t7 + t8 * t8;
-    const double t18 = t10 * t10 + t11 * t11 + t13 * t13;
-    const double t19 = t10 * t15 + (t11 * t12 - t13 * t14);
-    const double t20 = t8 * t14 - t9 * t15 - t7 * t12;
-    const double t21 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t22 = t21 * (t16 * t20 + t17 * t19);
-    const double t23 = t21 * (t18 * t20 + t16 * t19);
-    const double t24 = t6 * t10 + t4 * t11 + t5 * t13;
-    const double t25 = t6 * t9 + t4 * t7 + t5 * t8;
-    const double t26 = t25 * t16 - t24 * t17;
-    const double t27 = t25 * t18 - t24 * t16;
-    const double t28 = t6 * t6 + t4 * t4 + t5 * t5;
+    const double t11 = xA[2] - xD[2] - u3;
+    const double t12 = 0.275 * (t3 + t11) + (xS[2] - xA[2]);
+    const double t13 = u3 - t3;
+    const double t14 = t2 + u2;
+    const double t15 = xA[0] - xS[0] + 0.275 * (t2 - t10);
+    const double t16 = t11 * t13 + t7 * t9 + t10 * t14;
+    const double t17 = t11 * t11 + t7 * t7 + t10 * t10;
+    const double t18 = t13 * t13 + t9 * t9 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t13 * t12 + (t9 * t8 - t14 * t15);
+    const double t21 = t10 * t15 - t11 * t12 - t7 * t8;
+    const double t22 = t6 * t13 + t4 * t9 + t5 * t14;
+    const double t23 = t6 * t11 + t4 * t7 + t5 * t10;
+    const double t24 = t19 * (t16 * t21 + t17 * t20);
+    const double t25 = t19 * (t18 * t21 + t16 * t20);
+    const double t26 = t23 * t16 - t22 * t17;
+    const double t27 = t6 * t6 + t4 * t4 + t5 * t5;
+    const double t28 = t23 * t18 - t22 * t16;
     double u4 = 0.225;
-    const double t29 = (u4 < t23 ? u4 : t23);
+    const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
     const double t30 = (u5 > t29 ? u5 : t29);
-    const double t31 = (u4 < t22 ? u4 : t22);
+    const double t31 = (u4 < t24 ? u4 : t24);
     const double t32 = (u5 > t31 ? u5 : t31);
-    const double t33 = t30 * t21 * t32;
-    const double t34 = t22 + t26 * t33;
-    const double t35 = t23 + t27 * t33;
-    const double t36 = t25 - t28 * t34;
-    const double t37 = t35 * t36;
-    const double t38 = t24 + t28 * t35;
-    const double t39 = t24 * t34 - t37;
-    const double t40 = t5 * t14 - t6 * t15 - t4 * t12 - t16 + 2.0 * t39;
-    const double t41 = t17 - t34 * (t25 + t36);
-    const double t42 = t18 + t35 * (t24 + t38);
-    const double t43 = t41 * t42;
-    const double t44 = t43 - t40 * t40;
-    const double t45 = t20 - t34 * (t37 - t39);
-    const double t46 = t19 + t35 * (t34 * t38 + t39);
-    const double u6 = 0.02 * t43;
-    const double t47 = (t44 > u6 ? t44 : u6);
-    const double t48 = t44 - t47;
+    const double t33 = t30 * t19 * t32;
+    const double t34 = t24 + t26 * t33;
+    const double t35 = t25 + t28 * t33;
+    const double t36 = t23 - t27 * t34;
+    const double t37 = t22 + t27 * t35;
+    const double t38 = t35 * t36;
+    const double t39 = t17 - t34 * (t23 + t36);
+    const double t40 = t22 * t34 - t38;
+    const double t41 = t5 * t15 - t6 * t12 - t4 * t8 - t16 + 2.0 * t40;
+    const double t42 = t18 + t35 * (t22 + t37);
+    const double t43 = t21 - t34 * (t38 - t40);
+    const double t44 = t20 + t35 * (t34 * t37 + t40);
+    const double t45 = t39 * t42;
+    const double t46 = t45 - t41 * t41;
+    const double u6 = 0.02 * t45;
+    const double t47 = (t46 > u6 ? t46 : u6);
+    const double t48 = t46 - t47;
     const double t49 = 2.0 / t47;
-    const double t50 = (t41 * t46 - t40 * t45 - t34 * t48) * t49 - 0.45;
-    const double t51 = (t42 * t45 - t40 * t46 - t35 * t48) * t49 - 0.45;
+    const double t50 = (t39 * t44 - t41 * t43 - t34 * t48) * t49 - 0.45;
+    const double t51 = (t42 * t43 - t41 * t44 - t35 * t48) * t49 - 0.45;
     double u7 = 0.0;
     const double t52 = (u7 < t50 ? u7 : t50);
     double u8 = -1.0;
@@ -1223,7 +1223,7 @@ static const double footpoint_paper_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25394573519921826, -1, 1.1590886092259382e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46003731494321881, 0, 1.2087287725599842e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46003731494321881, 0, 1.2087287725599825e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -1242,25 +1242,25 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
     const double u2 = 0.275 * t5;
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
-    const double t10 = t2 - u2;
+    const double t10 = xA[2] - xS[2] - 0.275 * (t1 + t7);
+    const double t11 = t2 - u2;
+    const double t12 = xA[1] - xS[1] - 0.275 * (t2 + t8);
     const double u3 = 0.275 * t6;
-    const double t11 = t3 - u3;
-    const double t12 = xA[0] - xD[0] - u3;
-    const double t13 = t7 * t9 + t8 * t10 + t12 * t11;
-    const double t14 = t7 * t7 + t8 * t8 + t12 * t12;
-    const double t15 = t9 * t9 + (t10 * t10 + t11 * t11);
-    const double t16 = xA[2] - xS[2] - 0.275 * (t1 + t7);
-    const double t17 = xA[1] - xS[1] - 0.275 * (t2 + t8);
-    const double t18 = xA[0] - xS[0] - 0.275 * (t3 + t12);
-    const double t19 = t9 * t16 + (t10 * t17 + t11 * t18);
-    const double t20 = t12 * t18 + t7 * t16 + t8 * t17;
-    const double t21 = t4 * t9 + t5 * t10 + t6 * t11;
-    const double t22 = 1.0 / (t13 * t13 - t15 * t14);
-    const double t23 = t4 * t7 + (t5 * t8 + t6 * t12);
-    const double t24 = (t13 * t20 - t14 * t19) * t22;
-    const double t25 = (t13 * t19 - t15 * t20) * t22;
-    const double t26 = (t23 * t15 - t21 * t13) * t22;
-    const double t27 = (t23 * t13 - t21 * t14) * t22;
+    const double t13 = t3 - u3;
+    const double t14 = xA[0] - xD[0] - u3;
+    const double t15 = xA[0] - xS[0] - 0.275 * (t3 + t14);
+    const double t16 = t7 * t9 + t8 * t11 + t14 * t13;
+    const double t17 = t7 * t7 + t8 * t8 + t14 * t14;
+    const double t18 = t9 * t9 + (t11 * t11 + t13 * t13);
+    const double t19 = 1.0 / (t16 * t16 - t18 * t17);
+    const double t20 = t9 * t10 + (t11 * t12 + t13 * t15);
+    const double t21 = t4 * t9 + t5 * t11 + t6 * t13;
+    const double t22 = t14 * t15 + t7 * t10 + t8 * t12;
+    const double t23 = t4 * t7 + (t5 * t8 + t6 * t14);
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t16 * t20 - t18 * t22) * t19;
+    const double t26 = (t23 * t18 - t21 * t16) * t19;
+    const double t27 = (t23 * t16 - t21 * t17) * t19;
     const double t28 = t4 * t4 + t5 * t5 + t6 * t6;
     double u4 = 0.225;
     const double t29 = (u4 < t25 ? u4 : t25);
@@ -1275,30 +1275,30 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
     const double t36 = t24 + t27 * t35;
     const double t37 = t25 - t26 * t35;
     const double t38 = t23 - t28 * t36;
-    const double t39 = t37 * t38;
-    const double t40 = t21 - t28 * t37;
-    const double t41 = t21 * t36 + t39;
-    const double t42 = t4 * t16 + t5 * t17 + t6 * t18 + t13 - 2.0 * t41;
-    const double t43 = t14 - t36 * (t23 + t38);
-    const double t44 = t15 - t37 * (t21 + t40);
-    const double t45 = t43 * t44;
-    const double t46 = t45 - t42 * t42;
-    const double t47 = t20 - t36 * (t39 + t41);
-    const double t48 = t19 - t37 * (t36 * t40 + t41);
-    const double u7 = 0.02 * t45;
-    const double t49 = (t46 > u7 ? t46 : u7);
-    const double t50 = t46 - t49;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t17 - t36 * (t23 + t38);
+    const double t41 = t18 - t37 * (t21 + t39);
+    const double t42 = t37 * t38;
+    const double t43 = t21 * t36 + t42;
+    const double t44 = t4 * t10 + t5 * t12 + t6 * t15 + t16 - 2.0 * t43;
+    const double t45 = t22 - t36 * (t42 + t43);
+    const double t46 = t20 - t37 * (t36 * t39 + t43);
+    const double t47 = t40 * t41;
+    const double t48 = t47 - t44 * t44;
+    const double u7 = 0.02 * t47;
+    const double t49 = (t48 > u7 ? t48 : u7);
+    const double t50 = t48 - t49;
     const double t51 = 1.0 / t49;
-    const double t52 = (t44 * t47 - t42 * t48 - t37 * t50) * t51;
-    const double t53 = (t43 * t48 - t42 * t47 - t36 * t50) * t51;
+    const double t52 = (t41 * t45 - t44 * t46 - t37 * t50) * t51;
+    const double t53 = (t40 * t46 - t44 * t45 - t36 * t50) * t51;
     const double t54 = 2.0 * (t37 - t52);
     const double t55 = t36 - t53;
     const double t56 = t38 * t54;
-    const double t57 = t40 * t55;
+    const double t57 = t39 * t55;
     const double t58 = t54 * (t57 + 0.25 * t56);
     const double t59 = t55 * (t57 + t56);
-    const double t60 = t51 * (t42 * t59 - t43 * t58);
-    const double t61 = t51 * (t42 * t58 - t44 * t59);
+    const double t60 = t51 * (t44 * t59 - t40 * t58);
+    const double t61 = t51 * (t44 * t58 - t41 * t59);
     double u8 = 0.05;
     const double t62 = (u8 < t60 ? u8 : t60);
     double u9 = -0.05;
@@ -1376,7 +1376,7 @@ static const double footpoint_paper_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25446103237644768, -1, 1.1612740041996189e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46008202036866408, 0, 1.2949656684873145e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46008202036866408, 0, 1.2949656684873135e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -1392,30 +1392,30 @@ FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double
     const double t6 = xC[0] - xD[0] + t5;
     const double u1 = 0.275 * t3;
     const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
+    const double t8 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t9 = t1 - u1;
     const double u2 = 0.275 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.275 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.275 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
-    const double t15 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t16 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t17 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t18 = xA[0] - xS[0] - 0.275 * (t5 + t11);
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t18;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t18;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t23 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t24 = (t16 * t20 - t15 * t19) * t22;
-    const double t25 = (t17 * t19 - t15 * t20) * t22;
-    const double t26 = (t23 * t17 - t21 * t15) * t22;
-    const double t27 = (t21 * t16 - t23 * t15) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = xA[0] - xS[0] - 0.275 * (t5 + t13);
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t22 = t9 * t8 + t12 * t11 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14;
+    const double t24 = (t17 * t22 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t21 * t16) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
+    const double t29 = t16 + (t3 * t8 + t4 * t11 + t6 * t15);
     double u4 = 0.225;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
@@ -1428,44 +1428,44 @@ FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t38 * t39;
-    const double t41 = t21 - t28 * t38;
-    const double t42 = t21 * t37 + t40;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t16 - t37 * (t23 + t39);
-    const double t45 = t17 - t38 * (t21 + t41);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t40 + t42);
-    const double t49 = t20 - t38 * (t37 * t41 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
+    const double t41 = t38 * t39;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t17 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t29 - 2.0 * t42;
+    const double t46 = t20 - t37 * (t41 + t42);
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t45 * t45;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
-    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
+    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t23 - t28 * t56;
-    const double t60 = t58 * t59;
-    const double t61 = t21 - t28 * t58;
-    const double t62 = t21 * t56 + t60;
-    const double t63 = t29 - 2.0 * t62;
-    const double t64 = t16 - t56 * (t23 + t59);
-    const double t65 = t17 - t58 * (t21 + t61);
-    const double t66 = t64 * t65;
-    const double t67 = t66 - t63 * t63;
-    const double t68 = t19 - t56 * (t60 + t62);
-    const double t69 = t20 - t58 * (t56 * t61 + t62);
-    const double u8 = 0.02 * t66;
-    const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = t67 - t70;
+    const double t59 = t21 - t28 * t56;
+    const double t60 = t23 - t28 * t58;
+    const double t61 = t58 * t59;
+    const double t62 = t17 - t56 * (t21 + t59);
+    const double t63 = t23 * t56 + t61;
+    const double t64 = t18 - t58 * (t23 + t60);
+    const double t65 = t29 - 2.0 * t63;
+    const double t66 = t20 - t56 * (t61 + t63);
+    const double t67 = t22 - t58 * (t56 * t60 + t63);
+    const double t68 = t62 * t64;
+    const double t69 = t68 - t65 * t65;
+    const double u8 = 0.02 * t68;
+    const double t70 = (t69 > u8 ? t69 : u8);
+    const double t71 = t69 - t70;
     const double t72 = 2.0 / t70;
-    const double t73 = (t64 * t69 - t63 * t68 - t56 * t71) * t72 - 0.45;
-    const double t74 = (t65 * t68 - t63 * t69 - t58 * t71) * t72 - 0.45;
+    const double t73 = (t62 * t67 - t65 * t66 - t56 * t71) * t72 - 0.45;
+    const double t74 = (t64 * t66 - t65 * t67 - t58 * t71) * t72 - 0.45;
     double u9 = 0.0;
     const double t75 = (u9 < t73 ? u9 : t73);
     double u10 = -1.0;
@@ -1528,11 +1528,11 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x
 static const double footpoint_paper_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.3447965858257016e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23031147688074693, 0, 1.0147594439024961e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.34879478923541e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23031147688074693, 0, 1.0147594439024965e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.3487947892354103e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30972710140302029, -1, 1.5939857391520789e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30972710140302029, -1, 1.5939857391520807e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
@@ -1553,26 +1553,26 @@ FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const dou
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
     const double u3 = 0.275 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
-    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
-    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
-    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = (t13 * t20 - t14 * t19) * t22;
-    const double t25 = (t15 * t19 - t14 * t20) * t22;
-    const double t26 = (t23 * t15 - t21 * t14) * t22;
-    const double t27 = (t21 * t13 - t23 * t14) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.275 * (t5 + t13);
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 + t8 * t10 + t13 * t14;
+    const double t18 = t9 * t9 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t7 * t11 + t8 * t12 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t9 * t11 + t10 * t12 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t10 + t6 * t14;
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t18 * t20 - t17 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t17) * t19;
+    const double t27 = (t23 * t16 - t21 * t17) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
+    const double t29 = t17 + (t3 * t11 + t4 * t12 + t6 * t15);
     double u4 = 0.225;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
@@ -1585,65 +1585,65 @@ FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const dou
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t21 - t28 * t38;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
     const double t41 = t38 * t39;
-    const double t42 = t21 * t37 + t41;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t13 - t37 * (t23 + t39);
-    const double t45 = t15 - t38 * (t21 + t40);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t41 + t42);
-    const double t49 = t20 - t38 * (t37 * t40 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t16 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t29 - 2.0 * t42;
+    const double t46 = t20 - t37 * (t41 + t42);
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t45 * t45;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
-    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
+    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t23 - t28 * t56;
-    const double t60 = t21 - t28 * t58;
+    const double t59 = t21 - t28 * t56;
+    const double t60 = t23 - t28 * t58;
     const double t61 = t58 * t59;
-    const double t62 = t21 * t56 + t61;
-    const double t63 = t13 - t56 * (t23 + t59);
-    const double t64 = t15 - t58 * (t21 + t60);
+    const double t62 = t23 * t56 + t61;
+    const double t63 = t16 - t56 * (t21 + t59);
+    const double t64 = t18 - t58 * (t23 + t60);
     const double t65 = t29 - 2.0 * t62;
-    const double t66 = t63 * t64;
-    const double t67 = t66 - t65 * t65;
-    const double t68 = t19 - t56 * (t61 + t62);
-    const double t69 = t20 - t58 * (t56 * t60 + t62);
-    const double u8 = 0.02 * t66;
-    const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = t67 - t70;
+    const double t66 = t20 - t56 * (t61 + t62);
+    const double t67 = t22 - t58 * (t56 * t60 + t62);
+    const double t68 = t63 * t64;
+    const double t69 = t68 - t65 * t65;
+    const double u8 = 0.02 * t68;
+    const double t70 = (t69 > u8 ? t69 : u8);
+    const double t71 = t69 - t70;
     const double t72 = 1.0 / t70;
-    const double t73 = t72 * (t63 * t69 - t65 * t68 - t56 * t71);
-    const double t74 = t72 * (t64 * t68 - t65 * t69 - t58 * t71);
+    const double t73 = t72 * (t63 * t67 - t65 * t66 - t56 * t71);
+    const double t74 = t72 * (t64 * t66 - t65 * t67 - t58 * t71);
     const double t75 = (u4 < t73 ? u4 : t73);
     const double t76 = (u5 > t75 ? u5 : t75);
     const double t77 = (u4 < t74 ? u4 : t74);
     const double t78 = (u5 > t77 ? u5 : t77);
-    const double t79 = t23 - t28 * t76;
-    const double t80 = t21 - t28 * t78;
+    const double t79 = t21 - t28 * t76;
+    const double t80 = t23 - t28 * t78;
     const double t81 = t78 * t79;
-    const double t82 = t21 * t76 + t81;
-    const double t83 = t13 - t76 * (t23 + t79);
-    const double t84 = t15 - t78 * (t21 + t80);
-    const double t85 = t29 - 2.0 * t82;
-    const double t86 = t83 * t84;
-    const double t87 = t86 - t85 * t85;
-    const double t88 = t19 - t76 * (t81 + t82);
-    const double t89 = t20 - t78 * (t76 * t80 + t82);
-    const double u9 = 0.02 * t86;
-    const double t90 = (t87 > u9 ? t87 : u9);
-    const double t91 = t87 - t90;
+    const double t82 = t16 - t76 * (t21 + t79);
+    const double t83 = t23 * t76 + t81;
+    const double t84 = t18 - t78 * (t23 + t80);
+    const double t85 = t29 - 2.0 * t83;
+    const double t86 = t20 - t76 * (t81 + t83);
+    const double t87 = t22 - t78 * (t76 * t80 + t83);
+    const double t88 = t82 * t84;
+    const double t89 = t88 - t85 * t85;
+    const double u9 = 0.02 * t88;
+    const double t90 = (t89 > u9 ? t89 : u9);
+    const double t91 = t89 - t90;
     const double t92 = 2.0 / t90;
-    const double t93 = t92 * (t83 * t89 - t85 * t88 - t76 * t91) - 0.45;
-    const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91) - 0.45;
+    const double t93 = t92 * (t82 * t87 - t85 * t86 - t76 * t91) - 0.45;
+    const double t94 = t92 * (t84 * t86 - t85 * t87 - t78 * t91) - 0.45;
     double u10 = 0.0;
     const double t95 = (u10 < t93 ? u10 : t93);
     double u11 = -1.0;
@@ -1704,13 +1704,13 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *cons
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_precise_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.89064515330129657, 1.110223024625157e-16, 3.0065550947091239e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.89064515330129657, 1.110223024625157e-16, 3.0065550947091243e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23655024120634, 0, 1.0949160783696978e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.2933759578715644, 0, 1.9982793723176125e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23655024120634, 0, 1.0949160783696994e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.2933759578715644, 0, 1.9982793723176129e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27510749914142468, -1, 1.6344325951057708e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27510749914142468, -1, 1.6344325951057712e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.34735492450535199, 0, 3.9377450259408885e-15, 9.8813129168249309e-324},
 };
 #endif
@@ -1727,30 +1727,30 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t6 = xC[0] - xD[0] + t5;
     const double u1 = 0.275 * t3;
     const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
+    const double t8 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t9 = t1 - u1;
     const double u2 = 0.275 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.275 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.275 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.275 * (t2 + t9);
-    const double t15 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t16 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t17 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t18 = xA[0] - xS[0] - 0.275 * (t5 + t11);
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t18;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t18;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t23 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t24 = (t16 * t20 - t15 * t19) * t22;
-    const double t25 = (t17 * t19 - t15 * t20) * t22;
-    const double t26 = (t23 * t17 - t21 * t15) * t22;
-    const double t27 = (t21 * t16 - t23 * t15) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = xA[0] - xS[0] - 0.275 * (t5 + t13);
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t22 = t9 * t8 + t12 * t11 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14;
+    const double t24 = (t17 * t22 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t21 * t16) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
+    const double t29 = t16 + (t3 * t8 + t4 * t11 + t6 * t15);
     double u4 = 0.225;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
@@ -1763,31 +1763,31 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t38 * t39;
-    const double t41 = t21 - t28 * t38;
-    const double t42 = t21 * t37 + t40;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t16 - t37 * (t23 + t39);
-    const double t45 = t17 - t38 * (t21 + t41);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t40 + t42);
-    const double t49 = t20 - t38 * (t37 * t41 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
+    const double t41 = t38 * t39;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t17 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t20 - t37 * (t41 + t42);
+    const double t46 = t29 - 2.0 * t42;
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t46 * t46;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
-    const double t54 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
+    const double t53 = (t44 * t45 - t46 * t47 - t38 * t51) * t52;
+    const double t54 = (t43 * t47 - t46 * t45 - t37 * t51) * t52;
     const double t55 = 2.0 * (t38 - t53);
     const double t56 = t54 - t37;
     const double t57 = t39 * t55;
-    const double t58 = t41 * t56;
+    const double t58 = t40 * t56;
     const double t59 = t56 * (t57 - t58);
     const double t60 = t55 * (0.25 * t57 - t58);
-    const double t61 = t52 * (t44 * t60 + t43 * t59);
-    const double t62 = t52 * (t45 * t59 + t43 * t60);
+    const double t61 = t52 * (t43 * t60 + t46 * t59);
+    const double t62 = t52 * (t44 * t59 + t46 * t60);
     const double u8 = -t61;
     double u9 = 0.05;
     const double t63 = (u9 < u8 ? u9 : u8);
@@ -1801,31 +1801,31 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t70 = (u5 > t69 ? u5 : t69);
     const double t71 = (u4 < t68 ? u4 : t68);
     const double t72 = (u5 > t71 ? u5 : t71);
-    const double t73 = t23 - t28 * t70;
-    const double t74 = t72 * t73;
-    const double t75 = t21 - t28 * t72;
-    const double t76 = t21 * t70 + t74;
-    const double t77 = t29 - 2.0 * t76;
-    const double t78 = t16 - t70 * (t23 + t73);
-    const double t79 = t17 - t72 * (t21 + t75);
-    const double t80 = t78 * t79;
-    const double t81 = t80 - t77 * t77;
-    const double t82 = t70 * (t74 + t76) - t19;
-    const double t83 = t72 * (t70 * t75 + t76) - t20;
-    const double u11 = 0.02 * t80;
-    const double t84 = (t81 > u11 ? t81 : u11);
-    const double t85 = t84 - t81;
+    const double t73 = t21 - t28 * t70;
+    const double t74 = t23 - t28 * t72;
+    const double t75 = t17 - t70 * (t21 + t73);
+    const double t76 = t18 - t72 * (t23 + t74);
+    const double t77 = t72 * t73;
+    const double t78 = t23 * t70 + t77;
+    const double t79 = t29 - 2.0 * t78;
+    const double t80 = t70 * (t77 + t78) - t20;
+    const double t81 = t72 * (t70 * t74 + t78) - t22;
+    const double t82 = t75 * t76;
+    const double t83 = t82 - t79 * t79;
+    const double u11 = 0.02 * t82;
+    const double t84 = (t83 > u11 ? t83 : u11);
+    const double t85 = t84 - t83;
     const double t86 = 1.0 / t84;
-    const double t87 = (t77 * t83 - t79 * t82 + t72 * t85) * t86;
-    const double t88 = (t77 * t82 - t78 * t83 + t70 * t85) * t86;
+    const double t87 = (t79 * t81 - t76 * t80 + t72 * t85) * t86;
+    const double t88 = (t79 * t80 - t75 * t81 + t70 * t85) * t86;
     const double t89 = 2.0 * (t72 - t87);
     const double t90 = t70 - t88;
     const double t91 = t73 * t89;
-    const double t92 = t75 * t90;
+    const double t92 = t74 * t90;
     const double t93 = t89 * (t92 + 0.25 * t91);
     const double t94 = t90 * (t92 + t91);
-    const double t95 = t86 * (t77 * t93 - t79 * t94);
-    const double t96 = t86 * (t77 * t94 - t78 * t93);
+    const double t95 = t86 * (t79 * t93 - t76 * t94);
+    const double t96 = t86 * (t79 * t94 - t75 * t93);
     const double t97 = (u9 < t95 ? u9 : t95);
     const double t98 = (u10 > t97 ? u10 : t97);
     const double t99 = (u9 < t96 ? u9 : t96);
@@ -1839,11 +1839,11 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t107 = 2.0 * (t72 - t104);
     const double t108 = t70 - t106;
     const double t109 = t73 * t107;
-    const double t110 = t75 * t108;
+    const double t110 = t74 * t108;
     const double t111 = t107 * (t110 + 0.25 * t109);
     const double t112 = t108 * (t110 + t109);
-    const double t113 = t86 * (t77 * t112 - t78 * t111);
-    const double t114 = t86 * (t77 * t111 - t79 * t112);
+    const double t113 = t86 * (t79 * t112 - t75 * t111);
+    const double t114 = t86 * (t79 * t111 - t76 * t112);
     const double t115 = (u9 < t113 ? u9 : t113);
     const double t116 = (u10 > t115 ? u10 : t115);
     const double t117 = (u9 < t114 ? u9 : t114);
@@ -1913,12 +1913,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *con
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.2203575061314646, -1, 9.3034610988493317e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23055453790035557, 0, 1.0445292861151736e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.54979306334095501, 0, 2.3439730626278625e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.2203575061314646, -1, 9.303461098849327e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23055453790035557, 0, 1.044529286115174e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.54979306334095501, 0, 2.3439730626278636e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30921221447654929, -1, 1.6351214712028417e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30921221447654929, -1, 1.635121471202844e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
@@ -1939,26 +1939,26 @@ FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
     const double u3 = 0.275 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.275 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.275 * (t2 + t8);
-    const double t18 = (xA[0] - xS[0]) - 0.275 * (t5 + t11);
-    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
-    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = (t13 * t20 - t14 * t19) * t22;
-    const double t25 = (t15 * t19 - t14 * t20) * t22;
-    const double t26 = (t23 * t15 - t21 * t14) * t22;
-    const double t27 = (t21 * t13 - t23 * t14) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.275 * (t5 + t13);
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 + t8 * t10 + t13 * t14;
+    const double t18 = t9 * t9 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t7 * t11 + t8 * t12 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t9 * t11 + t10 * t12 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t10 + t6 * t14;
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t18 * t20 - t17 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t17) * t19;
+    const double t27 = (t23 * t16 - t21 * t17) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
+    const double t29 = t17 + (t3 * t11 + t4 * t12 + t6 * t15);
     double u4 = 0.225;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
@@ -1971,86 +1971,86 @@ FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t21 - t28 * t38;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
     const double t41 = t38 * t39;
-    const double t42 = t21 * t37 + t41;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t13 - t37 * (t23 + t39);
-    const double t45 = t15 - t38 * (t21 + t40);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t41 + t42);
-    const double t49 = t20 - t38 * (t37 * t40 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t16 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t29 - 2.0 * t42;
+    const double t46 = t20 - t37 * (t41 + t42);
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t45 * t45;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
-    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
+    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t23 - t28 * t56;
-    const double t60 = t21 - t28 * t58;
+    const double t59 = t21 - t28 * t56;
+    const double t60 = t23 - t28 * t58;
     const double t61 = t58 * t59;
-    const double t62 = t21 * t56 + t61;
-    const double t63 = t13 - t56 * (t23 + t59);
-    const double t64 = t15 - t58 * (t21 + t60);
+    const double t62 = t23 * t56 + t61;
+    const double t63 = t16 - t56 * (t21 + t59);
+    const double t64 = t18 - t58 * (t23 + t60);
     const double t65 = t29 - 2.0 * t62;
-    const double t66 = t63 * t64;
-    const double t67 = t66 - t65 * t65;
-    const double t68 = t19 - t56 * (t61 + t62);
-    const double t69 = t20 - t58 * (t56 * t60 + t62);
-    const double u8 = 0.02 * t66;
-    const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = t67 - t70;
+    const double t66 = t20 - t56 * (t61 + t62);
+    const double t67 = t22 - t58 * (t56 * t60 + t62);
+    const double t68 = t63 * t64;
+    const double t69 = t68 - t65 * t65;
+    const double u8 = 0.02 * t68;
+    const double t70 = (t69 > u8 ? t69 : u8);
+    const double t71 = t69 - t70;
     const double t72 = 1.0 / t70;
-    const double t73 = t72 * (t63 * t69 - t65 * t68 - t56 * t71);
-    const double t74 = t72 * (t64 * t68 - t65 * t69 - t58 * t71);
+    const double t73 = t72 * (t63 * t67 - t65 * t66 - t56 * t71);
+    const double t74 = t72 * (t64 * t66 - t65 * t67 - t58 * t71);
     const double t75 = (u4 < t73 ? u4 : t73);
     const double t76 = (u5 > t75 ? u5 : t75);
     const double t77 = (u4 < t74 ? u4 : t74);
     const double t78 = (u5 > t77 ? u5 : t77);
-    const double t79 = t23 - t28 * t76;
-    const double t80 = t21 - t28 * t78;
+    const double t79 = t21 - t28 * t76;
+    const double t80 = t23 - t28 * t78;
     const double t81 = t78 * t79;
-    const double t82 = t21 * t76 + t81;
-    const double t83 = t13 - t76 * (t23 + t79);
-    const double t84 = t15 - t78 * (t21 + t80);
+    const double t82 = t23 * t76 + t81;
+    const double t83 = t16 - t76 * (t21 + t79);
+    const double t84 = t18 - t78 * (t23 + t80);
     const double t85 = t29 - 2.0 * t82;
-    const double t86 = t83 * t84;
-    const double t87 = t86 - t85 * t85;
-    const double t88 = t19 - t76 * (t81 + t82);
-    const double t89 = t20 - t78 * (t76 * t80 + t82);
-    const double u9 = 0.02 * t86;
-    const double t90 = (t87 > u9 ? t87 : u9);
-    const double t91 = t87 - t90;
+    const double t86 = t20 - t76 * (t81 + t82);
+    const double t87 = t22 - t78 * (t76 * t80 + t82);
+    const double t88 = t83 * t84;
+    const double t89 = t88 - t85 * t85;
+    const double u9 = 0.02 * t88;
+    const double t90 = (t89 > u9 ? t89 : u9);
+    const double t91 = t89 - t90;
     const double t92 = 1.0 / t90;
-    const double t93 = t92 * (t83 * t89 - t85 * t88 - t76 * t91);
-    const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91);
+    const double t93 = t92 * (t83 * t87 - t85 * t86 - t76 * t91);
+    const double t94 = t92 * (t84 * t86 - t85 * t87 - t78 * t91);
     const double t95 = (u4 < t93 ? u4 : t93);
     const double t96 = (u5 > t95 ? u5 : t95);
     const double t97 = (u4 < t94 ? u4 : t94);
     const double t98 = (u5 > t97 ? u5 : t97);
-    const double t99 = t23 - t28 * t96;
-    const double t100 = t21 - t28 * t98;
+    const double t99 = t21 - t28 * t96;
+    const double t100 = t23 - t28 * t98;
     const double t101 = t98 * t99;
-    const double t102 = t21 * t96 + t101;
-    const double t103 = t13 - t96 * (t23 + t99);
-    const double t104 = t15 - t98 * (t21 + t100);
-    const double t105 = t29 - 2.0 * t102;
-    const double t106 = t103 * t104;
-    const double t107 = t106 - t105 * t105;
-    const double t108 = t19 - t96 * (t101 + t102);
-    const double t109 = t20 - t98 * (t96 * t100 + t102);
-    const double u10 = 0.02 * t106;
-    const double t110 = (t107 > u10 ? t107 : u10);
-    const double t111 = t107 - t110;
+    const double t102 = t16 - t96 * (t21 + t99);
+    const double t103 = t23 * t96 + t101;
+    const double t104 = t18 - t98 * (t23 + t100);
+    const double t105 = t29 - 2.0 * t103;
+    const double t106 = t20 - t96 * (t101 + t103);
+    const double t107 = t22 - t98 * (t96 * t100 + t103);
+    const double t108 = t102 * t104;
+    const double t109 = t108 - t105 * t105;
+    const double u10 = 0.02 * t108;
+    const double t110 = (t109 > u10 ? t109 : u10);
+    const double t111 = t109 - t110;
     const double t112 = 2.0 / t110;
-    const double t113 = t112 * (t103 * t109 - t105 * t108 - t96 * t111) - 0.45;
-    const double t114 = t112 * (t104 * t108 - t105 * t109 - t98 * t111) - 0.45;
+    const double t113 = t112 * (t102 * t107 - t105 * t106 - t96 * t111) - 0.45;
+    const double t114 = t112 * (t104 * t106 - t105 * t107 - t98 * t111) - 0.45;
     double u11 = 0.0;
     const double t115 = (u11 < t113 ? u11 : t113);
     double u12 = -1.0;
@@ -2112,12 +2112,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_full_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.91295984948060971, 1.110223024625157e-16, 2.882954398793926e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.344796585825711e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23353818633828166, 0, 1.103909673103099e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.3447965858257063e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23353818633828166, 0, 1.1039096731030986e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.37980178011557497, 0, 2.0481028310638943e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29624750487957296, -1, 1.8829233279255779e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.29624750487957296, -1, 1.8829233279255858e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif
@@ -2136,27 +2136,27 @@ FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const do
     const double t7 = xA[1] - xD[1] - u1;
     const double u2 = 0.25 * t5;
     const double t8 = xA[2] - xD[2] - u2;
-    const double t9 = t2 - u2;
-    const double t10 = t1 - u1;
+    const double t9 = (xA[2] - xS[2]) - 0.25 * (t2 + t8);
+    const double t10 = t2 - u2;
+    const double t11 = t1 - u1;
+    const double t12 = xA[1] - xS[1] - 0.25 * (t1 + t7);
     const double u3 = 0.25 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t4 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.25 * (t2 + t8);
-    const double t14 = t8 * t9 + t7 * t10 + t11 * t12;
-    const double t15 = t8 * t8 + t7 * t7 + t11 * t11;
-    const double t16 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t17 = xA[1] - xS[1] - 0.25 * (t1 + t7);
-    const double t18 = xA[0] - xS[0] - 0.25 * (t4 + t11);
-    const double t19 = t5 * t9 + t3 * t10 + t6 * t12;
-    const double t20 = t8 * t13 + t7 * t17 + t11 * t18;
-    const double t21 = t9 * t13 + t10 * t17 + t12 * t18;
-    const double t22 = t5 * t8 + t3 * t7 + t6 * t11;
-    const double t23 = 1.0 / (t15 * t16 - t14 * t14);
-    const double t24 = (t15 * t21 - t14 * t20) * t23;
-    const double t25 = (t19 * t15 - t22 * t14) * t23 * (t16 * t20 - t14 * t21) * t23;
-    const double t26 = (t22 * t16 - t19 * t14) * t23 * t24 + 1.0 + t25;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t4 - u3;
+    const double t15 = xA[0] - xS[0] - 0.25 * (t4 + t13);
+    const double t16 = t8 * t10 + t7 * t11 + t13 * t14;
+    const double t17 = t8 * t8 + t7 * t7 + t13 * t13;
+    const double t18 = t10 * t10 + t11 * t11 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t5 * t10 + t3 * t11 + t6 * t14;
+    const double t21 = t10 * t9 + t11 * t12 + t14 * t15;
+    const double t22 = t8 * t9 + t7 * t12 + t13 * t15;
+    const double t23 = t5 * t8 + t3 * t7 + t6 * t13;
+    const double t24 = (t17 * t21 - t16 * t22) * t19;
+    const double t25 = (t20 * t17 - t23 * t16) * t19 * (t18 * t22 - t16 * t21) * t19;
+    const double t26 = (t23 * t18 - t20 * t16) * t19 * t24 + 1.0 + t25;
     const double t27 = t5 * t5 + t3 * t3 + t6 * t6;
-    const double t28 = (t3 * t17 + t6 * t18) + (t5 * t13 + t14);
+    const double t28 = (t3 * t12 + t6 * t15) + (t5 * t9 + t16);
     double u4 = 0.6;
     const double t29 = (u4 > t26 ? u4 : t26);
     const double t30 = t24 * (t25 * t29 + 1.0);
@@ -2164,39 +2164,39 @@ FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const do
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.25;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t22 - t27 * t32;
-    const double t34 = t15 - t32 * (t22 + t33);
-    const double t35 = t19 * t32;
-    const double t36 = (t20 - t32 * (t28 - t35)) / t34;
+    const double t33 = t23 - t27 * t32;
+    const double t34 = t17 - t32 * (t23 + t33);
+    const double t35 = t20 * t32;
+    const double t36 = (t22 - t32 * (t28 - t35)) / t34;
     const double t37 = t33 * t36;
-    const double t38 = t19 - t27 * t36;
-    const double t39 = t35 + t37;
-    const double t40 = t28 - 2.0 * t39;
-    const double t41 = t34 * (t16 - t36 * (t19 + t38));
-    const double t42 = t41 - t40 * t40;
-    const double u7 = 0.02 * t41;
+    const double t38 = t35 + t37;
+    const double t39 = t20 - t27 * t36;
+    const double t40 = t34 * (t18 - t36 * (t20 + t39));
+    const double t41 = t28 - 2.0 * t38;
+    const double t42 = t40 - t41 * t41;
+    const double u7 = 0.02 * t40;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t34 * (t21 - t36 * (t39 + t32 * t38)) - t20 * t40 - t32 * ((t42 - t43) - (t37 + t39) * t40);
+    const double t44 = t34 * (t21 - t36 * (t38 + t32 * t39)) - t22 * t41 - t32 * ((t42 - t43) - (t37 + t38) * t41);
     const double t45 = t44 / t43;
-    const double t46 = t22 - t27 * t45;
-    const double t47 = t15 - t45 * (t22 + t46);
-    const double t48 = t19 * t45;
-    const double t49 = (t20 - t45 * (t28 - t48)) / t47;
+    const double t46 = t23 - t27 * t45;
+    const double t47 = t17 - t45 * (t23 + t46);
+    const double t48 = t20 * t45;
+    const double t49 = (t22 - t45 * (t28 - t48)) / t47;
     const double t50 = t46 * t49;
-    const double t51 = t19 - t27 * t49;
+    const double t51 = t20 - t27 * t49;
     const double t52 = t48 + t50;
-    const double t53 = t28 - 2.0 * t52;
-    const double t54 = t16 - t49 * (t19 + t51);
-    const double t55 = t47 * t54;
-    const double t56 = t55 - t53 * t53;
-    const double t57 = t20 - t45 * (t50 + t52);
-    const double t58 = t21 - t49 * (t52 + t45 * t51);
-    const double u8 = 0.02 * t55;
-    const double t59 = (t56 > u8 ? t56 : u8);
-    const double t60 = t56 - t59;
+    const double t53 = t18 - t49 * (t20 + t51);
+    const double t54 = t28 - 2.0 * t52;
+    const double t55 = t22 - t45 * (t50 + t52);
+    const double t56 = t21 - t49 * (t52 + t45 * t51);
+    const double t57 = t47 * t53;
+    const double t58 = t57 - t54 * t54;
+    const double u8 = 0.02 * t57;
+    const double t59 = (t58 > u8 ? t58 : u8);
+    const double t60 = t58 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
-    const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
+    const double t62 = (t47 * t56 - t54 * t55 - t45 * t60) * t61;
+    const double t63 = (t55 * t53 - t54 * t56 - t49 * t60) * t61;
     const double t64 = (u5 < t62 ? u5 : t62);
     const double t65 = (!(t64 <= u6) ? t64 : u6);
     const double t66 = (u5 < t63 ? u5 : t63);
@@ -2255,14 +2255,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_program1_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87287477747581543, 2.2204460492503772e-16, 2.2194158536925507e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87287477747581543, 2.2204460492503772e-16, 2.2194158536925503e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293334217829662, 0, 8.2372982354486896e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293334217829662, 0, 8.2372982354486886e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, 0, -1, 9.8813129168249309e-324, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443938323548282, -1, 1.0681508065408663e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46040015327553985, 0, 1.1600623567544794e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443938323548282, -1, 1.0681508065408665e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46040015327553985, 0, 1.1600623567544796e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -2278,86 +2278,86 @@ FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const do
     const double t6 = xC[0] - xD[0] + t4;
     const double u1 = 0.25 * t3;
     const double t7 = xA[2] - xD[2] - u1;
-    const double u2 = 0.25 * t5;
-    const double t8 = xA[1] - xD[1] - u2;
+    const double t8 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
     const double t9 = t1 - u1;
-    const double t10 = t2 - u2;
+    const double u2 = 0.25 * t5;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.25 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.25 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t4 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.25 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.25 * (t2 + t8);
-    const double t15 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t17 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t18 = xA[0] - xS[0] - 0.25 * (t4 + t11);
-    const double t19 = t3 * t9 + t5 * t10 + t6 * t12;
-    const double t20 = t7 * t13 + t8 * t14 + t11 * t18;
-    const double t21 = t9 * t13 + t10 * t14 + t12 * t18;
-    const double t22 = t3 * t7 + t5 * t8 + t6 * t11;
-    const double t23 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t24 = (t16 * t21 - t15 * t20) * t23;
-    const double t25 = (t17 * t20 - t15 * t21) * (t19 * t16 - t22 * t15) * t23;
-    const double t26 = t23 * ((t22 * t17 - t19 * t15) * t24 + t25) + 1.0;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t4 - u3;
+    const double t15 = xA[0] - xS[0] - 0.25 * (t4 + t13);
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t3 * t9 + t5 * t12 + t6 * t14;
+    const double t21 = t9 * t8 + t12 * t11 + t14 * t15;
+    const double t22 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t23 = t3 * t7 + t5 * t10 + t6 * t13;
+    const double t24 = (t17 * t21 - t16 * t22) * t19;
+    const double t25 = (t18 * t22 - t16 * t21) * (t20 * t17 - t23 * t16) * t19;
+    const double t26 = t19 * ((t23 * t18 - t20 * t16) * t24 + t25) + 1.0;
     const double t27 = t3 * t3 + t5 * t5 + t6 * t6;
-    const double t28 = (t3 * t13 + t6 * t18) + (t5 * t14 + t15);
+    const double t28 = (t3 * t8 + t6 * t15) + (t5 * t11 + t16);
     double u4 = 0.6;
     const double t29 = (u4 > t26 ? u4 : t26);
-    const double t30 = t24 * (t23 * t25 * t29 + 1.0);
+    const double t30 = t24 * (t19 * t25 * t29 + 1.0);
     double u5 = 0.25;
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.25;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t22 - t27 * t32;
-    const double t34 = t16 - t32 * (t22 + t33);
-    const double t35 = t19 * t32;
-    const double t36 = (t20 - t32 * (t28 - t35)) / t34;
+    const double t33 = t23 - t27 * t32;
+    const double t34 = t17 - t32 * (t23 + t33);
+    const double t35 = t20 * t32;
+    const double t36 = (t22 - t32 * (t28 - t35)) / t34;
     const double t37 = t33 * t36;
-    const double t38 = t19 - t27 * t36;
-    const double t39 = t35 + t37;
-    const double t40 = t28 - 2.0 * t39;
-    const double t41 = t34 * (t17 - t36 * (t19 + t38));
-    const double t42 = t41 - t40 * t40;
-    const double u7 = 0.02 * t41;
+    const double t38 = t35 + t37;
+    const double t39 = t20 - t27 * t36;
+    const double t40 = t34 * (t18 - t36 * (t20 + t39));
+    const double t41 = t28 - 2.0 * t38;
+    const double t42 = t40 - t41 * t41;
+    const double u7 = 0.02 * t40;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t34 * (t21 - t36 * (t39 + t32 * t38)) - t40 * (t20 - t32 * (t37 + t39)) - t32 * (t42 - t43);
+    const double t44 = t34 * (t21 - t36 * (t38 + t32 * t39)) - t41 * (t22 - t32 * (t37 + t38)) - t32 * (t42 - t43);
     const double t45 = t44 / t43;
-    const double t46 = t22 - t27 * t45;
-    const double t47 = t16 - t45 * (t22 + t46);
-    const double t48 = t19 * t45;
-    const double t49 = (t20 - t45 * (t28 - t48)) / t47;
+    const double t46 = t23 - t27 * t45;
+    const double t47 = t17 - t45 * (t23 + t46);
+    const double t48 = t20 * t45;
+    const double t49 = (t22 - t45 * (t28 - t48)) / t47;
     const double t50 = t46 * t49;
-    const double t51 = t19 - t27 * t49;
-    const double t52 = t48 + t50;
-    const double t53 = t28 - 2.0 * t52;
-    const double t54 = t17 - t49 * (t19 + t51);
-    const double t55 = t47 * t54;
-    const double t56 = t55 - t53 * t53;
-    const double t57 = t20 - t45 * (t50 + t52);
-    const double t58 = t21 - t49 * (t52 + t45 * t51);
-    const double u8 = 0.02 * t55;
-    const double t59 = (t56 > u8 ? t56 : u8);
-    const double t60 = t56 - t59;
+    const double t51 = t48 + t50;
+    const double t52 = t20 - t27 * t49;
+    const double t53 = t18 - t49 * (t20 + t52);
+    const double t54 = t28 - 2.0 * t51;
+    const double t55 = t22 - t45 * (t50 + t51);
+    const double t56 = t21 - t49 * (t51 + t45 * t52);
+    const double t57 = t47 * t53;
+    const double t58 = t57 - t54 * t54;
+    const double u8 = 0.02 * t57;
+    const double t59 = (t58 > u8 ? t58 : u8);
+    const double t60 = t58 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
-    const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
-    const double t64 = t22 - t27 * t62;
-    const double t65 = t63 * t64;
-    const double t66 = t19 - t27 * t63;
-    const double t67 = t19 * t62 + t65;
-    const double t68 = t28 - 2.0 * t67;
-    const double t69 = t16 - t62 * (t22 + t64);
-    const double t70 = t17 - t63 * (t19 + t66);
-    const double t71 = t70 * t69;
-    const double t72 = t71 - t68 * t68;
-    const double t73 = t20 - t62 * (t65 + t67);
-    const double t74 = t21 - t63 * (t62 * t66 + t67);
-    const double u9 = 0.02 * t71;
-    const double t75 = (t72 > u9 ? t72 : u9);
-    const double t76 = t72 - t75;
+    const double t62 = (t47 * t56 - t54 * t55 - t45 * t60) * t61;
+    const double t63 = (t55 * t53 - t54 * t56 - t49 * t60) * t61;
+    const double t64 = t23 - t27 * t62;
+    const double t65 = t20 - t27 * t63;
+    const double t66 = t63 * t64;
+    const double t67 = t17 - t62 * (t23 + t64);
+    const double t68 = t20 * t62 + t66;
+    const double t69 = t18 - t63 * (t20 + t65);
+    const double t70 = t28 - 2.0 * t68;
+    const double t71 = t22 - t62 * (t66 + t68);
+    const double t72 = t21 - t63 * (t62 * t65 + t68);
+    const double t73 = t69 * t67;
+    const double t74 = t73 - t70 * t70;
+    const double u9 = 0.02 * t73;
+    const double t75 = (t74 > u9 ? t74 : u9);
+    const double t76 = t74 - t75;
     const double t77 = 1.0 / t75;
-    const double t78 = (t69 * t74 - t68 * t73 - t62 * t76) * t77;
-    const double t79 = (t70 * t73 - t68 * t74 - t63 * t76) * t77;
+    const double t78 = (t67 * t72 - t70 * t71 - t62 * t76) * t77;
+    const double t79 = (t69 * t71 - t70 * t72 - t63 * t76) * t77;
     const double t80 = (u5 < t78 ? u5 : t78);
     const double t81 = (!(t80 <= u6) ? t80 : u6);
     const double t82 = (u5 < t79 ? u5 : t79);
@@ -2416,14 +2416,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_program2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404905836945, 2.2204460492503772e-16, 2.2894233061089253e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404905836945, 2.2204460492503772e-16, 2.2894233061089127e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136019, 0, 8.8372752827172519e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136019, 0, 8.837275282717245e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.2544393301211651, -1, 1.157870393834372e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007633043615082, 0, 1.2929123308279402e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007633043615082, 0, 1.2929123308277921e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -2440,28 +2440,28 @@ FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const do
     const double u1 = 0.25 * t3;
     const double t7 = t1 + u1;
     const double t8 = xA[2] - xD[2] + u1;
+    const double t9 = (xA[2] - xS[2]) - 0.25 * (t1 + t8);
     const double u2 = 0.25 * t4;
-    const double t9 = t2 + u2;
-    const double t10 = xA[1] - xD[1] + u2;
+    const double t10 = t2 + u2;
+    const double t11 = xA[1] - xD[1] + u2;
+    const double t12 = (xA[1] - xS[1]) - 0.25 * (t2 + t11);
     const double u3 = 0.25 * t6;
-    const double t11 = t5 + u3;
-    const double t12 = xD[0] - xA[0] - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.25 * (t1 + t8);
-    const double t14 = (xA[1] - xS[1]) - 0.25 * (t2 + t10);
-    const double t15 = t7 * t8 + t9 * t10 - t11 * t12;
-    const double t16 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = xA[0] - xS[0] - 0.25 * (t5 - t12);
-    const double t19 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t20 = t12 * t18 - t8 * t13 - t10 * t14;
-    const double t21 = t7 * t13 + t9 * t14 + t11 * t18;
-    const double t22 = t6 * t12 - t3 * t8 - t4 * t10;
-    const double t23 = 1.0 / (t17 * t16 - t15 * t15);
-    const double t24 = (t15 * t20 + t16 * t21) * t23;
-    const double t25 = (t15 * t22 + t19 * t16) * t23 * (t15 * t21 + t17 * t20) * t23;
-    const double t26 = (t19 * t15 + t17 * t22) * t23 * t24 + 1.0 + t25;
+    const double t13 = t5 + u3;
+    const double t14 = xD[0] - xA[0] - u3;
+    const double t15 = xA[0] - xS[0] - 0.25 * (t5 - t14);
+    const double t16 = t7 * t8 + t10 * t11 - t13 * t14;
+    const double t17 = t8 * t8 + t11 * t11 + t14 * t14;
+    const double t18 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t19 = 1.0 / (t18 * t17 - t16 * t16);
+    const double t20 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t21 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t22 = t14 * t15 - t8 * t9 - t11 * t12;
+    const double t23 = t6 * t14 - t3 * t8 - t4 * t11;
+    const double t24 = (t16 * t22 + t17 * t21) * t19;
+    const double t25 = (t16 * t23 + t20 * t17) * t19 * (t16 * t21 + t18 * t22) * t19;
+    const double t26 = (t20 * t16 + t18 * t23) * t19 * t24 + 1.0 + t25;
     const double t27 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t28 = t15 - (t3 * t13 + t4 * t14 + t6 * t18);
+    const double t28 = t16 - (t3 * t9 + t4 * t12 + t6 * t15);
     double u4 = 0.6;
     const double t29 = (u4 > t26 ? u4 : t26);
     const double t30 = t24 * (t25 * t29 + 1.0);
@@ -2469,73 +2469,73 @@ FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const do
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.25;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t27 * t32 - t22;
-    const double t34 = t16 + t32 * (t33 - t22);
-    const double t35 = t19 * t32;
-    const double t36 = t20 + t32 * (t28 + t35);
+    const double t33 = t27 * t32 - t23;
+    const double t34 = t17 + t32 * (t33 - t23);
+    const double t35 = t20 * t32;
+    const double t36 = t22 + t32 * (t28 + t35);
     const double t37 = t36 / t34;
-    const double t38 = t19 - t27 * t37;
-    const double t39 = t35 - t33 * t37;
-    const double t40 = t28 + 2.0 * t39;
-    const double t41 = t34 * (t17 - t37 * (t19 + t38));
-    const double t42 = t41 - t40 * t40;
-    const double u7 = 0.02 * t41;
+    const double t38 = t35 - t33 * t37;
+    const double t39 = t20 - t27 * t37;
+    const double t40 = t34 * (t18 - t37 * (t20 + t39));
+    const double t41 = t28 + 2.0 * t38;
+    const double t42 = t40 - t41 * t41;
+    const double u7 = 0.02 * t40;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t36 * t40 + t34 * (t21 - t37 * (t39 + t32 * t38)) - t32 * (t41 - t43);
+    const double t44 = t36 * t41 + t34 * (t21 - t37 * (t38 + t32 * t39)) - t32 * (t40 - t43);
     const double t45 = t44 / t43;
-    const double t46 = t27 * t45 - t22;
-    const double t47 = t16 + t45 * (t46 - t22);
-    const double t48 = t19 * t45;
-    const double t49 = (t20 + t45 * (t28 + t48)) / t47;
+    const double t46 = t27 * t45 - t23;
+    const double t47 = t17 + t45 * (t46 - t23);
+    const double t48 = t20 * t45;
+    const double t49 = (t22 + t45 * (t28 + t48)) / t47;
     const double t50 = t46 * t49;
-    const double t51 = t19 - t27 * t49;
-    const double t52 = t48 - t50;
-    const double t53 = t28 + 2.0 * t52;
-    const double t54 = t17 - t49 * (t19 + t51);
-    const double t55 = t47 * t54;
-    const double t56 = t55 - t53 * t53;
-    const double t57 = t45 * (t52 - t50) - t20;
-    const double t58 = t21 - t49 * (t52 + t45 * t51);
-    const double u8 = 0.02 * t55;
-    const double t59 = (t56 > u8 ? t56 : u8);
-    const double t60 = t56 - t59;
+    const double t51 = t48 - t50;
+    const double t52 = t20 - t27 * t49;
+    const double t53 = t18 - t49 * (t20 + t52);
+    const double t54 = t28 + 2.0 * t51;
+    const double t55 = t45 * (t51 - t50) - t22;
+    const double t56 = t21 - t49 * (t51 + t45 * t52);
+    const double t57 = t47 * t53;
+    const double t58 = t57 - t54 * t54;
+    const double u8 = 0.02 * t57;
+    const double t59 = (t58 > u8 ? t58 : u8);
+    const double t60 = t58 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
-    const double t63 = (t57 * t54 - t53 * t58 + t49 * t60) * t61;
-    const double t64 = t27 * t62 - t22;
-    const double t65 = t63 * t64;
-    const double t66 = t19 + t27 * t63;
-    const double t67 = t19 * t62 + t65;
-    const double t68 = t28 + 2.0 * t67;
-    const double t69 = t16 + t62 * (t64 - t22);
-    const double t70 = t17 + t63 * (t19 + t66);
-    const double t71 = t70 * t69;
-    const double t72 = t71 - t68 * t68;
-    const double t73 = t62 * (t65 + t67) - t20;
-    const double t74 = t21 + t63 * (t62 * t66 + t67);
-    const double u9 = 0.02 * t71;
-    const double t75 = (t72 > u9 ? t72 : u9);
-    const double t76 = t72 - t75;
+    const double t62 = (t47 * t56 - t54 * t55 - t45 * t60) * t61;
+    const double t63 = (t55 * t53 - t54 * t56 + t49 * t60) * t61;
+    const double t64 = t27 * t62 - t23;
+    const double t65 = t20 + t27 * t63;
+    const double t66 = t63 * t64;
+    const double t67 = t20 * t62 + t66;
+    const double t68 = t17 + t62 * (t64 - t23);
+    const double t69 = t18 + t63 * (t20 + t65);
+    const double t70 = t28 + 2.0 * t67;
+    const double t71 = t62 * (t66 + t67) - t22;
+    const double t72 = t21 + t63 * (t62 * t65 + t67);
+    const double t73 = t69 * t68;
+    const double t74 = t73 - t70 * t70;
+    const double u9 = 0.02 * t73;
+    const double t75 = (t74 > u9 ? t74 : u9);
+    const double t76 = t74 - t75;
     const double t77 = 1.0 / t75;
-    const double t78 = (t69 * t74 - t68 * t73 - t62 * t76) * t77;
-    const double t79 = (t70 * t73 - t68 * t74 - t63 * t76) * t77;
-    const double t80 = t19 * t78;
-    const double t81 = t27 * t78 - t22;
-    const double t82 = t79 * t81;
-    const double t83 = t19 + (t19 + t27 * t79);
-    const double t84 = t28 + 2.0 * (t80 + t82);
-    const double t85 = t16 + t78 * (t81 - t22);
-    const double t86 = t17 + t79 * t83;
-    const double t87 = t86 * t85;
-    const double t88 = t87 - t84 * t84;
-    const double t89 = t78 * (t80 + 2.0 * t82) - t20;
-    const double t90 = t21 + t79 * (t82 + t78 * t83);
-    const double u10 = 0.02 * t87;
-    const double t91 = (t88 > u10 ? t88 : u10);
-    const double t92 = t88 - t91;
+    const double t78 = (t68 * t72 - t70 * t71 - t62 * t76) * t77;
+    const double t79 = (t69 * t71 - t70 * t72 - t63 * t76) * t77;
+    const double t80 = t27 * t78 - t23;
+    const double t81 = t79 * t80;
+    const double t82 = t20 + (t20 + t27 * t79);
+    const double t83 = t20 * t78;
+    const double t84 = t17 + t78 * (t80 - t23);
+    const double t85 = t28 + 2.0 * (t83 + t81);
+    const double t86 = t78 * (t83 + 2.0 * t81) - t22;
+    const double t87 = t18 + t79 * t82;
+    const double t88 = t21 + t79 * (t81 + t78 * t82);
+    const double t89 = t87 * t84;
+    const double t90 = t89 - t85 * t85;
+    const double u10 = 0.02 * t89;
+    const double t91 = (t90 > u10 ? t90 : u10);
+    const double t92 = t90 - t91;
     const double t93 = 1.0 / t91;
-    const double t94 = (t85 * t90 - t84 * t89 - t78 * t92) * t93;
-    const double t95 = (t86 * t89 - t84 * t90 - t79 * t92) * t93;
+    const double t94 = (t84 * t88 - t85 * t86 - t78 * t92) * t93;
+    const double t95 = (t87 * t86 - t85 * t88 - t79 * t92) * t93;
     const double t96 = (u5 < t94 ? u5 : t94);
     const double t97 = (!(t96 <= u6) ? t96 : u6);
     const double t98 = (u5 < t95 ? u5 : t95);
@@ -2594,14 +2594,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_program3_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_program3_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404912731608, 2.2204460492503772e-16, 2.3953964212666882e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -0.87286404912731608, 2.2204460492503772e-16, 2.3953964212667995e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1, -1, 2.2204460492503772e-16, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136008, 0, 8.9837644481023267e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24293333567136008, 0, 8.9837644481022518e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 2.2204460492503772e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933012115755, -1, 1.1127050903297093e-15, 2.2204460492503772e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007608115386767, 0, 1.3534214200821133e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25443933012115755, -1, 1.1127050903297046e-15, 2.2204460492503772e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46007608115386767, 0, 1.3534214200822109e-15, 9.8813129168249309e-324},
 };
 #endif
 

@@ -14,14 +14,14 @@
  *
  * footpoint_plane_quad4_fast
  *   genome_sha256: ae26e5d61a1afe0da03cbb2063885d6be828acdbf04c652fc6c041f82711878f
- *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
+ *   operations: 26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.94, 6.02],
  *     yC in [0.08, 10.21], zC in [-0.01, 0.01], xD in [-5.06, 6.04], yD in [0.08, 10.20], zD = 0.00,
  *     xS in [-4.91, 5.42], yS in [-0.78, 9.32], zS in [-0.20, 0.20]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.2e-12)
- *   rounding error of xi: <= 0.0003 proved (with or without FMA), 2.2e-08 worst of 10000 points
- *   rounding error of eta: <= 0.00021 proved (with or without FMA), 1.4e-08 worst of 10000 points
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 0.054 (rounding error <= 8.2e-11)
+ *   rounding error of xi: <= 0.00026 proved (with or without FMA), 6.8e-09 worst of 10000 points
+ *   rounding error of eta: <= 0.00018 proved (with or without FMA), 4.5e-09 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.338e-02
@@ -174,36 +174,33 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_plane_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xA[1] - xB[1];
-    const double t3 = xC[2] - xD[2] + t1;
-    const double t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = xC[0] - xD[0] + t5;
-    const double u1 = 0.5 * t3;
-    const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
-    const double u2 = 0.5 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
-    const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t17 = t2 - 2.0 * (xA[1] - xS[1]) + t9;
-    const double t18 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    *xi = (t13 * t19 - t14 * t20) * t21;
-    *eta = (t13 * t20 - t15 * t19) * t21;
+    const double t1 = xB[2] - xD[2];
+    const double t2 = xA[2] - xC[2];
+    const double t3 = xB[1] - xD[1];
+    const double t4 = xA[1] - xC[1];
+    const double t5 = t2 - t1;
+    const double t6 = t1 + t2;
+    const double t7 = t4 - t3;
+    const double t8 = t3 + t4;
+    const double t9 = xB[0] - xD[0];
+    const double t10 = xA[0] - xC[0];
+    const double t11 = t6 - 2.0 * ((xB[2] - xS[2]) + (xA[2] - xS[2]));
+    const double t12 = t8 - 2.0 * ((xB[1] - xS[1]) + (xA[1] - xS[1]));
+    const double t13 = t10 - t9;
+    const double t14 = t9 + t10;
+    const double t15 = t14 - 2.0 * ((xB[0] - xS[0]) + (xA[0] - xS[0]));
+    const double t16 = t5 * t6 + t7 * t8 + t13 * t14;
+    const double t17 = t6 * t6 + t8 * t8 + t14 * t14;
+    const double t18 = t6 * t11 + t8 * t12 + t14 * t15;
+    const double t19 = t5 * t11 + t7 * t12 + t13 * t15;
+    const double t20 = t5 * t5 + t7 * t7 + t13 * t13;
+    const double t21 = 1.0 / (t17 * t20 - t16 * t16);
+    *xi = (t16 * t18 - t17 * t19) * t21;
+    *eta = (t16 * t19 - t20 * t18) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -242,14 +239,14 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_fast_n(size_t n, const double *const x
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_plane_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.026699113265816456, -1.1143276835521505, 1.8538341201911799e-14, 1.0855035165954716e-14},
-    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 1.5468542463663288, 1.4622772531953452, 4.0483515769632067e-15, 3.1618997562587869e-15},
-    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.75736485117801111, 1.8139812687614916, 1.0279146461785562e-14, 1.3619775927632952e-14},
-    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -3.736834987654245, 1.8569426280601136, 7.1554264122573849e-15, 4.2762985406757966e-15},
-    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 4.9307163860800225, 2.456853524521514, 2.3520826554538719e-14, 1.4683164363700671e-14},
-    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -2.335448196471781, 3.3930080497980621, 1.1080903404030716e-14, 1.2380270270433053e-14},
-    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 7.4521703281044767, -1.5727383404484181, 2.8324001699683365e-14, 4.602127071777094e-15},
-    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -2.3902603094055879, -1.1446148441745787, 5.2318391162594476e-15, 1.9846746625071379e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.026699113265816456, -1.1143276835521505, 1.8590184283294606e-14, 1.0884571841398755e-14},
+    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 1.5468542463663288, 1.4622772531953452, 3.6485528398630774e-15, 3.1187999180940392e-15},
+    {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.75736485117801111, 1.8139812687614916, 9.6789740559985958e-15, 1.3019572158228636e-14},
+    {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -3.736834987654245, 1.8569426280601136, 7.9257269974233295e-15, 4.7337471644318716e-15},
+    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, 4.9307163860800225, 2.456853524521514, 2.3047964258526885e-14, 1.4322756206582427e-14},
+    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -2.335448196471781, 3.3930080497980621, 1.118165521398598e-14, 1.2794073448525629e-14},
+    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 7.4521703281044767, -1.5727383404484181, 3.0330897528940663e-14, 4.8941349102931656e-15},
+    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -2.3902603094055879, -1.1446148441745787, 5.3260538405993875e-15, 2.0181727981896898e-15},
 };
 #endif
 
@@ -262,33 +259,33 @@ FOOTPOINT_FN void footpoint_plane_quad4_coarse_at(const double xA[3], const doub
     const double t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2);
     const double t5 = xA[0] - xB[0];
-    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = t1 + t3;
-    const double t9 = xA[1] - xD[1] + t4;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = (t1 - 2.0 * (xA[2] - xS[2])) + t7;
-    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t9;
-    const double t15 = t11 - (2.0 * (xA[0] - xS[0]) - t5);
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t15;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t15;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t6 = t1 + t3;
+    const double t7 = t2 + t4;
+    const double t8 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t9 = xA[2] - xD[2] + t3;
+    const double t10 = (t1 - 2.0 * (xA[2] - xS[2])) + t9;
+    const double t11 = xA[1] - xD[1] + t4;
+    const double t12 = (t2 - 2.0 * (xA[1] - xS[1])) + t11;
+    const double t13 = t5 + t8;
+    const double t14 = xA[0] - xD[0] + t8;
+    const double t15 = t14 - (2.0 * (xA[0] - xS[0]) - t5);
+    const double t16 = t9 * t6 + t11 * t7 + t14 * t13;
+    const double t17 = t9 * t9 + t11 * t11 + t14 * t14;
+    const double t18 = t6 * t6 + t7 * t7 + t13 * t13;
+    const double t19 = t9 * t10 + t11 * t12 + t14 * t15;
+    const double t20 = t6 * t10 + t7 * t12 + t13 * t15;
+    const double t21 = t3 * t6 + t4 * t7 + t8 * t13;
+    const double t22 = t3 * t9 + t4 * t11 + t8 * t14;
     const double t23 = t17 * t18 - t16 * t16;
     const double t24 = t16 * t19 - t17 * t20;
-    const double t25 = t23 * t23;
-    const double t26 = t16 * t20 - t18 * t19;
-    const double t27 = t25 + (t22 * t18 - t21 * t16) * t24;
-    const double t28 = (t21 * t17 - t22 * t16) * t26;
-    const double t29 = t23 * (t28 + t27);
+    const double t25 = t16 * t20 - t18 * t19;
+    const double t26 = (t21 * t17 - t22 * t16) * t25;
+    const double t27 = t23 * t23;
+    const double t28 = t27 + (t22 * t18 - t21 * t16) * t24;
+    const double t29 = t23 * (t26 + t28);
     const double t30 = 1.0 / t29;
-    *xi = t24 * t27 * t30;
-    *eta = t26 * (t25 + t28) * t30;
+    *xi = t24 * t28 * t30;
+    *eta = t25 * (t27 + t26) * t30;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -328,13 +325,13 @@ FOOTPOINT_LOOP void footpoint_plane_quad4_coarse_n(size_t n, const double *const
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_plane_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 7, -0.0086669921875, 0.4375, 3, 0, 0.4375, -0.3125, 0.0390625, -0.027642484862867824, -1.1264003889950702, 1.9413815642207088e-14, 6.2715765158747291e-15},
-    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.68827457392475266, 1.5640347703108071, 2.3325582677379359e-15, 4.7962887906839644e-15},
+    {0, 0, 0, 1, 0, 0, 4.875, 3.125, -0.0035400390625, -0.6875, 6.25, 0, 5, 4.5625, 0.1015625, 0.68827457392475266, 1.5640347703108071, 2.3325582677379363e-15, 4.7962887906839644e-15},
     {0, 0, 0, 1, 0, 0, 2.9375, 0.4375, 0.0013427734375, -3.25, 9.9375, 0, 0.9375, 5.5, 0.123046875, 0.2944454744074062, 2.0266809738707239, 2.9980131649202022e-15, 2.1325392703684399e-14},
     {0, 0, 0, 1, 0, 0, 4.4375, 0.080000000000000002, 0.0047607421875, 2.3125, 4.75, 0, 1.6875, 7.8125, -0.044921875, -2.0991597801617154, 1.3831847629241441, 6.7257234845783832e-15, 4.8631764157318272e-15},
-    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, -5.4644177314247617, 9.9387815349361972, 3.3692676905792834e-13, 3.5993954845812865e-13},
-    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.47575571127423399, 3.7965911690725953, 3.1882471188599329e-15, 1.9419839968614164e-14},
-    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3643676946584051, -0.71031377956956088, 3.8988182824940789e-14, 2.447225101702155e-15},
-    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -5.1535332580416018, -0.69396579238648282, 2.7045342118411573e-14, 2.6927248172808624e-15},
+    {0, 0, 0, 1, 0, 0, 2.0625, 1.9375, 0.009765625, 0.1875, 7.125, 0, 5.125, 1.4375, -0.162109375, -5.4644177314247617, 9.9387815349361972, 3.369267690579285e-13, 3.5993954845812865e-13},
+    {0, 0, 0, 1, 0, 0, 5, 8.4375, 0.006591796875, -2.3125, 2.25, 0, -2.5, 8.125, -0.13671875, -0.47575571127423399, 3.7965911690725953, 3.1882471188599333e-15, 1.9419839968614164e-14},
+    {0, 0, 0, 1, 0, 0, -3.6875, 9.4375, -0.00390625, -3.75, 7, 0, 3.6875, 2.1875, -0.078125, 8.3643676946584051, -0.71031377956956088, 3.8988182824940783e-14, 2.447225101702155e-15},
+    {0, 0, 0, 1, 0, 0, 5.125, 4.125, -0.0030517578125, 3, 6.4375, 0, -1.625, 1, -0.015625, -5.1535332580416018, -0.69396579238648282, 2.7045342118411573e-14, 2.6927248172808631e-15},
 };
 #endif
 
@@ -350,23 +347,23 @@ FOOTPOINT_FN void footpoint_plane_quad4_exact_at(const double xA[3], const doubl
     const double t6 = xD[0] - xC[0] - t5;
     const double u1 = 0.5 * t3;
     const double t7 = xA[2] - xD[2] + u1;
-    const double t8 = t1 + u1;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
+    const double t9 = t1 + u1;
     const double u2 = 0.5 * t4;
-    const double t9 = xA[1] - xD[1] + u2;
-    const double t10 = t2 + u2;
+    const double t10 = xA[1] - xD[1] + u2;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + u2;
     const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] + u3;
-    const double t12 = t5 + u3;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t9;
-    const double t15 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t15;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t15;
-    const double t21 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t22 = t3 * t8 + t4 * t10 + t6 * t12;
+    const double t13 = xA[0] - xD[0] + u3;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t5 + u3;
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t7 * t8 + t10 * t11 + t13 * t14;
+    const double t20 = t9 * t8 + t12 * t11 + t15 * t14;
+    const double t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t22 = t3 * t9 + t4 * t12 + t6 * t15;
     const double t23 = t17 * t18 - t16 * t16;
     const double t24 = t16 * t19 - t17 * t20;
     const double t25 = t18 * t19 - t16 * t20;

@@ -14,14 +14,14 @@
  *
  * footpoint_punch_quad4_fast
  *   genome_sha256: ee5fa91f0501e914af212ce40e951e8a2af8c6940ca9842d00eb889f7b810fd6
- *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
+ *   operations: 26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.13 (rounding error <= 1.1e-14)
- *   rounding error of xi: <= 1.5e-13 proved (with or without FMA), 1.6e-15 worst of 10000 points
- *   rounding error of eta: <= 1.2e-13 proved (with or without FMA), 1.3e-15 worst of 10000 points
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 2 (rounding error <= 1.6e-13)
+ *   rounding error of xi: <= 1.4e-13 proved (with or without FMA), 1.4e-15 worst of 10000 points
+ *   rounding error of eta: <= 1.1e-13 proved (with or without FMA), 1.4e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.464e-02
@@ -55,10 +55,10 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t15 * t14 - t13 * t13: proved free of zeros, |...| >= 0.13 (rounding error <= 1.1e-14)
- *   poles: t33 * t32 - t31 * t31: proved free of zeros, |...| >= 0.03 (rounding error <= 1.2e-07)
- *   rounding error of xi: <= 0.077 proved (with or without FMA), 8e-15 worst of 10000 points
- *   rounding error of eta: <= 0.044 proved (with or without FMA), 8e-15 worst of 10000 points
+ *   poles: t18 * t17 - t16 * t16: proved free of zeros, |...| >= 0.13 (rounding error <= 1.1e-14)
+ *   poles: t33 * t31 - t32 * t32: proved free of zeros, |...| >= 0.03 (rounding error <= 1.2e-07)
+ *   rounding error of xi: <= 0.077 proved (with or without FMA), 6.3e-15 worst of 10000 points
+ *   rounding error of eta: <= 0.044 proved (with or without FMA), 6.9e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.246e-05
@@ -75,7 +75,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [0.58, 1.94], yC in [0.53, 1.56],
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 0.13 (rounding error <= 1.1e-14)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 0.13 (rounding error <= 1.1e-14)
  *   poles: t35 * t35 - t34 * t36: proved free of zeros, |...| >= 0.026 (rounding error <= 1.1e+02)
  *   rounding error of xi: no bound found, 7.4e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 7.2e-15 worst of 10000 points
@@ -96,8 +96,8 @@
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
  *   poles: t32: proved free of zeros, |t32| >= 8.5e-06 (rounding error <= 3.4e-10)
- *   poles: t44 * t44 - t43 * t45: proved free of zeros, |...| >= 0.023 (rounding error <= 1.2e+20)
- *   rounding error of xi: no bound found, 3.3e-15 worst of 10000 points
+ *   poles: t45 * t45 - t41 * t43: proved free of zeros, |...| >= 0.023 (rounding error <= 1.2e+20)
+ *   rounding error of xi: no bound found, 3e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 2.7e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -116,8 +116,8 @@
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
  *   poles: t31: proved free of zeros, |t31| >= 8.5e-06 (rounding error <= 3.4e-10)
- *   poles: t43 * t44 - t42 * t42: proved free of zeros, |...| >= 0.023 (rounding error <= 5e+20)
- *   rounding error of xi: no bound found, 8.1e-15 worst of 10000 points
+ *   poles: t40 * t41 - t44 * t44: proved free of zeros, |...| >= 0.023 (rounding error <= 5e+20)
+ *   rounding error of xi: no bound found, 5e-15 worst of 10000 points
  *   rounding error of eta: no bound found, 4e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -136,10 +136,10 @@
  *     zC in [-0.03, 0.03], xD in [-0.30, 0.78], yD in [0.55, 1.69], zD = 0.00, xS in [-0.40, 2.12],
  *     yS in [-0.17, 1.83], zS in [-0.33, 0.32]; all requires > 0
  *   poles: t30: proved free of zeros, |t30| >= 8.5e-06 (rounding error <= 3.4e-10)
- *   poles: t45 * t46 - t44 * t44: proved free of zeros, |...| >= 0.023 (rounding error <= 3.5e+39)
- *   poles: t57 * t57 - t56 * t58: proved free of zeros, |...| >= 0.023
+ *   poles: t43 * t45 - t46 * t46: proved free of zeros, |...| >= 0.023 (rounding error <= 3.5e+39)
+ *   poles: t58 * t58 - t54 * t56: proved free of zeros, |...| >= 0.023
  *   rounding error of xi: no bound found, 7.7e-15 worst of 10000 points
- *   rounding error of eta: no bound found, 4.5e-15 worst of 10000 points
+ *   rounding error of eta: no bound found, 4.9e-15 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.144e-14
@@ -254,36 +254,33 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_punch_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xA[1] - xB[1];
-    const double t3 = xC[2] - xD[2] + t1;
-    const double t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = xC[0] - xD[0] + t5;
-    const double u1 = 0.5 * t3;
-    const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
-    const double u2 = 0.5 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
-    const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t17 = t2 - 2.0 * (xA[1] - xS[1]) + t9;
-    const double t18 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    *xi = (t13 * t19 - t14 * t20) * t21;
-    *eta = (t13 * t20 - t15 * t19) * t21;
+    const double t1 = xB[2] - xD[2];
+    const double t2 = xA[2] - xC[2];
+    const double t3 = xB[1] - xD[1];
+    const double t4 = xA[1] - xC[1];
+    const double t5 = t2 - t1;
+    const double t6 = t1 + t2;
+    const double t7 = t4 - t3;
+    const double t8 = t3 + t4;
+    const double t9 = xB[0] - xD[0];
+    const double t10 = xA[0] - xC[0];
+    const double t11 = t6 - 2.0 * ((xB[2] - xS[2]) + (xA[2] - xS[2]));
+    const double t12 = t8 - 2.0 * ((xB[1] - xS[1]) + (xA[1] - xS[1]));
+    const double t13 = t10 - t9;
+    const double t14 = t9 + t10;
+    const double t15 = t14 - 2.0 * ((xB[0] - xS[0]) + (xA[0] - xS[0]));
+    const double t16 = t5 * t6 + t7 * t8 + t13 * t14;
+    const double t17 = t6 * t6 + t8 * t8 + t14 * t14;
+    const double t18 = t6 * t11 + t8 * t12 + t14 * t15;
+    const double t19 = t5 * t11 + t7 * t12 + t13 * t15;
+    const double t20 = t5 * t5 + t7 * t7 + t13 * t13;
+    const double t21 = 1.0 / (t17 * t20 - t16 * t16);
+    *xi = (t16 * t18 - t17 * t19) * t21;
+    *eta = (t16 * t19 - t20 * t18) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -322,14 +319,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fast_n(size_t n, const double *const x
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.5037144558747837, 0.35820945116711916, 1.9509747029362067e-15, 1.4036336615306836e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.81883776619281357, -1.2887123971400731, 2.0818710143720311e-15, 2.6605106562893807e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.5751645516604091, 1.0077337735135128, 3.5133307272233561e-15, 2.692723457782717e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.44091928629248972, 1.1523872582751138, 1.3805795855611614e-15, 2.4796972787871273e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.79097181327705779, -1.317960982290622, 2.8159493894461873e-15, 2.4671524488758624e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.29999348399964226, -1.1418607366617795, 9.5008220642284243e-16, 2.2953123482383464e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.34812108679589393, -0.71133695783090423, 1.1971349203925037e-15, 1.4107154589170602e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.90673655827413002, -0.21707799772444306, 1.7457236029563253e-15, 6.2033052410417337e-16},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.5037144558747837, 0.35820945116711916, 2.0810057744865133e-15, 1.5640029763535347e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.81883776619281357, -1.2887123971400731, 2.1031364108044992e-15, 2.6860084515929061e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.5751645516604091, 1.0077337735135128, 3.3277257362828232e-15, 2.7862746695114109e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.44091928629248972, 1.1523872582751138, 1.2357672847987715e-15, 2.4930712865127779e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.79097181327705779, -1.317960982290622, 2.8895246854533852e-15, 2.5052610410304135e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.29999348399964226, -1.1418607366617795, 9.8321725655688753e-16, 2.3119661249389231e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.34812108679589393, -0.71133695783090423, 1.2824133352122054e-15, 1.4594553167291666e-15},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.90673655827413002, -0.21707799772444306, 1.6631358272828313e-15, 6.9992123447929936e-16},
 };
 #endif
 
@@ -342,33 +339,33 @@ FOOTPOINT_FN void footpoint_punch_quad4_coarse_at(const double xA[3], const doub
     const double t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2);
     const double t5 = xA[0] - xB[0];
-    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = t1 + t3;
-    const double t9 = xA[1] - xD[1] + t4;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = (t1 - 2.0 * (xA[2] - xS[2])) + t7;
-    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t9;
-    const double t15 = t11 - (2.0 * (xA[0] - xS[0]) - t5);
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t15;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t15;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t6 = t1 + t3;
+    const double t7 = t2 + t4;
+    const double t8 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t9 = xA[2] - xD[2] + t3;
+    const double t10 = (t1 - 2.0 * (xA[2] - xS[2])) + t9;
+    const double t11 = xA[1] - xD[1] + t4;
+    const double t12 = (t2 - 2.0 * (xA[1] - xS[1])) + t11;
+    const double t13 = t5 + t8;
+    const double t14 = xA[0] - xD[0] + t8;
+    const double t15 = t14 - (2.0 * (xA[0] - xS[0]) - t5);
+    const double t16 = t9 * t6 + t11 * t7 + t14 * t13;
+    const double t17 = t9 * t9 + t11 * t11 + t14 * t14;
+    const double t18 = t6 * t6 + t7 * t7 + t13 * t13;
+    const double t19 = t9 * t10 + t11 * t12 + t14 * t15;
+    const double t20 = t6 * t10 + t7 * t12 + t13 * t15;
+    const double t21 = t3 * t6 + t4 * t7 + t8 * t13;
+    const double t22 = t3 * t9 + t4 * t11 + t8 * t14;
     const double t23 = t17 * t18 - t16 * t16;
     const double t24 = t16 * t19 - t17 * t20;
-    const double t25 = t23 * t23;
-    const double t26 = t16 * t20 - t18 * t19;
-    const double t27 = t25 + (t22 * t18 - t21 * t16) * t24;
-    const double t28 = (t21 * t17 - t22 * t16) * t26;
-    const double t29 = t23 * (t28 + t27);
+    const double t25 = t16 * t20 - t18 * t19;
+    const double t26 = (t21 * t17 - t22 * t16) * t25;
+    const double t27 = t23 * t23;
+    const double t28 = t27 + (t22 * t18 - t21 * t16) * t24;
+    const double t29 = t23 * (t26 + t28);
     const double t30 = 1.0 / t29;
-    *xi = t24 * t27 * t30;
-    *eta = t26 * (t25 + t28) * t30;
+    *xi = t24 * t28 * t30;
+    *eta = t25 * (t27 + t26) * t30;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -407,13 +404,13 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_coarse_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61171617863643613, 0.46163347421768564, 3.6820697757789318e-15, 3.2041942224841925e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.86965899224683951, -1.1286699529257, 2.6588232088679435e-15, 3.0063370137109472e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1410697747148886, 1.2032734138056824, 3.4461402755784322e-15, 4.431084104566948e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31046800230233634, 1.2936324398461851, 1.057048653242559e-15, 4.3679329099523451e-15},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61171617863643613, 0.46163347421768564, 3.6820697757789326e-15, 3.2041942224841925e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.86965899224683951, -1.1286699529257, 2.6588232088679435e-15, 3.0063370137109469e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1410697747148886, 1.2032734138056824, 3.4461402755784322e-15, 4.4310841045669488e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31046800230233634, 1.2936324398461851, 1.057048653242559e-15, 4.3679329099523459e-15},
     {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.35297556462227475, -1.2158474165834268, 1.3034709593400538e-15, 2.9637834322956136e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.42162366717296323, -1.145842820460713, 2.101749273791514e-15, 3.6299056956841016e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40722571963472154, -0.67869116154095754, 1.6012864388659717e-15, 1.9935392877545202e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.42162366717296323, -1.145842820460713, 2.101749273791514e-15, 3.6299056956841008e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40722571963472154, -0.67869116154095754, 1.6012864388659717e-15, 1.9935392877545206e-15},
     {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.869742653019141, -0.19508703172678765, 1.8894938564450724e-15, 6.8279748135416083e-16},
 };
 #endif
@@ -434,32 +431,32 @@ FOOTPOINT_FN void footpoint_punch_quad4_gauss2_at(const double xA[3], const doub
     const double t10 = xA[1] - xD[1] + t5;
     const double t11 = t3 + t6;
     const double t12 = xA[2] - xD[2] + t6;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t12 * t12 + t10 * t10 + t8 * t8;
-    const double t15 = t11 * t11 + t9 * t9 + t7 * t7;
-    const double t16 = (t3 - 2.0 * (xA[2] - xS[2])) + t12;
-    const double t17 = (t2 - 2.0 * (xA[1] - xS[1])) + t10;
-    const double t18 = t1 - 2.0 * (xA[0] - xS[0]) + t8;
-    const double t19 = t7 * t18 + (t11 * t16 + t9 * t17);
-    const double t20 = t12 * t16 + t10 * t17 + t8 * t18;
-    const double t21 = 1.0 / (t15 * t14 - t13 * t13);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = (t15 * t20 - t13 * t19) * t21;
-    const double t24 = t6 * t6 + t5 * t5 + t4 * t4;
-    const double t25 = t6 * t11 + t5 * t9 + t4 * t7;
-    const double t26 = t6 * t12 + t5 * t10 + t4 * t8;
-    const double t27 = t26 + t24 * t22;
-    const double t28 = t25 - t24 * t23;
-    const double t29 = t23 * t27;
-    const double t30 = t6 * t16 + t5 * t17 + t4 * t18;
-    const double t31 = t13 + (t25 * t22 - t29);
-    const double t32 = t14 + t22 * (t26 + t27);
-    const double t33 = t15 - t23 * (t25 + t28);
-    const double t34 = t20 + t22 * (t30 + t29);
-    const double t35 = t19 - t23 * (t30 - t22 * t28);
-    const double t36 = 1.0 / (t33 * t32 - t31 * t31);
-    *xi = (t31 * t34 - t32 * t35) * t36;
-    *eta = (t31 * t35 - t33 * t34) * t36;
+    const double t13 = (t3 - 2.0 * (xA[2] - xS[2])) + t12;
+    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t10;
+    const double t15 = t1 - 2.0 * (xA[0] - xS[0]) + t8;
+    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t17 = t12 * t12 + t10 * t10 + t8 * t8;
+    const double t18 = t11 * t11 + t9 * t9 + t7 * t7;
+    const double t19 = 1.0 / (t18 * t17 - t16 * t16);
+    const double t20 = t7 * t15 + (t11 * t13 + t9 * t14);
+    const double t21 = t12 * t13 + t10 * t14 + t8 * t15;
+    const double t22 = t6 * t11 + t5 * t9 + t4 * t7;
+    const double t23 = t6 * t12 + t5 * t10 + t4 * t8;
+    const double t24 = (t16 * t21 - t17 * t20) * t19;
+    const double t25 = (t18 * t21 - t16 * t20) * t19;
+    const double t26 = t6 * t6 + t5 * t5 + t4 * t4;
+    const double t27 = t6 * t13 + t5 * t14 + t4 * t15;
+    const double t28 = t23 + t26 * t24;
+    const double t29 = t22 - t26 * t25;
+    const double t30 = t25 * t28;
+    const double t31 = t17 + t24 * (t23 + t28);
+    const double t32 = t16 + (t22 * t24 - t30);
+    const double t33 = t18 - t25 * (t22 + t29);
+    const double t34 = t21 + t24 * (t27 + t30);
+    const double t35 = t20 - t25 * (t27 - t24 * t29);
+    const double t36 = 1.0 / (t33 * t31 - t32 * t32);
+    *xi = (t32 * t34 - t31 * t35) * t36;
+    *eta = (t32 * t35 - t33 * t34) * t36;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -498,14 +495,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_gauss2_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61123985350050158, 0.46126395127435615, 6.3710014250270312e-15, 5.030378962975206e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87166703779646848, -1.1297006538348009, 3.2658888044465937e-15, 2.8596939880031657e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1414343177142752, 1.20136388380109, 5.6944409999876931e-15, 7.9103482081369882e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31072624244719915, 1.2941409452666546, 1.4825197493137669e-15, 4.4896345065825563e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.35047460860668983, -1.2151218722735397, 2.2642100519524498e-15, 2.7859271417572512e-15},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61123985350050158, 0.46126395127435615, 6.371001425027032e-15, 5.0303789629752052e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87166703779646848, -1.1297006538348009, 3.2658888044465929e-15, 2.8596939880031665e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1414343177142752, 1.20136388380109, 5.6944409999876939e-15, 7.9103482081369913e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31072624244719915, 1.2941409452666546, 1.4825197493137667e-15, 4.4896345065825586e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.35047460860668983, -1.2151218722735397, 2.264210051952449e-15, 2.7859271417572508e-15},
     {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43485968864351526, -1.156853503232985, 3.6682371338105077e-15, 4.2883821071123322e-15},
     {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40737288687178247, -0.67868795795369996, 2.0128472844894449e-15, 1.7222419639031611e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.87013475590618194, -0.19563130023205738, 1.8583967857792007e-15, 6.6330887216209521e-16},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.87013475590618194, -0.19563130023205738, 1.8583967857792003e-15, 6.6330887216209511e-16},
 };
 #endif
 
@@ -523,34 +520,34 @@ FOOTPOINT_FN void footpoint_punch_quad4_medium_at(const double xA[3], const doub
     const double t8 = xA[1] - xD[1] + t4;
     const double t9 = t1 - t3;
     const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 - t6;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 - t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = ((2.0 * (xS[0] - xA[0])) - t5) + t11;
-    const double t17 = t2 + (2.0 * (xS[1] - xA[1])) + t8;
-    const double t18 = (2.0 * (xS[2] - xA[2])) - t1 + t7;
-    const double t19 = t11 * t16 + t8 * t17 + t7 * t18;
-    const double t20 = t9 * t18 + (t12 * t16 - t10 * t17);
-    const double t21 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = t3 * t9 - t4 * t10 + t6 * t12;
-    const double t25 = (t15 * t19 - t14 * t20) * t21;
-    const double t26 = t25 * t21 * t22;
-    const double t27 = t22 - (t24 * t13 - t23 * t14) * t26;
-    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t25 - (t23 * t15 - t24 * t14) * t26;
-    const double t30 = t23 + t28 * t27;
-    const double t31 = t24 + t28 * t29;
-    const double t32 = t29 * t30;
-    const double t33 = t3 * t18 + (t4 * t17 + t6 * t16);
-    const double t34 = t13 + t27 * (t23 + t30);
-    const double t35 = t14 + (t24 * t27 + t32);
-    const double t36 = t15 + t29 * (t24 + t31);
-    const double t37 = t20 + t29 * (t33 + t27 * t31);
-    const double t38 = t19 + t27 * (t33 + t32);
+    const double t11 = t5 - t6;
+    const double t12 = t2 + (2.0 * (xS[1] - xA[1])) + t8;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = ((2.0 * (xS[0] - xA[0])) - t5) + t13;
+    const double t15 = (2.0 * (xS[2] - xA[2])) - t1 + t7;
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 - t8 * t10 + t13 * t11;
+    const double t18 = t9 * t9 + t10 * t10 + t11 * t11;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t13 * t14 + t8 * t12 + t7 * t15;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t9 * t15 + (t11 * t14 - t10 * t12);
+    const double t23 = t3 * t9 - t4 * t10 + t6 * t11;
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t18 * t20 - t17 * t22) * t19;
+    const double t26 = t25 * t19 * t24;
+    const double t27 = t24 - (t23 * t16 - t21 * t17) * t26;
+    const double t28 = t25 - (t21 * t18 - t23 * t17) * t26;
+    const double t29 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t30 = t3 * t15 + (t4 * t12 + t6 * t14);
+    const double t31 = t21 + t29 * t27;
+    const double t32 = t23 + t29 * t28;
+    const double t33 = t28 * t31;
+    const double t34 = t16 + t27 * (t21 + t31);
+    const double t35 = t17 + (t23 * t27 + t33);
+    const double t36 = t18 + t28 * (t23 + t32);
+    const double t37 = t22 + t28 * (t30 + t27 * t32);
+    const double t38 = t20 + t27 * (t30 + t33);
     const double t39 = 1.0 / (t35 * t35 - t34 * t36);
     *xi = (t35 * t38 - t34 * t37) * t39;
     *eta = (t36 * t38 - t35 * t37) * t39;
@@ -592,14 +589,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_medium_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_medium_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61752875295775134, 0.46731264947972601, 7.1148216660370377e-15, 5.6578743002548689e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87107277200211852, -1.1309388544349215, 2.9980583510509362e-15, 2.7088311416162435e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1614781865959203, 1.1929353522759791, 4.4599106055900311e-15, 6.0320497893291471e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31490366615384557, 1.2895321045763375, 1.4611229191882588e-15, 4.2241236104050697e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.39750194447715226, -1.2270709515044482, 2.2861296338736384e-15, 2.7376904094067384e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43625322128350374, -1.1583248181163917, 3.4979712381924634e-15, 4.1832442727983876e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40691055160876854, -0.67894831765912822, 2.0123092007194166e-15, 1.7600932136995541e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995730449398523, -0.19552153077060405, 1.9054086029062328e-15, 6.3524868079576922e-16},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61752875295775134, 0.46731264947972601, 7.1148216660370393e-15, 5.6578743002548689e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87107277200211852, -1.1309388544349215, 2.9980583510509366e-15, 2.7088311416162427e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1614781865959203, 1.1929353522759791, 4.4599106055900303e-15, 6.0320497893291463e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31490366615384557, 1.2895321045763375, 1.461122919188259e-15, 4.2241236104050689e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.39750194447715226, -1.2270709515044482, 2.2861296338736388e-15, 2.7376904094067376e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43625322128350374, -1.1583248181163917, 3.4979712381924642e-15, 4.1832442727983876e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40691055160876854, -0.67894831765912822, 2.0123092007194174e-15, 1.7600932136995539e-15},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995730449398523, -0.19552153077060405, 1.9054086029062328e-15, 6.3524868079576912e-16},
 };
 #endif
 
@@ -614,49 +611,49 @@ FOOTPOINT_FN void footpoint_punch_quad4_balanced_at(const double xA[3], const do
     const double t5 = 0.5 * (xD[1] - xC[1] - t2);
     const double t6 = 0.5 * (xD[0] - xC[0] - t3);
     const double t7 = xA[2] - xD[2] + t4;
-    const double t8 = xA[1] - xD[1] + t5;
-    const double t9 = xA[0] - xD[0] + t6;
-    const double t10 = t1 + t4;
-    const double t11 = t2 + t5;
-    const double t12 = t3 + t6;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t15 = t3 - 2.0 * (xA[0] - xS[0]) + t9;
-    const double t16 = t7 * t7 + t8 * t8 + t9 * t9;
-    const double t17 = t10 * t7 + t11 * t8 + t12 * t9;
-    const double t18 = t10 * t10 + t11 * t11 + t12 * t12;
-    const double t19 = t4 * t10 + t5 * t11 + t6 * t12;
-    const double t20 = t4 * t7 + t5 * t8 + t6 * t9;
-    const double t21 = t7 * t13 + (t8 * t14 + t9 * t15);
-    const double t22 = t10 * t13 + t11 * t14 + t12 * t15;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
+    const double t9 = t1 + t4;
+    const double t10 = xA[1] - xD[1] + t5;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + t5;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t3 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t3 + t6;
+    const double t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t17 = t9 * t7 + t12 * t10 + t15 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t7 * t8 + (t10 * t11 + t13 * t14);
+    const double t20 = t4 * t7 + t5 * t10 + t6 * t13;
+    const double t21 = t4 * t9 + t5 * t12 + t6 * t15;
+    const double t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const double t23 = t18 * t16 - t17 * t17;
-    const double t24 = t20 * t18 - t17 * t19;
-    const double t25 = t16 * t22 - t17 * t21;
-    const double t26 = t24 * t25;
-    const double t27 = t19 * t16 - t20 * t17;
-    const double t28 = t17 * t22 - t18 * t21;
-    const double t29 = t27 * t28;
-    const double t30 = t23 * t23 - t26 + t29;
-    const double t31 = t26 * t29 + t30 * t30;
+    const double t24 = t20 * t18 - t17 * t21;
+    const double t25 = t16 * t22 - t17 * t19;
+    const double t26 = t21 * t16 - t20 * t17;
+    const double t27 = t17 * t22 - t18 * t19;
+    const double t28 = t24 * t25;
+    const double t29 = t26 * t27;
+    const double t30 = t23 * t23 - t28 + t29;
+    const double t31 = t28 * t29 + t30 * t30;
     const double t32 = t23 * t31;
     const double t33 = 1.0 / t32;
-    const double t34 = t23 * t25 * t28 * t30 * t33;
+    const double t34 = t23 * t25 * t27 * t30 * t33;
     const double t35 = t31 * t33;
-    const double t36 = t35 * (t25 - t27 * t34);
-    const double t37 = t4 * t4 + t5 * t5 + t6 * t6;
-    const double t38 = t35 * (t28 + t24 * t34);
-    const double t39 = t20 - t37 * t36;
-    const double t40 = t19 + t37 * t38;
-    const double t41 = t38 * t39;
-    const double t42 = t19 * t36 - t41;
-    const double t43 = t16 - t36 * (t20 + t39);
-    const double t44 = 2.0 * t42 - t17 - (t4 * t13 + t5 * t14 + t6 * t15);
-    const double t45 = t18 + t38 * (t19 + t40);
-    const double t46 = t22 + t38 * (t36 * t40 + t42);
-    const double t47 = t21 + t36 * (t41 - t42);
-    const double t48 = 1.0 / (t44 * t44 - t43 * t45);
-    *xi = (t43 * t46 + t44 * t47) * t48;
-    *eta = (t44 * t46 + t45 * t47) * t48;
+    const double t36 = t35 * (t25 - t26 * t34);
+    const double t37 = t35 * (t27 + t24 * t34);
+    const double t38 = t4 * t4 + t5 * t5 + t6 * t6;
+    const double t39 = t20 - t38 * t36;
+    const double t40 = t21 + t38 * t37;
+    const double t41 = t16 - t36 * (t20 + t39);
+    const double t42 = t37 * t39;
+    const double t43 = t18 + t37 * (t21 + t40);
+    const double t44 = t21 * t36 - t42;
+    const double t45 = 2.0 * t44 - t17 - (t4 * t8 + t5 * t11 + t6 * t14);
+    const double t46 = t22 + t37 * (t36 * t40 + t44);
+    const double t47 = t19 + t36 * (t42 - t44);
+    const double t48 = 1.0 / (t45 * t45 - t41 * t43);
+    *xi = (t41 * t46 + t45 * t47) * t48;
+    *eta = (t45 * t46 + t43 * t47) * t48;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -695,14 +692,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_balanced_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859056181191385, 0.46834767351453227, 8.5609698810943907e-15, 6.8382617596863226e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108705877704928, -1.130945572116075, 3.2015550382719899e-15, 2.8464120805540305e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619251127149748, 1.1926662984829064, 4.6568677058913843e-15, 6.5587178522524154e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515854532517279, 1.2892725709852562, 1.5638538322788413e-15, 4.4194435734972673e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965583800968318, -1.2105976096125668, 1.4311669945483242e-15, 2.3444758555269691e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43705181924787567, -1.1592042740411155, 4.0534261455699504e-15, 4.702106895238598e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424800923308, -0.67895238051588847, 1.9963499454759022e-15, 1.7461669893238516e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995786777783957, -0.19552230598480094, 1.8432316255308149e-15, 6.4351670914909267e-16},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859056181191385, 0.46834767351453227, 8.5609698810943922e-15, 6.8382617596863273e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108705877704928, -1.130945572116075, 3.2015550382719907e-15, 2.8464120805540325e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619251127149748, 1.1926662984829064, 4.6568677058913827e-15, 6.5587178522524115e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515854532517279, 1.2892725709852562, 1.5638538322788405e-15, 4.4194435734972658e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965583800968318, -1.2105976096125668, 1.431166994548325e-15, 2.3444758555269699e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43705181924787567, -1.1592042740411155, 4.0534261455699528e-15, 4.7021068952386004e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424800923308, -0.67895238051588847, 1.9963499454759014e-15, 1.7461669893238516e-15},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995786777783957, -0.19552230598480094, 1.8432316255308141e-15, 6.4351670914909238e-16},
 };
 #endif
 
@@ -718,58 +715,58 @@ FOOTPOINT_FN void footpoint_punch_quad4_fine_at(const double xA[3], const double
     const double t6 = 0.5 * (xD[0] - xC[0] - t3);
     const double t7 = xA[1] - xD[1] + t4;
     const double t8 = xA[2] - xD[2] + t5;
-    const double t9 = xA[0] - xD[0] + t6;
+    const double t9 = t2 - 2.0 * (xA[2] - xS[2]) + t8;
     const double t10 = t2 + t5;
-    const double t11 = t1 + t4;
-    const double t12 = t2 - 2.0 * (xA[2] - xS[2]) + t8;
-    const double t13 = t3 - 2.0 * (xA[0] - xS[0]) + t9;
-    const double t14 = 2.0 * (xA[1] - xS[1]) - t1 - t7;
-    const double t15 = t3 + t6;
-    const double t16 = t8 * t10 + t7 * t11 + t9 * t15;
-    const double t17 = t10 * t10 + t11 * t11 + t15 * t15;
-    const double t18 = t8 * t8 + t7 * t7 + t9 * t9;
-    const double t19 = t8 * t12 + t9 * t13 - t7 * t14;
-    const double t20 = t5 * t10 + t4 * t11 + t6 * t15;
-    const double t21 = t5 * t8 + t4 * t7 + t6 * t9;
-    const double t22 = t10 * t12 + t15 * t13 - t11 * t14;
-    const double t23 = t18 * t17 - t16 * t16;
-    const double t24 = t21 * t17 - t20 * t16;
-    const double t25 = t18 * t22 - t16 * t19;
-    const double t26 = t20 * t18 - t21 * t16;
-    const double t27 = t17 * t19 - t16 * t22;
-    const double t28 = t27 * t25;
-    const double t29 = t24 * t25 - t23 * t23 + t26 * t27;
-    const double t30 = t29 * t29 - t24 * t26 * t28;
+    const double t11 = xA[0] - xD[0] + t6;
+    const double t12 = t3 - 2.0 * (xA[0] - xS[0]) + t11;
+    const double t13 = t3 + t6;
+    const double t14 = t1 + t4;
+    const double t15 = 2.0 * (xA[1] - xS[1]) - t1 - t7;
+    const double t16 = t8 * t9 + t11 * t12 - t7 * t15;
+    const double t17 = t8 * t10 + t7 * t14 + t11 * t13;
+    const double t18 = t10 * t10 + t14 * t14 + t13 * t13;
+    const double t19 = t8 * t8 + t7 * t7 + t11 * t11;
+    const double t20 = t5 * t8 + t4 * t7 + t6 * t11;
+    const double t21 = t10 * t9 + t13 * t12 - t14 * t15;
+    const double t22 = t5 * t10 + t4 * t14 + t6 * t13;
+    const double t23 = t19 * t18 - t17 * t17;
+    const double t24 = t20 * t18 - t22 * t17;
+    const double t25 = t19 * t21 - t17 * t16;
+    const double t26 = t22 * t19 - t20 * t17;
+    const double t27 = t18 * t16 - t17 * t21;
+    const double t28 = t24 * t25 - t23 * t23 + t26 * t27;
+    const double t29 = t27 * t25;
+    const double t30 = t28 * t28 - t24 * t26 * t29;
     const double t31 = t23 * t30;
     const double t32 = 1.0 / t31;
-    const double t33 = t23 * t28 * t29 * t32;
+    const double t33 = t23 * t29 * t28 * t32;
     const double t34 = t30 * t32;
     const double t35 = t34 * (t25 - t26 * t33);
     const double t36 = t34 * (t27 - t24 * t33);
     const double t37 = t5 * t5 + t4 * t4 + t6 * t6;
-    const double t38 = t21 - t37 * t35;
-    const double t39 = t20 - t37 * t36;
-    const double t40 = t36 * t38;
-    const double t41 = t20 * t35 + t40;
-    const double t42 = t5 * t12 - t4 * t14 + t6 * t13 + t16 - 2.0 * t41;
-    const double t43 = t35 * (t21 + t38) - t18;
-    const double t44 = t36 * (t20 + t39) - t17;
-    const double t45 = 1.0 / (t43 * t44 - t42 * t42);
-    const double t46 = t19 - t35 * t40 - t35 * t41;
-    const double t47 = t42 * t45;
-    const double t48 = t22 - t36 * t35 * t39 - t36 * t41;
-    const double t49 = t44 * t45;
-    const double t50 = t43 * t45;
-    const double t51 = t48 * t47 + t46 * t49;
-    const double t52 = t46 * t47 + t48 * t50;
+    const double t38 = t20 - t37 * t35;
+    const double t39 = t22 - t37 * t36;
+    const double t40 = t35 * (t20 + t38) - t19;
+    const double t41 = t36 * (t22 + t39) - t18;
+    const double t42 = t36 * t38;
+    const double t43 = t22 * t35 + t42;
+    const double t44 = t5 * t9 - t4 * t15 + t6 * t12 + t17 - 2.0 * t43;
+    const double t45 = 1.0 / (t40 * t41 - t44 * t44);
+    const double t46 = t44 * t45;
+    const double t47 = t41 * t45;
+    const double t48 = t40 * t45;
+    const double t49 = t16 - t35 * t42 - t35 * t43;
+    const double t50 = t21 - t36 * t35 * t39 - t36 * t43;
+    const double t51 = t50 * t46 + t49 * t47;
+    const double t52 = t49 * t46 + t50 * t48;
     const double t53 = 2.0 * (t36 + t51);
     const double t54 = t35 + t52;
     const double t55 = t38 * t53;
     const double t56 = t39 * t54;
     const double t57 = t53 * (t56 + 0.25 * t55);
     const double t58 = t54 * (t56 + t55);
-    *xi = t52 + t50 * t57 + t47 * t58;
-    *eta = t51 + t47 * t57 + t49 * t58;
+    *xi = t52 + t48 * t57 + t46 * t58;
+    *eta = t51 + t46 * t57 + t47 * t58;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -808,13 +805,13 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_fine_n(size_t n, const double *const x
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_fine_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859060622437667, 0.46834771255788454, 8.6136606486914134e-15, 6.8558487486769049e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699824761548, -1.1309451542650371, 3.5865296248013337e-15, 3.1731531520437269e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619250197188316, 1.1926655553625478, 5.4191683254806967e-15, 7.3569189165063045e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.3151585383772591, 1.2892726051871033, 1.6730336709238486e-15, 4.6748951787580343e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965400144624063, -1.2105913945677054, 1.4883147126809127e-15, 2.6105112251876149e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.4372304485894109, -1.1593238858460915, 4.4193886825136876e-15, 5.1477069449926738e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424734629227, -0.67895238264671365, 2.4249759459553221e-15, 2.0765030818884277e-15},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859060622437667, 0.46834771255788454, 8.6136606486914102e-15, 6.8558487486769026e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699824761548, -1.1309451542650371, 3.5865296248013352e-15, 3.1731531520437269e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619250197188316, 1.1926655553625478, 5.4191683254807006e-15, 7.3569189165063045e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.3151585383772591, 1.2892726051871033, 1.6730336709238478e-15, 4.6748951787580367e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965400144624063, -1.2105913945677054, 1.4883147126809121e-15, 2.6105112251876149e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.4372304485894109, -1.1593238858460915, 4.4193886825136836e-15, 5.1477069449926769e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424734629227, -0.67895238264671365, 2.4249759459553221e-15, 2.076503081888428e-15},
     {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995773165201851, -0.19552224600535462, 2.2225869282259775e-15, 7.2899410904847646e-16},
 };
 #endif
@@ -830,62 +827,62 @@ FOOTPOINT_FN void footpoint_punch_quad4_accurate_at(const double xA[3], const do
     const double t5 = xA[0] - xB[0];
     const double t6 = 0.5 * (xD[0] - xC[0] - t5);
     const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = xA[1] - xD[1] + t4;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
     const double t9 = t1 + t3;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t15 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t17 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t18 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t19 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t20 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t21 = t9 * t13 + t10 * t14 + t12 * t15;
-    const double t22 = t7 * t13 + t8 * t14 + t11 * t15;
+    const double t10 = xA[1] - xD[1] + t4;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + t4;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t5 + t6;
+    const double t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t17 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t14;
+    const double t21 = t3 * t9 + t4 * t12 + t6 * t15;
+    const double t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const double t23 = t16 * t18 - t17 * t17;
-    const double t24 = t16 * t21 - t17 * t22;
-    const double t25 = t18 * t22 - t17 * t21;
-    const double t26 = (t19 * t18 - t20 * t17) * t24;
-    const double t27 = (t20 * t16 - t19 * t17) * t25;
-    const double t28 = t26 - t23 * t23 + t27;
-    const double t29 = t28 * t28 - t27 * t26;
+    const double t24 = t16 * t22 - t17 * t20;
+    const double t25 = (t19 * t18 - t21 * t17) * t24;
+    const double t26 = t18 * t20 - t17 * t22;
+    const double t27 = (t21 * t16 - t19 * t17) * t26;
+    const double t28 = t25 - t23 * t23 + t27;
+    const double t29 = t28 * t28 - t27 * t25;
     const double t30 = t23 * t29;
     const double t31 = 1.0 / t30;
     const double t32 = t23 * t28 * t31;
     const double t33 = t29 * t31;
     const double t34 = t24 * (t27 * t32 - 1.0);
-    const double t35 = t25 * (t26 * t32 - 1.0);
+    const double t35 = t26 * (t25 * t32 - 1.0);
     const double t36 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t37 = t33 * t34;
     const double t38 = t33 * t35;
-    const double t39 = t19 + t36 * t37;
-    const double t40 = t20 + t36 * t38;
-    const double t41 = t35 * t39;
-    const double t42 = t20 * t34 + t41;
-    const double t43 = t17 + (t3 * t13 + t4 * t14 + t6 * t15);
-    const double t44 = t43 + 2.0 * t33 * t42;
-    const double t45 = t16 + t37 * (t19 + t39);
-    const double t46 = t18 + t38 * (t20 + t40);
-    const double t47 = t22 - t33 * t37 * (t41 + t42);
-    const double t48 = t21 - t33 * t38 * (t34 * t40 + t42);
-    const double t49 = 1.0 / (t45 * t46 - t44 * t44);
-    const double t50 = (t45 * t48 - t44 * t47) * t49;
-    const double t51 = (t46 * t47 - t44 * t48) * t49;
+    const double t39 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
+    const double t40 = t19 + t36 * t37;
+    const double t41 = t35 * t40;
+    const double t42 = t21 + t36 * t38;
+    const double t43 = t16 + t37 * (t19 + t40);
+    const double t44 = t21 * t34 + t41;
+    const double t45 = t18 + t38 * (t21 + t42);
+    const double t46 = t39 + 2.0 * t33 * t44;
+    const double t47 = t20 - t33 * t37 * (t41 + t44);
+    const double t48 = t22 - t33 * t38 * (t34 * t42 + t44);
+    const double t49 = 1.0 / (t43 * t45 - t46 * t46);
+    const double t50 = (t43 * t48 - t46 * t47) * t49;
+    const double t51 = (t45 * t47 - t46 * t48) * t49;
     const double t52 = t19 - t36 * t50;
-    const double t53 = t20 - t36 * t51;
-    const double t54 = t51 * t52;
-    const double t55 = t20 * t50 + t54;
-    const double t56 = t16 - t50 * (t19 + t52);
-    const double t57 = 2.0 * t55 - t43;
-    const double t58 = t18 - t51 * (t20 + t53);
-    const double t59 = t21 - t51 * (t50 * t53 + t55);
-    const double t60 = t22 - t50 * (t54 + t55);
-    const double t61 = 1.0 / (t57 * t57 - t56 * t58);
-    *xi = (t56 * t59 + t57 * t60) * t61;
-    *eta = (t57 * t59 + t58 * t60) * t61;
+    const double t53 = t21 - t36 * t51;
+    const double t54 = t16 - t50 * (t19 + t52);
+    const double t55 = t51 * t52;
+    const double t56 = t18 - t51 * (t21 + t53);
+    const double t57 = t21 * t50 + t55;
+    const double t58 = 2.0 * t57 - t39;
+    const double t59 = t22 - t51 * (t50 * t53 + t57);
+    const double t60 = t20 - t50 * (t55 + t57);
+    const double t61 = 1.0 / (t58 * t58 - t54 * t56);
+    *xi = (t54 * t59 + t58 * t60) * t61;
+    *eta = (t58 * t59 + t56 * t60) * t61;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -924,14 +921,14 @@ FOOTPOINT_LOOP void footpoint_punch_quad4_accurate_n(size_t n, const double *con
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_punch_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859060620199013, 0.46834771253834467, 8.406661009333541e-15, 6.7210869360083507e-15},
-    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699828535818, -1.1309451544309548, 3.2919007445989001e-15, 2.9077108912915301e-15},
-    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619250192341792, 1.1926655555858889, 4.5864989797003197e-15, 6.2886667463710524e-15},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515853837654823, 1.2892726051853265, 1.5300672226574061e-15, 4.3500427181420388e-15},
-    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965397850077865, -1.2105913856795523, 1.4300092400784028e-15, 2.3416238207479124e-15},
-    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43723360154969104, -1.1593258062901919, 4.1392033025772702e-15, 4.7684376719314623e-15},
-    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424734643604, -0.6789523826466114, 1.9800973954777867e-15, 1.7020286076811148e-15},
-    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995773169683355, -0.19552224603297114, 1.8619463869902666e-15, 6.7618014931111484e-16},
+    {0, 0, 0, 1, 0, 0, 1.3515625, 1.53125, -0.00341796875, 0.6484375, 0.875, 0, 0.625, 0.734375, -0.046875, -0.61859060620199013, 0.46834771253834467, 8.4066610093335757e-15, 6.7210869360083933e-15},
+    {0, 0, 0, 1, 0, 0, 1.4609375, 1.234375, -0.026123046875, 0.234375, 0.875, 0, 0.90625, -0.078125, 0.05859375, 0.87108699828535818, -1.1309451544309548, 3.2919007445989017e-15, 2.907710891291536e-15},
+    {0, 0, 0, 1, 0, 0, 1.796875, 0.84375, -0.010498046875, 0.125, 1.2421875, 0, 2.015625, 0.890625, 0.16015625, 1.1619250192341792, 1.1926655555858889, 4.5864989797003173e-15, 6.2886667463710358e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.5703125, 0.004150390625, -0.125, 1.65625, 0, 1.03125, 1.078125, 0.1953125, 0.31515853837654823, 1.2892726051853265, 1.5300672226574045e-15, 4.3500427181420388e-15},
+    {0, 0, 0, 1, 0, 0, 0.5859375, 1.2734375, -0.0126953125, 0.625, 0.9921875, 0, 0.671875, -0.125, -0.1171875, 0.32965397850077865, -1.2105913856795523, 1.430009240078401e-15, 2.3416238207479144e-15},
+    {0, 0, 0, 1, 0, 0, 1.765625, 0.6875, -0.024169921875, 0.1015625, 0.703125, 0, 0.671875, -0.046875, 0.30859375, 0.43723360154969104, -1.1593258062901919, 4.1392033025772749e-15, 4.7684376719314678e-15},
+    {0, 0, 0, 1, 0, 0, 1.828125, 0.9375, -0.00927734375, 0.484375, 1.265625, 0, 0.390625, 0.1875, -0.02734375, -0.40690424734643604, -0.6789523826466114, 1.9800973954777859e-15, 1.7020286076811146e-15},
+    {0, 0, 0, 1, 0, 0, 1.0234375, 1.3359375, 0.015869140625, 0.34375, 1.078125, 0, 0.953125, 0.53125, -0.05078125, 0.86995773169683355, -0.19552224603297114, 1.8619463869902666e-15, 6.7618014931111444e-16},
 };
 #endif
 

@@ -14,14 +14,14 @@
  *
  * footpoint_quad4_fast
  *   genome_sha256: 6c0e85398df1ff9192af92bf0c3597ea113cbad247f91ec7f09bbf41be9b2f0d
- *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
+ *   operations: 26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   rounding error of xi: <= 0.00053 proved (with or without FMA), 4.9e-13 worst of 10000 points
- *   rounding error of eta: <= 0.00038 proved (with or without FMA), 3.1e-13 worst of 10000 points
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 0.054 (rounding error <= 8.6e-11)
+ *   rounding error of xi: <= 0.00046 proved (with or without FMA), 2.7e-13 worst of 10000 points
+ *   rounding error of eta: <= 0.00032 proved (with or without FMA), 1.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.360e-02
@@ -57,10 +57,10 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t15 * t14 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   poles: t33 * t32 - t31 * t31: proved free of zeros, |...| >= 0.00051 (rounding error <= 4.8e+19)
- *   rounding error of xi: no bound found, 3.5e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 1.5e-12 worst of 10000 points
+ *   poles: t18 * t17 - t16 * t16: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
+ *   poles: t33 * t31 - t32 * t32: proved free of zeros, |...| >= 0.00051 (rounding error <= 4.8e+19)
+ *   rounding error of xi: no bound found, 2.6e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 1.4e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.260e-03
@@ -77,9 +77,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
  *   poles: t35 * t35 - t34 * t36: proved free of zeros, |...| >= 0.00033 (rounding error <= 9.6e+65)
- *   rounding error of xi: no bound found, 1.5e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 1.3e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 1.3e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -98,7 +98,7 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t32: proved free of zeros, |t32| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t44 * t44 - t43 * t45: proved free of zeros, |...| >= 0.00021
+ *   poles: t45 * t45 - t41 * t43: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 4e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.3e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -118,8 +118,8 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t31: proved free of zeros, |t31| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t43 * t44 - t42 * t42: proved free of zeros, |...| >= 0.00021
- *   rounding error of xi: no bound found, 9.6e-12 worst of 10000 points
+ *   poles: t40 * t41 - t44 * t44: proved free of zeros, |...| >= 0.00021
+ *   rounding error of xi: no bound found, 7.9e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 7.4e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -138,8 +138,8 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t30: proved free of zeros, |t30| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t45 * t46 - t44 * t44: proved free of zeros, |...| >= 0.00021
- *   poles: t57 * t57 - t56 * t58: proved free of zeros, |...| >= 0.00021
+ *   poles: t43 * t45 - t46 * t46: proved free of zeros, |...| >= 0.00021
+ *   poles: t58 * t58 - t54 * t56: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 7.7e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 5.9e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -159,9 +159,9 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t32: proved free of zeros, |t32| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t47 * t48 - t46 * t46: proved free of zeros, |...| >= 0.00021
- *   poles: t59 * t60 - t58 * t58: proved free of zeros, |...| >= 0.00021
- *   poles: t71 * t71 - t70 * t72: proved free of zeros, |...| >= 0.00021
+ *   poles: t45 * t47 - t48 * t48: proved free of zeros, |...| >= 0.00021
+ *   poles: t57 * t58 - t60 * t60: proved free of zeros, |...| >= 0.00021
+ *   poles: t72 * t72 - t68 * t70: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 7e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 2e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -181,10 +181,10 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t32: proved free of zeros, |t32| >= 5.7e-14 (rounding error <= 2.7e+04)
- *   poles: t45 * t46 - t44 * t44: proved free of zeros, |...| >= 0.00021
- *   poles: t57 * t58 - t56 * t56: proved free of zeros, |...| >= 0.00021
- *   poles: t68 * t68 - t70 * t69: proved free of zeros, |...| >= 0.00021
- *   poles: t81 * t82 - t80 * t80: proved free of zeros, |...| >= 0.00021
+ *   poles: t43 * t44 - t46 * t46: proved free of zeros, |...| >= 0.00021
+ *   poles: t55 * t56 - t58 * t58: proved free of zeros, |...| >= 0.00021
+ *   poles: t70 * t70 - t68 * t67: proved free of zeros, |...| >= 0.00021
+ *   poles: t79 * t80 - t82 * t82: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 7.3e-14 worst of 10000 points
  *   rounding error of eta: no bound found, 1.2e-13 worst of 10000 points
  *   exact_xi: nothing evolved, the frame's value is right to rounding
@@ -301,36 +301,33 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xA[1] - xB[1];
-    const double t3 = xC[2] - xD[2] + t1;
-    const double t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = xC[0] - xD[0] + t5;
-    const double u1 = 0.5 * t3;
-    const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
-    const double u2 = 0.5 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
-    const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t17 = t2 - 2.0 * (xA[1] - xS[1]) + t9;
-    const double t18 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    *xi = (t13 * t19 - t14 * t20) * t21;
-    *eta = (t13 * t20 - t15 * t19) * t21;
+    const double t1 = xB[2] - xD[2];
+    const double t2 = xA[2] - xC[2];
+    const double t3 = xB[1] - xD[1];
+    const double t4 = xA[1] - xC[1];
+    const double t5 = t2 - t1;
+    const double t6 = t1 + t2;
+    const double t7 = t4 - t3;
+    const double t8 = t3 + t4;
+    const double t9 = xB[0] - xD[0];
+    const double t10 = xA[0] - xC[0];
+    const double t11 = t6 - 2.0 * ((xB[2] - xS[2]) + (xA[2] - xS[2]));
+    const double t12 = t8 - 2.0 * ((xB[1] - xS[1]) + (xA[1] - xS[1]));
+    const double t13 = t10 - t9;
+    const double t14 = t9 + t10;
+    const double t15 = t14 - 2.0 * ((xB[0] - xS[0]) + (xA[0] - xS[0]));
+    const double t16 = t5 * t6 + t7 * t8 + t13 * t14;
+    const double t17 = t6 * t6 + t8 * t8 + t14 * t14;
+    const double t18 = t6 * t11 + t8 * t12 + t14 * t15;
+    const double t19 = t5 * t11 + t7 * t12 + t13 * t15;
+    const double t20 = t5 * t5 + t7 * t7 + t13 * t13;
+    const double t21 = 1.0 / (t17 * t20 - t16 * t16);
+    *xi = (t16 * t18 - t17 * t19) * t21;
+    *eta = (t16 * t19 - t20 * t18) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -369,14 +366,14 @@ FOOTPOINT_LOOP void footpoint_quad4_fast_n(size_t n, const double *const x[15],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.17851747968018908, -1.0322821663401478, 1.6735661628088622e-14, 9.3185993271589188e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 1.551555612150219, 1.4327639409772415, 4.1477760822360464e-15, 3.2036449379891569e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.24149774496830348, 0.70810029543459707, 1.247030744803417e-15, 1.5874231227886037e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.90501063355014244, 1.1923951131095567, 3.5329766465122048e-15, 3.6437988410107753e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 2.355027231585451, 0.60523614913625301, 6.4294241329321387e-15, 4.375643788737942e-15},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.7466173710815861, -0.11916371672938557, 2.1616589960064133e-15, 6.1331984403234101e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 2.4148839970634839, 1.2519818881192839, 5.4394229209436723e-15, 3.6463201256765346e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 1.8802800238365061, 1.1203844988928506, 4.1174151226187948e-15, 2.5729537355160308e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.17851747968018908, -1.0322821663401478, 1.6787818239825222e-14, 9.3480259099927816e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 1.551555612150219, 1.4327639409772415, 3.7522205751590383e-15, 3.1439836270787648e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.24149774496830348, 0.70810029543459707, 9.7956936796517212e-16, 1.6768030312487278e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.90501063355014244, 1.1923951131095567, 3.5483336911967493e-15, 3.8694719572742976e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 2.355027231585451, 0.60523614913625301, 6.0444955656744204e-15, 4.0478072224493353e-15},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.7466173710815861, -0.11916371672938557, 2.2336575752819702e-15, 6.3591956340816662e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 2.4148839970634839, 1.2519818881192839, 5.1262796942511093e-15, 3.5404935185738841e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 1.8802800238365061, 1.1203844988928506, 3.5334857142636395e-15, 2.5837896638455141e-15},
 };
 #endif
 
@@ -389,33 +386,33 @@ FOOTPOINT_FN void footpoint_quad4_coarse_at(const double xA[3], const double xB[
     const double t3 = 0.5 * (xD[2] - xC[2] - t1);
     const double t4 = 0.5 * (xD[1] - xC[1] - t2);
     const double t5 = xA[0] - xB[0];
-    const double t6 = 0.5 * (xD[0] - xC[0] - t5);
-    const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = t1 + t3;
-    const double t9 = xA[1] - xD[1] + t4;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = (t1 - 2.0 * (xA[2] - xS[2])) + t7;
-    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t9;
-    const double t15 = t11 - (2.0 * (xA[0] - xS[0]) - t5);
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t15;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t15;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t11;
+    const double t6 = t1 + t3;
+    const double t7 = t2 + t4;
+    const double t8 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t9 = xA[2] - xD[2] + t3;
+    const double t10 = (t1 - 2.0 * (xA[2] - xS[2])) + t9;
+    const double t11 = xA[1] - xD[1] + t4;
+    const double t12 = (t2 - 2.0 * (xA[1] - xS[1])) + t11;
+    const double t13 = t5 + t8;
+    const double t14 = xA[0] - xD[0] + t8;
+    const double t15 = t14 - (2.0 * (xA[0] - xS[0]) - t5);
+    const double t16 = t9 * t6 + t11 * t7 + t14 * t13;
+    const double t17 = t9 * t9 + t11 * t11 + t14 * t14;
+    const double t18 = t6 * t6 + t7 * t7 + t13 * t13;
+    const double t19 = t9 * t10 + t11 * t12 + t14 * t15;
+    const double t20 = t6 * t10 + t7 * t12 + t13 * t15;
+    const double t21 = t3 * t6 + t4 * t7 + t8 * t13;
+    const double t22 = t3 * t9 + t4 * t11 + t8 * t14;
     const double t23 = t17 * t18 - t16 * t16;
     const double t24 = t16 * t19 - t17 * t20;
-    const double t25 = t23 * t23;
-    const double t26 = t16 * t20 - t18 * t19;
-    const double t27 = t25 + (t22 * t18 - t21 * t16) * t24;
-    const double t28 = (t21 * t17 - t22 * t16) * t26;
-    const double t29 = t23 * (t28 + t27);
+    const double t25 = t16 * t20 - t18 * t19;
+    const double t26 = (t21 * t17 - t22 * t16) * t25;
+    const double t27 = t23 * t23;
+    const double t28 = t27 + (t22 * t18 - t21 * t16) * t24;
+    const double t29 = t23 * (t26 + t28);
     const double t30 = 1.0 / t29;
-    *xi = t24 * t27 * t30;
-    *eta = t26 * (t25 + t28) * t30;
+    *xi = t24 * t28 * t30;
+    *eta = t25 * (t27 + t26) * t30;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -455,10 +452,10 @@ FOOTPOINT_LOOP void footpoint_quad4_coarse_n(size_t n, const double *const x[15]
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.19213347820827598, -1.1075103603347207, 1.9394932388284193e-14, 6.3412698955841813e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.69421923714630007, 1.5410218175370296, 2.3153833755033252e-15, 4.8824019665276807e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15393263733726406, 0.71272221427389504, 8.0131182555570169e-16, 2.1549892634941845e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.69421923714630007, 1.5410218175370296, 2.3153833755033248e-15, 4.8824019665276807e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15393263733726406, 0.71272221427389504, 8.0131182555570189e-16, 2.1549892634941845e-15},
     {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51610141199691739, 1.1098764162996653, 2.7896922808550323e-15, 4.5955658341882343e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.31741118554572, 0.85693386332440802, 5.1449468291454616e-15, 7.9073240947179579e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.31741118554572, 0.85693386332440802, 5.1449468291454616e-15, 7.9073240947179595e-15},
     {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81259593593976243, -0.13286140528981005, 2.6995492297711518e-15, 8.2629111382862494e-16},
     {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3815932006931395, 1.0845610601097735, 4.772340688445397e-15, 4.2680852891829077e-15},
     {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.97402895656197197, 1.188412294461159, 2.7280231519479144e-15, 3.8109245792389117e-15},
@@ -481,32 +478,32 @@ FOOTPOINT_FN void footpoint_quad4_gauss2_at(const double xA[3], const double xB[
     const double t10 = xA[1] - xD[1] + t5;
     const double t11 = t3 + t6;
     const double t12 = xA[2] - xD[2] + t6;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t12 * t12 + t10 * t10 + t8 * t8;
-    const double t15 = t11 * t11 + t9 * t9 + t7 * t7;
-    const double t16 = (t3 - 2.0 * (xA[2] - xS[2])) + t12;
-    const double t17 = (t2 - 2.0 * (xA[1] - xS[1])) + t10;
-    const double t18 = t1 - 2.0 * (xA[0] - xS[0]) + t8;
-    const double t19 = t7 * t18 + (t11 * t16 + t9 * t17);
-    const double t20 = t12 * t16 + t10 * t17 + t8 * t18;
-    const double t21 = 1.0 / (t15 * t14 - t13 * t13);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = (t15 * t20 - t13 * t19) * t21;
-    const double t24 = t6 * t6 + t5 * t5 + t4 * t4;
-    const double t25 = t6 * t11 + t5 * t9 + t4 * t7;
-    const double t26 = t6 * t12 + t5 * t10 + t4 * t8;
-    const double t27 = t26 + t24 * t22;
-    const double t28 = t25 - t24 * t23;
-    const double t29 = t23 * t27;
-    const double t30 = t6 * t16 + t5 * t17 + t4 * t18;
-    const double t31 = t13 + (t25 * t22 - t29);
-    const double t32 = t14 + t22 * (t26 + t27);
-    const double t33 = t15 - t23 * (t25 + t28);
-    const double t34 = t20 + t22 * (t30 + t29);
-    const double t35 = t19 - t23 * (t30 - t22 * t28);
-    const double t36 = 1.0 / (t33 * t32 - t31 * t31);
-    *xi = (t31 * t34 - t32 * t35) * t36;
-    *eta = (t31 * t35 - t33 * t34) * t36;
+    const double t13 = (t3 - 2.0 * (xA[2] - xS[2])) + t12;
+    const double t14 = (t2 - 2.0 * (xA[1] - xS[1])) + t10;
+    const double t15 = t1 - 2.0 * (xA[0] - xS[0]) + t8;
+    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
+    const double t17 = t12 * t12 + t10 * t10 + t8 * t8;
+    const double t18 = t11 * t11 + t9 * t9 + t7 * t7;
+    const double t19 = 1.0 / (t18 * t17 - t16 * t16);
+    const double t20 = t7 * t15 + (t11 * t13 + t9 * t14);
+    const double t21 = t12 * t13 + t10 * t14 + t8 * t15;
+    const double t22 = t6 * t11 + t5 * t9 + t4 * t7;
+    const double t23 = t6 * t12 + t5 * t10 + t4 * t8;
+    const double t24 = (t16 * t21 - t17 * t20) * t19;
+    const double t25 = (t18 * t21 - t16 * t20) * t19;
+    const double t26 = t6 * t6 + t5 * t5 + t4 * t4;
+    const double t27 = t6 * t13 + t5 * t14 + t4 * t15;
+    const double t28 = t23 + t26 * t24;
+    const double t29 = t22 - t26 * t25;
+    const double t30 = t25 * t28;
+    const double t31 = t17 + t24 * (t23 + t28);
+    const double t32 = t16 + (t22 * t24 - t30);
+    const double t33 = t18 - t25 * (t22 + t29);
+    const double t34 = t21 + t24 * (t27 + t30);
+    const double t35 = t20 - t25 * (t27 - t24 * t29);
+    const double t36 = 1.0 / (t33 * t31 - t32 * t32);
+    *xi = (t32 * t34 - t31 * t35) * t36;
+    *eta = (t32 * t35 - t33 * t34) * t36;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -545,14 +542,14 @@ FOOTPOINT_LOOP void footpoint_quad4_gauss2_n(size_t n, const double *const x[15]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1716607396065131, -1.1077396540243765, 2.7596832251540236e-14, 2.4029816031551647e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1716607396065131, -1.1077396540243765, 2.7596832251540274e-14, 2.4029816031551734e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.69404273091994695, 1.5394949073421162, 4.8115917210880942e-15, 7.2684426303541099e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15456484520373978, 0.71314503991117117, 9.6650654524401029e-16, 1.8905221861076639e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51613975713568561, 1.1098836622592658, 8.1623418069731735e-15, 9.8711664816505318e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.3122600034044329, 0.86307988291219173, 3.0656484456263643e-14, 3.2622288615023132e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81234680614144805, -0.13262445288177455, 2.7175856351330213e-15, 8.4157005562867696e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3817199393041026, 1.0842604811223968, 1.9085588066145905e-14, 1.4157853369706469e-14},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.97500461685138062, 1.1847218881002803, 7.5929951480747244e-15, 9.1025849340392806e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15456484520373978, 0.71314503991117117, 9.6650654524400989e-16, 1.8905221861076639e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51613975713568561, 1.1098836622592658, 8.1623418069731751e-15, 9.8711664816505333e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.3122600034044329, 0.86307988291219173, 3.0656484456263637e-14, 3.2622288615023139e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81234680614144805, -0.13262445288177455, 2.7175856351330221e-15, 8.4157005562867705e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3817199393041026, 1.0842604811223968, 1.9085588066145908e-14, 1.4157853369706477e-14},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.97500461685138062, 1.1847218881002803, 7.5929951480747244e-15, 9.102584934039279e-15},
 };
 #endif
 
@@ -570,34 +567,34 @@ FOOTPOINT_FN void footpoint_quad4_medium_at(const double xA[3], const double xB[
     const double t8 = xA[1] - xD[1] + t4;
     const double t9 = t1 - t3;
     const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 - t6;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 - t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = ((2.0 * (xS[0] - xA[0])) - t5) + t11;
-    const double t17 = t2 + (2.0 * (xS[1] - xA[1])) + t8;
-    const double t18 = (2.0 * (xS[2] - xA[2])) - t1 + t7;
-    const double t19 = t11 * t16 + t8 * t17 + t7 * t18;
-    const double t20 = t9 * t18 + (t12 * t16 - t10 * t17);
-    const double t21 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = t3 * t9 - t4 * t10 + t6 * t12;
-    const double t25 = (t15 * t19 - t14 * t20) * t21;
-    const double t26 = t25 * t21 * t22;
-    const double t27 = t22 - (t24 * t13 - t23 * t14) * t26;
-    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t25 - (t23 * t15 - t24 * t14) * t26;
-    const double t30 = t23 + t28 * t27;
-    const double t31 = t24 + t28 * t29;
-    const double t32 = t29 * t30;
-    const double t33 = t3 * t18 + (t4 * t17 + t6 * t16);
-    const double t34 = t13 + t27 * (t23 + t30);
-    const double t35 = t14 + (t24 * t27 + t32);
-    const double t36 = t15 + t29 * (t24 + t31);
-    const double t37 = t20 + t29 * (t33 + t27 * t31);
-    const double t38 = t19 + t27 * (t33 + t32);
+    const double t11 = t5 - t6;
+    const double t12 = t2 + (2.0 * (xS[1] - xA[1])) + t8;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = ((2.0 * (xS[0] - xA[0])) - t5) + t13;
+    const double t15 = (2.0 * (xS[2] - xA[2])) - t1 + t7;
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 - t8 * t10 + t13 * t11;
+    const double t18 = t9 * t9 + t10 * t10 + t11 * t11;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t13 * t14 + t8 * t12 + t7 * t15;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t9 * t15 + (t11 * t14 - t10 * t12);
+    const double t23 = t3 * t9 - t4 * t10 + t6 * t11;
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t18 * t20 - t17 * t22) * t19;
+    const double t26 = t25 * t19 * t24;
+    const double t27 = t24 - (t23 * t16 - t21 * t17) * t26;
+    const double t28 = t25 - (t21 * t18 - t23 * t17) * t26;
+    const double t29 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t30 = t3 * t15 + (t4 * t12 + t6 * t14);
+    const double t31 = t21 + t29 * t27;
+    const double t32 = t23 + t29 * t28;
+    const double t33 = t28 * t31;
+    const double t34 = t16 + t27 * (t21 + t31);
+    const double t35 = t17 + (t23 * t27 + t33);
+    const double t36 = t18 + t28 * (t23 + t32);
+    const double t37 = t22 + t28 * (t30 + t27 * t32);
+    const double t38 = t20 + t27 * (t30 + t33);
     const double t39 = 1.0 / (t35 * t35 - t34 * t36);
     *xi = (t35 * t38 - t34 * t37) * t39;
     *eta = (t36 * t38 - t35 * t37) * t39;
@@ -639,13 +636,13 @@ FOOTPOINT_LOOP void footpoint_quad4_medium_n(size_t n, const double *const x[15]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_medium_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1701694241301962, -1.1075799545706049, 2.5321937238056425e-14, 2.5716319096039559e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.6985753321960313, 1.5400637972585232, 2.9690158644794806e-15, 4.5938280375069411e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15471234063924813, 0.71304270175398587, 9.2407144757824098e-16, 1.8621828175534663e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51605250710727646, 1.1098063021416071, 3.8097412105537496e-15, 5.2081086895973389e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4552822086484476, 0.82600488491299706, 5.154430299728876e-15, 1.191384910902214e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81296426932354782, -0.13273832687947532, 2.6976892227172732e-15, 8.2957349505409303e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.4326588898645856, 1.0929313485512353, 6.1552178365911059e-15, 4.5124532870581432e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1701694241301962, -1.1075799545706049, 2.5321937238056421e-14, 2.5716319096039551e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.6985753321960313, 1.5400637972585232, 2.9690158644794806e-15, 4.5938280375069403e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15471234063924813, 0.71304270175398587, 9.2407144757824078e-16, 1.8621828175534663e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.51605250710727646, 1.1098063021416071, 3.8097412105537488e-15, 5.2081086895973397e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4552822086484476, 0.82600488491299706, 5.1544302997288752e-15, 1.1913849109022137e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81296426932354782, -0.13273832687947532, 2.697689222717272e-15, 8.2957349505409283e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.4326588898645856, 1.0929313485512353, 6.1552178365911067e-15, 4.5124532870581432e-15},
     {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.98406569106162056, 1.186545390782674, 3.1647295253412188e-15, 3.4093280395178116e-15},
 };
 #endif
@@ -661,49 +658,49 @@ FOOTPOINT_FN void footpoint_quad4_balanced_at(const double xA[3], const double x
     const double t5 = 0.5 * (xD[1] - xC[1] - t2);
     const double t6 = 0.5 * (xD[0] - xC[0] - t3);
     const double t7 = xA[2] - xD[2] + t4;
-    const double t8 = xA[1] - xD[1] + t5;
-    const double t9 = xA[0] - xD[0] + t6;
-    const double t10 = t1 + t4;
-    const double t11 = t2 + t5;
-    const double t12 = t3 + t6;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t15 = t3 - 2.0 * (xA[0] - xS[0]) + t9;
-    const double t16 = t7 * t7 + t8 * t8 + t9 * t9;
-    const double t17 = t10 * t7 + t11 * t8 + t12 * t9;
-    const double t18 = t10 * t10 + t11 * t11 + t12 * t12;
-    const double t19 = t4 * t10 + t5 * t11 + t6 * t12;
-    const double t20 = t4 * t7 + t5 * t8 + t6 * t9;
-    const double t21 = t7 * t13 + (t8 * t14 + t9 * t15);
-    const double t22 = t10 * t13 + t11 * t14 + t12 * t15;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
+    const double t9 = t1 + t4;
+    const double t10 = xA[1] - xD[1] + t5;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + t5;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t3 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t3 + t6;
+    const double t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t17 = t9 * t7 + t12 * t10 + t15 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t7 * t8 + (t10 * t11 + t13 * t14);
+    const double t20 = t4 * t7 + t5 * t10 + t6 * t13;
+    const double t21 = t4 * t9 + t5 * t12 + t6 * t15;
+    const double t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const double t23 = t18 * t16 - t17 * t17;
-    const double t24 = t20 * t18 - t17 * t19;
-    const double t25 = t16 * t22 - t17 * t21;
-    const double t26 = t24 * t25;
-    const double t27 = t19 * t16 - t20 * t17;
-    const double t28 = t17 * t22 - t18 * t21;
-    const double t29 = t27 * t28;
-    const double t30 = t23 * t23 - t26 + t29;
-    const double t31 = t26 * t29 + t30 * t30;
+    const double t24 = t20 * t18 - t17 * t21;
+    const double t25 = t16 * t22 - t17 * t19;
+    const double t26 = t21 * t16 - t20 * t17;
+    const double t27 = t17 * t22 - t18 * t19;
+    const double t28 = t24 * t25;
+    const double t29 = t26 * t27;
+    const double t30 = t23 * t23 - t28 + t29;
+    const double t31 = t28 * t29 + t30 * t30;
     const double t32 = t23 * t31;
     const double t33 = 1.0 / t32;
-    const double t34 = t23 * t25 * t28 * t30 * t33;
+    const double t34 = t23 * t25 * t27 * t30 * t33;
     const double t35 = t31 * t33;
-    const double t36 = t35 * (t25 - t27 * t34);
-    const double t37 = t4 * t4 + t5 * t5 + t6 * t6;
-    const double t38 = t35 * (t28 + t24 * t34);
-    const double t39 = t20 - t37 * t36;
-    const double t40 = t19 + t37 * t38;
-    const double t41 = t38 * t39;
-    const double t42 = t19 * t36 - t41;
-    const double t43 = t16 - t36 * (t20 + t39);
-    const double t44 = 2.0 * t42 - t17 - (t4 * t13 + t5 * t14 + t6 * t15);
-    const double t45 = t18 + t38 * (t19 + t40);
-    const double t46 = t22 + t38 * (t36 * t40 + t42);
-    const double t47 = t21 + t36 * (t41 - t42);
-    const double t48 = 1.0 / (t44 * t44 - t43 * t45);
-    *xi = (t43 * t46 + t44 * t47) * t48;
-    *eta = (t44 * t46 + t45 * t47) * t48;
+    const double t36 = t35 * (t25 - t26 * t34);
+    const double t37 = t35 * (t27 + t24 * t34);
+    const double t38 = t4 * t4 + t5 * t5 + t6 * t6;
+    const double t39 = t20 - t38 * t36;
+    const double t40 = t21 + t38 * t37;
+    const double t41 = t16 - t36 * (t20 + t39);
+    const double t42 = t37 * t39;
+    const double t43 = t18 + t37 * (t21 + t40);
+    const double t44 = t21 * t36 - t42;
+    const double t45 = 2.0 * t44 - t17 - (t4 * t8 + t5 * t11 + t6 * t14);
+    const double t46 = t22 + t37 * (t36 * t40 + t44);
+    const double t47 = t19 + t36 * (t42 - t44);
+    const double t48 = 1.0 / (t45 * t45 - t41 * t43);
+    *xi = (t41 * t46 + t45 * t47) * t48;
+    *eta = (t45 * t46 + t43 * t47) * t48;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -742,14 +739,14 @@ FOOTPOINT_LOOP void footpoint_quad4_balanced_n(size_t n, const double *const x[1
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_balanced_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1699418743885634, -1.1075097573744856, 2.9820404447523804e-14, 2.7983335170711689e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660236629727093, 1.5360051886699075, 2.7925073253941549e-15, 4.8135974499099874e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477607482588043, 0.71307380972792156, 9.7604115406348146e-16, 1.9020837593136264e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384542448997005, 1.1072467310536263, 5.4190056691328388e-15, 7.1443848240996796e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.458015557559204, 0.8265820804664108, 7.6604496316985265e-15, 1.6620332846854649e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297677523179879, -0.13273769164565238, 2.7670097307892234e-15, 8.6545925678041371e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144496975440365, 1.0735405381220948, 9.0456716340381078e-15, 8.7387480258681775e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.9983465076289868, 1.1844413196587753, 3.6434504364959142e-15, 5.148381982182976e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.1699418743885634, -1.1075097573744856, 2.9820404447523975e-14, 2.7983335170711878e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660236629727093, 1.5360051886699075, 2.7925073253941553e-15, 4.8135974499099796e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477607482588043, 0.71307380972792156, 9.7604115406348067e-16, 1.9020837593136264e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384542448997005, 1.1072467310536263, 5.4190056691328388e-15, 7.1443848240996954e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.458015557559204, 0.8265820804664108, 7.6604496316985013e-15, 1.66203328468545e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297677523179879, -0.13273769164565238, 2.767009730789223e-15, 8.6545925678041371e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144496975440365, 1.0735405381220948, 9.045671634038111e-15, 8.7387480258681917e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.9983465076289868, 1.1844413196587753, 3.643450436495915e-15, 5.1483819821829673e-15},
 };
 #endif
 
@@ -765,58 +762,58 @@ FOOTPOINT_FN void footpoint_quad4_fine_at(const double xA[3], const double xB[3]
     const double t6 = 0.5 * (xD[0] - xC[0] - t3);
     const double t7 = xA[1] - xD[1] + t4;
     const double t8 = xA[2] - xD[2] + t5;
-    const double t9 = xA[0] - xD[0] + t6;
+    const double t9 = t2 - 2.0 * (xA[2] - xS[2]) + t8;
     const double t10 = t2 + t5;
-    const double t11 = t1 + t4;
-    const double t12 = t2 - 2.0 * (xA[2] - xS[2]) + t8;
-    const double t13 = t3 - 2.0 * (xA[0] - xS[0]) + t9;
-    const double t14 = 2.0 * (xA[1] - xS[1]) - t1 - t7;
-    const double t15 = t3 + t6;
-    const double t16 = t8 * t10 + t7 * t11 + t9 * t15;
-    const double t17 = t10 * t10 + t11 * t11 + t15 * t15;
-    const double t18 = t8 * t8 + t7 * t7 + t9 * t9;
-    const double t19 = t8 * t12 + t9 * t13 - t7 * t14;
-    const double t20 = t5 * t10 + t4 * t11 + t6 * t15;
-    const double t21 = t5 * t8 + t4 * t7 + t6 * t9;
-    const double t22 = t10 * t12 + t15 * t13 - t11 * t14;
-    const double t23 = t18 * t17 - t16 * t16;
-    const double t24 = t21 * t17 - t20 * t16;
-    const double t25 = t18 * t22 - t16 * t19;
-    const double t26 = t20 * t18 - t21 * t16;
-    const double t27 = t17 * t19 - t16 * t22;
-    const double t28 = t27 * t25;
-    const double t29 = t24 * t25 - t23 * t23 + t26 * t27;
-    const double t30 = t29 * t29 - t24 * t26 * t28;
+    const double t11 = xA[0] - xD[0] + t6;
+    const double t12 = t3 - 2.0 * (xA[0] - xS[0]) + t11;
+    const double t13 = t3 + t6;
+    const double t14 = t1 + t4;
+    const double t15 = 2.0 * (xA[1] - xS[1]) - t1 - t7;
+    const double t16 = t8 * t9 + t11 * t12 - t7 * t15;
+    const double t17 = t8 * t10 + t7 * t14 + t11 * t13;
+    const double t18 = t10 * t10 + t14 * t14 + t13 * t13;
+    const double t19 = t8 * t8 + t7 * t7 + t11 * t11;
+    const double t20 = t5 * t8 + t4 * t7 + t6 * t11;
+    const double t21 = t10 * t9 + t13 * t12 - t14 * t15;
+    const double t22 = t5 * t10 + t4 * t14 + t6 * t13;
+    const double t23 = t19 * t18 - t17 * t17;
+    const double t24 = t20 * t18 - t22 * t17;
+    const double t25 = t19 * t21 - t17 * t16;
+    const double t26 = t22 * t19 - t20 * t17;
+    const double t27 = t18 * t16 - t17 * t21;
+    const double t28 = t24 * t25 - t23 * t23 + t26 * t27;
+    const double t29 = t27 * t25;
+    const double t30 = t28 * t28 - t24 * t26 * t29;
     const double t31 = t23 * t30;
     const double t32 = 1.0 / t31;
-    const double t33 = t23 * t28 * t29 * t32;
+    const double t33 = t23 * t29 * t28 * t32;
     const double t34 = t30 * t32;
     const double t35 = t34 * (t25 - t26 * t33);
     const double t36 = t34 * (t27 - t24 * t33);
     const double t37 = t5 * t5 + t4 * t4 + t6 * t6;
-    const double t38 = t21 - t37 * t35;
-    const double t39 = t20 - t37 * t36;
-    const double t40 = t36 * t38;
-    const double t41 = t20 * t35 + t40;
-    const double t42 = t5 * t12 - t4 * t14 + t6 * t13 + t16 - 2.0 * t41;
-    const double t43 = t35 * (t21 + t38) - t18;
-    const double t44 = t36 * (t20 + t39) - t17;
-    const double t45 = 1.0 / (t43 * t44 - t42 * t42);
-    const double t46 = t19 - t35 * t40 - t35 * t41;
-    const double t47 = t42 * t45;
-    const double t48 = t22 - t36 * t35 * t39 - t36 * t41;
-    const double t49 = t44 * t45;
-    const double t50 = t43 * t45;
-    const double t51 = t48 * t47 + t46 * t49;
-    const double t52 = t46 * t47 + t48 * t50;
+    const double t38 = t20 - t37 * t35;
+    const double t39 = t22 - t37 * t36;
+    const double t40 = t35 * (t20 + t38) - t19;
+    const double t41 = t36 * (t22 + t39) - t18;
+    const double t42 = t36 * t38;
+    const double t43 = t22 * t35 + t42;
+    const double t44 = t5 * t9 - t4 * t15 + t6 * t12 + t17 - 2.0 * t43;
+    const double t45 = 1.0 / (t40 * t41 - t44 * t44);
+    const double t46 = t44 * t45;
+    const double t47 = t41 * t45;
+    const double t48 = t40 * t45;
+    const double t49 = t16 - t35 * t42 - t35 * t43;
+    const double t50 = t21 - t36 * t35 * t39 - t36 * t43;
+    const double t51 = t50 * t46 + t49 * t47;
+    const double t52 = t49 * t46 + t50 * t48;
     const double t53 = 2.0 * (t36 + t51);
     const double t54 = t35 + t52;
     const double t55 = t38 * t53;
     const double t56 = t39 * t54;
     const double t57 = t53 * (t56 + 0.25 * t55);
     const double t58 = t54 * (t56 + t55);
-    *xi = t52 + t50 * t57 + t47 * t58;
-    *eta = t51 + t47 * t57 + t49 * t58;
+    *xi = t52 + t48 * t57 + t46 * t58;
+    *eta = t51 + t46 * t57 + t47 * t58;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -855,14 +852,14 @@ FOOTPOINT_LOOP void footpoint_quad4_fine_n(size_t n, const double *const x[15],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_fine_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994390046457716, -1.107516000852387, 3.0100883300701911e-14, 2.9128431768008255e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660176190095305, 1.5360014089884804, 3.0177705215246607e-15, 5.2241048416557296e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578595984515, 0.7130735320517595, 1.0132211281452842e-15, 2.0522615827083086e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549504276444, 1.1072465507575344, 5.7584634632449039e-15, 7.751850971543444e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585852584439629, 0.82544934809275217, 7.5908596357559762e-15, 1.6379766178161793e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700245867344, -0.13273772051920099, 2.9705728919376277e-15, 9.0884380677345368e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144574630087431, 1.0735258107476617, 9.7229481675675264e-15, 9.3051210252498786e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834425300594465, 1.1844394054441199, 4.0000309535188453e-15, 5.5014355454400887e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994390046457716, -1.107516000852387, 3.0100883300701418e-14, 2.9128431768008362e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660176190095305, 1.5360014089884804, 3.0177705215246654e-15, 5.224104841655721e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578595984515, 0.7130735320517595, 1.013221128145284e-15, 2.0522615827083094e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549504276444, 1.1072465507575344, 5.7584634632449031e-15, 7.7518509715434598e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585852584439629, 0.82544934809275217, 7.5908596357559856e-15, 1.6379766178161619e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700245867344, -0.13273772051920099, 2.9705728919376281e-15, 9.0884380677345309e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144574630087431, 1.0735258107476617, 9.722948167567539e-15, 9.3051210252498991e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834425300594465, 1.1844394054441199, 4.0000309535188492e-15, 5.5014355454400792e-15},
 };
 #endif
 
@@ -877,62 +874,62 @@ FOOTPOINT_FN void footpoint_quad4_precise_at(const double xA[3], const double xB
     const double t5 = xA[0] - xB[0];
     const double t6 = 0.5 * (xD[0] - xC[0] - t5);
     const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = xA[1] - xD[1] + t4;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
     const double t9 = t1 + t3;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t15 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t17 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t18 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t19 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t20 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t21 = t9 * t13 + t10 * t14 + t12 * t15;
-    const double t22 = t7 * t13 + t8 * t14 + t11 * t15;
+    const double t10 = xA[1] - xD[1] + t4;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + t4;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t5 + t6;
+    const double t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t17 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t14;
+    const double t21 = t3 * t9 + t4 * t12 + t6 * t15;
+    const double t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const double t23 = t16 * t18 - t17 * t17;
-    const double t24 = t16 * t21 - t17 * t22;
-    const double t25 = t18 * t22 - t17 * t21;
-    const double t26 = (t19 * t18 - t20 * t17) * t24;
-    const double t27 = (t20 * t16 - t19 * t17) * t25;
-    const double t28 = t26 - t23 * t23 + t27;
-    const double t29 = t28 * t28 - t27 * t26;
+    const double t24 = t16 * t22 - t17 * t20;
+    const double t25 = (t19 * t18 - t21 * t17) * t24;
+    const double t26 = t18 * t20 - t17 * t22;
+    const double t27 = (t21 * t16 - t19 * t17) * t26;
+    const double t28 = t25 - t23 * t23 + t27;
+    const double t29 = t28 * t28 - t27 * t25;
     const double t30 = t23 * t29;
     const double t31 = 1.0 / t30;
     const double t32 = t23 * t28 * t31;
     const double t33 = t29 * t31;
     const double t34 = t24 * (t27 * t32 - 1.0);
-    const double t35 = t25 * (t26 * t32 - 1.0);
+    const double t35 = t26 * (t25 * t32 - 1.0);
     const double t36 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t37 = t33 * t34;
     const double t38 = t33 * t35;
-    const double t39 = t19 + t36 * t37;
-    const double t40 = t20 + t36 * t38;
-    const double t41 = t35 * t39;
-    const double t42 = t20 * t34 + t41;
-    const double t43 = t17 + (t3 * t13 + t4 * t14 + t6 * t15);
-    const double t44 = t43 + 2.0 * t33 * t42;
-    const double t45 = t16 + t37 * (t19 + t39);
-    const double t46 = t18 + t38 * (t20 + t40);
-    const double t47 = t22 - t33 * t37 * (t41 + t42);
-    const double t48 = t21 - t33 * t38 * (t34 * t40 + t42);
-    const double t49 = 1.0 / (t45 * t46 - t44 * t44);
-    const double t50 = (t45 * t48 - t44 * t47) * t49;
-    const double t51 = (t46 * t47 - t44 * t48) * t49;
+    const double t39 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
+    const double t40 = t19 + t36 * t37;
+    const double t41 = t35 * t40;
+    const double t42 = t21 + t36 * t38;
+    const double t43 = t16 + t37 * (t19 + t40);
+    const double t44 = t21 * t34 + t41;
+    const double t45 = t18 + t38 * (t21 + t42);
+    const double t46 = t39 + 2.0 * t33 * t44;
+    const double t47 = t20 - t33 * t37 * (t41 + t44);
+    const double t48 = t22 - t33 * t38 * (t34 * t42 + t44);
+    const double t49 = 1.0 / (t43 * t45 - t46 * t46);
+    const double t50 = (t43 * t48 - t46 * t47) * t49;
+    const double t51 = (t45 * t47 - t46 * t48) * t49;
     const double t52 = t19 - t36 * t50;
-    const double t53 = t20 - t36 * t51;
-    const double t54 = t51 * t52;
-    const double t55 = t20 * t50 + t54;
-    const double t56 = t16 - t50 * (t19 + t52);
-    const double t57 = 2.0 * t55 - t43;
-    const double t58 = t18 - t51 * (t20 + t53);
-    const double t59 = t21 - t51 * (t50 * t53 + t55);
-    const double t60 = t22 - t50 * (t54 + t55);
-    const double t61 = 1.0 / (t57 * t57 - t56 * t58);
-    *xi = (t56 * t59 + t57 * t60) * t61;
-    *eta = (t57 * t59 + t58 * t60) * t61;
+    const double t53 = t21 - t36 * t51;
+    const double t54 = t16 - t50 * (t19 + t52);
+    const double t55 = t51 * t52;
+    const double t56 = t18 - t51 * (t21 + t53);
+    const double t57 = t21 * t50 + t55;
+    const double t58 = 2.0 * t57 - t39;
+    const double t59 = t22 - t51 * (t50 * t53 + t57);
+    const double t60 = t20 - t50 * (t55 + t57);
+    const double t61 = 1.0 / (t58 * t58 - t54 * t56);
+    *xi = (t54 * t59 + t58 * t60) * t61;
+    *eta = (t58 * t59 + t56 * t60) * t61;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -971,14 +968,14 @@ FOOTPOINT_LOOP void footpoint_quad4_precise_n(size_t n, const double *const x[15
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_precise_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386474819068, -1.107515922117237, 3.1055445090974124e-14, 2.7056915881783743e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660175643352021, 1.5360014082430475, 2.7745237397811768e-15, 4.739209926217703e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624352403, 0.71307353223174619, 9.601868226774167e-16, 1.8942332968542438e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493457376, 1.1072465508514446, 5.3080454441172907e-15, 7.1095169069750586e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585416991186742, 0.8255054409472129, 7.0877283892001487e-15, 1.5719370544375311e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.8129770023518188, -0.13273772048741686, 2.7860591768414852e-15, 8.8707530007830082e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.314457356377482, 1.0735258712585012, 8.9485754537967418e-15, 8.6257583255887138e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860853621, 1.1844394003762462, 3.6200406930823535e-15, 5.0885055395069102e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386474819068, -1.107515922117237, 3.1055445091003614e-14, 2.7056915881825222e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660175643352021, 1.5360014082430475, 2.7745237397811768e-15, 4.7392099262176478e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624352403, 0.71307353223174619, 9.6018682267741611e-16, 1.8942332968542434e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493457376, 1.1072465508514446, 5.3080454441173632e-15, 7.1095169069753189e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585416991186742, 0.8255054409472129, 7.0877283891994632e-15, 1.5719370544370417e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.8129770023518188, -0.13273772048741686, 2.7860591768414852e-15, 8.8707530007830003e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.314457356377482, 1.0735258712585012, 8.9485754537968538e-15, 8.6257583255888778e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860853621, 1.1844394003762462, 3.6200406930823598e-15, 5.0885055395068408e-15},
 };
 #endif
 
@@ -993,76 +990,76 @@ FOOTPOINT_FN void footpoint_quad4_accurate_at(const double xA[3], const double x
     const double t5 = xA[0] - xB[0];
     const double t6 = 0.5 * (xD[0] - xC[0] - t5);
     const double t7 = xA[2] - xD[2] + t3;
-    const double t8 = xA[1] - xD[1] + t4;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
     const double t9 = t1 + t3;
-    const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = t1 - 2.0 * (xA[2] - xS[2]) + t7;
-    const double t14 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t15 = t5 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t17 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t18 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t19 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t20 = t3 * t7 + (t4 * t8 + t6 * t11);
-    const double t21 = t7 * t13 + t8 * t14 + t11 * t15;
-    const double t22 = t9 * t13 + t10 * t14 + t12 * t15;
+    const double t10 = xA[1] - xD[1] + t4;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10;
+    const double t12 = t2 + t4;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t15 = t5 + t6;
+    const double t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t17 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t7 * t8 + t10 * t11 + t13 * t14;
+    const double t20 = t3 * t7 + (t4 * t10 + t6 * t13);
+    const double t21 = t3 * t9 + t4 * t12 + t6 * t15;
+    const double t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const double t23 = t16 * t18 - t17 * t17;
-    const double t24 = t19 * t17 - t20 * t18;
-    const double t25 = t16 * t22 - t17 * t21;
-    const double t26 = t24 * t25;
-    const double t27 = t19 * t16 - t20 * t17;
-    const double t28 = t18 * t21 - t17 * t22;
-    const double t29 = t27 * t28;
-    const double t30 = t29 - t26 - t23 * t23;
-    const double t31 = t26 * t29 + t30 * t30;
+    const double t24 = t21 * t17 - t20 * t18;
+    const double t25 = t16 * t22 - t17 * t19;
+    const double t26 = t21 * t16 - t20 * t17;
+    const double t27 = t18 * t19 - t17 * t22;
+    const double t28 = t24 * t25;
+    const double t29 = t26 * t27;
+    const double t30 = t29 - t28 - t23 * t23;
+    const double t31 = t28 * t29 + t30 * t30;
     const double t32 = t23 * t31;
     const double t33 = 1.0 / t32;
-    const double t34 = t23 * t25 * t28 * t30 * t33;
+    const double t34 = t23 * t25 * t27 * t30 * t33;
     const double t35 = t31 * t33;
-    const double t36 = t25 - t27 * t34;
-    const double t37 = t28 + t24 * t34;
+    const double t36 = t25 - t26 * t34;
+    const double t37 = t27 + t24 * t34;
     const double t38 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t39 = t35 * t36;
     const double t40 = t35 * t37;
-    const double t41 = t20 - t38 * t39;
-    const double t42 = t19 - t38 * t40;
-    const double t43 = t37 * t41;
-    const double t44 = t19 * t36 + t43;
-    const double t45 = t17 + (t3 * t13 + t4 * t14 + t6 * t15);
-    const double t46 = t45 - 2.0 * t35 * t44;
-    const double t47 = t16 - t39 * (t20 + t41);
-    const double t48 = t18 - t40 * (t19 + t42);
-    const double t49 = t21 - t35 * t39 * (t43 + t44);
-    const double t50 = t22 - t35 * t40 * (t36 * t42 + t44);
-    const double t51 = 1.0 / (t47 * t48 - t46 * t46);
-    const double t52 = (t47 * t50 - t46 * t49) * t51;
-    const double t53 = (t48 * t49 - t46 * t50) * t51;
+    const double t41 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
+    const double t42 = t20 - t38 * t39;
+    const double t43 = t37 * t42;
+    const double t44 = t21 - t38 * t40;
+    const double t45 = t16 - t39 * (t20 + t42);
+    const double t46 = t21 * t36 + t43;
+    const double t47 = t18 - t40 * (t21 + t44);
+    const double t48 = t41 - 2.0 * t35 * t46;
+    const double t49 = t19 - t35 * t39 * (t43 + t46);
+    const double t50 = t22 - t35 * t40 * (t36 * t44 + t46);
+    const double t51 = 1.0 / (t45 * t47 - t48 * t48);
+    const double t52 = (t45 * t50 - t48 * t49) * t51;
+    const double t53 = (t47 * t49 - t48 * t50) * t51;
     const double t54 = t20 - t38 * t52;
-    const double t55 = t19 - t38 * t53;
+    const double t55 = t21 - t38 * t53;
     const double t56 = t53 * t54;
-    const double t57 = t19 * t52 + t56;
-    const double t58 = t45 - 2.0 * t57;
-    const double t59 = t16 - t52 * (t20 + t54);
-    const double t60 = t18 - t53 * (t19 + t55);
-    const double t61 = t21 - t52 * (t56 + t57);
-    const double t62 = t22 - t53 * (t52 * t55 + t57);
-    const double t63 = 1.0 / (t59 * t60 - t58 * t58);
-    const double t64 = (t59 * t62 - t58 * t61) * t63;
-    const double t65 = (t60 * t61 - t58 * t62) * t63;
+    const double t57 = t16 - t52 * (t20 + t54);
+    const double t58 = t18 - t53 * (t21 + t55);
+    const double t59 = t21 * t52 + t56;
+    const double t60 = t41 - 2.0 * t59;
+    const double t61 = t19 - t52 * (t56 + t59);
+    const double t62 = t22 - t53 * (t52 * t55 + t59);
+    const double t63 = 1.0 / (t57 * t58 - t60 * t60);
+    const double t64 = (t57 * t62 - t60 * t61) * t63;
+    const double t65 = (t58 * t61 - t60 * t62) * t63;
     const double t66 = t20 - t38 * t64;
-    const double t67 = t19 - t38 * t65;
-    const double t68 = t65 * t66;
-    const double t69 = t19 * t64 + t68;
-    const double t70 = t16 - t64 * (t20 + t66);
-    const double t71 = 2.0 * t69 - t45;
-    const double t72 = t18 - t65 * (t19 + t67);
-    const double t73 = t22 - t65 * (t64 * t67 + t69);
-    const double t74 = t21 - t64 * (t68 + t69);
-    const double t75 = 1.0 / (t71 * t71 - t70 * t72);
-    *xi = (t70 * t73 + t71 * t74) * t75;
-    *eta = (t71 * t73 + t72 * t74) * t75;
+    const double t67 = t21 - t38 * t65;
+    const double t68 = t16 - t64 * (t20 + t66);
+    const double t69 = t65 * t66;
+    const double t70 = t18 - t65 * (t21 + t67);
+    const double t71 = t21 * t64 + t69;
+    const double t72 = 2.0 * t71 - t41;
+    const double t73 = t22 - t65 * (t64 * t67 + t71);
+    const double t74 = t19 - t64 * (t69 + t71);
+    const double t75 = 1.0 / (t72 * t72 - t68 * t70);
+    *xi = (t68 * t73 + t72 * t74) * t75;
+    *eta = (t72 * t73 + t70 * t74) * t75;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1101,14 +1098,14 @@ FOOTPOINT_LOOP void footpoint_quad4_accurate_n(size_t n, const double *const x[1
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 3.1948695092937578e-14, 3.0226501303284666e-15},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.7266017564316718, 1.5360014082429443, 2.7633281569928506e-15, 4.7045166666477845e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.6181126072129114e-16, 1.8955025065021597e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493456909, 1.1072465508514568, 5.3082109624059147e-15, 7.1069045503522449e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585423026064526, 0.82550485554506203, 7.1429477116319933e-15, 1.575472624476868e-14},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.1327377204874238, 2.7857862924478864e-15, 8.863806554955924e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144573563376849, 1.0735258713336699, 8.9366308240087246e-15, 8.5918937078849182e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860595916, 1.1844394003710841, 3.6199061773278962e-15, 5.0818628732898667e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 3.1948695094324736e-14, 3.0226501304964399e-15},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.7266017564316718, 1.5360014082429443, 2.7633281569928506e-15, 4.7045166666474997e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.6181126072128818e-16, 1.8955025065021605e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493456909, 1.1072465508514568, 5.3082109624064795e-15, 7.1069045503602518e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585423026064526, 0.82550485554506203, 7.1429477116145942e-15, 1.5754726244594717e-14},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.1327377204874238, 2.785786292447884e-15, 8.8638065549559092e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144573563376849, 1.0735258713336699, 8.9366308240113246e-15, 8.5918937078966154e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860595916, 1.1844394003710841, 3.6199061773279459e-15, 5.0818628732888498e-15},
 };
 #endif
 
@@ -1123,86 +1120,86 @@ FOOTPOINT_FN void footpoint_quad4_full_at(const double xA[3], const double xB[3]
     const double t5 = xB[0] - xA[0];
     const double t6 = 0.5 * (xD[0] - xC[0] + t5);
     const double t7 = xD[2] - xA[2] - t3;
-    const double t8 = t3 - t1;
-    const double t9 = xD[1] - xA[1] - t4;
-    const double t10 = t4 - t2;
-    const double t11 = xD[0] - xA[0] - t6;
-    const double t12 = t6 - t5;
-    const double t13 = 2.0 * (xS[2] - xA[2]) - t1 - t7;
-    const double t14 = 2.0 * (xS[1] - xA[1]) - t2 - t9;
-    const double t15 = 2.0 * (xS[0] - xA[0]) - t5 - t11;
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t19 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t20 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t21 = t8 * t13 + t10 * t14 + t12 * t15;
-    const double t22 = t7 * t13 + t9 * t14 + t11 * t15;
+    const double t8 = 2.0 * (xS[2] - xA[2]) - t1 - t7;
+    const double t9 = t3 - t1;
+    const double t10 = xD[1] - xA[1] - t4;
+    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 - t10;
+    const double t12 = t4 - t2;
+    const double t13 = xD[0] - xA[0] - t6;
+    const double t14 = 2.0 * (xS[0] - xA[0]) - t5 - t13;
+    const double t15 = t6 - t5;
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t3 * t9 + t4 * t12 + t6 * t15;
+    const double t20 = t9 * t8 + t12 * t11 + t15 * t14;
+    const double t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t22 = t7 * t8 + t10 * t11 + t13 * t14;
     const double t23 = t17 * t18 - t16 * t16;
-    const double t24 = t19 * t17 - t20 * t16;
-    const double t25 = t16 * t21 - t18 * t22;
-    const double t26 = t24 * t25;
-    const double t27 = t19 * t16 - t20 * t18;
-    const double t28 = t17 * t21 - t16 * t22;
-    const double t29 = t27 * t28;
-    const double t30 = t26 - t23 * t23 + t29;
-    const double t31 = t30 * t30 - t26 * t29;
+    const double t24 = t19 * t17 - t21 * t16;
+    const double t25 = t16 * t20 - t18 * t22;
+    const double t26 = t19 * t16 - t21 * t18;
+    const double t27 = t17 * t20 - t16 * t22;
+    const double t28 = t24 * t25;
+    const double t29 = t26 * t27;
+    const double t30 = t28 - t23 * t23 + t29;
+    const double t31 = t30 * t30 - t28 * t29;
     const double t32 = t23 * t31;
     const double t33 = 1.0 / t32;
-    const double t34 = t23 * t25 * t28 * t30 * t33;
+    const double t34 = t23 * t25 * t27 * t30 * t33;
     const double t35 = t31 * t33;
-    const double t36 = t35 * (t28 - t24 * t34);
-    const double t37 = t35 * (t25 - t27 * t34);
+    const double t36 = t35 * (t27 - t24 * t34);
+    const double t37 = t35 * (t25 - t26 * t34);
     const double t38 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t39 = t20 + t38 * t36;
-    const double t40 = t19 - t38 * t37;
-    const double t41 = t37 * t39;
-    const double t42 = (t3 * t13 + t4 * t14 + t6 * t15) - t16;
-    const double t43 = t19 * t36 - t41;
-    const double t44 = t42 - 2.0 * t43;
-    const double t45 = t17 + t36 * (t20 + t39);
-    const double t46 = t18 - t37 * (t19 + t40);
-    const double t47 = t36 * (t41 - t43) - t22;
-    const double t48 = t21 - t37 * (t36 * t40 + t43);
-    const double t49 = 1.0 / (t45 * t46 - t44 * t44);
-    const double t50 = (t45 * t48 - t44 * t47) * t49;
-    const double t51 = (t46 * t47 - t44 * t48) * t49;
-    const double t52 = t20 + t38 * t50;
+    const double t39 = (t3 * t8 + t4 * t11 + t6 * t14) - t16;
+    const double t40 = t21 + t38 * t36;
+    const double t41 = t19 - t38 * t37;
+    const double t42 = t37 * t40;
+    const double t43 = t17 + t36 * (t21 + t40);
+    const double t44 = t18 - t37 * (t19 + t41);
+    const double t45 = t19 * t36 - t42;
+    const double t46 = t39 - 2.0 * t45;
+    const double t47 = t36 * (t42 - t45) - t22;
+    const double t48 = t20 - t37 * (t36 * t41 + t45);
+    const double t49 = 1.0 / (t43 * t44 - t46 * t46);
+    const double t50 = (t43 * t48 - t46 * t47) * t49;
+    const double t51 = (t44 * t47 - t46 * t48) * t49;
+    const double t52 = t21 + t38 * t50;
     const double t53 = t19 - t38 * t51;
     const double t54 = t51 * t52;
-    const double t55 = t19 * t50 - t54;
-    const double t56 = t42 - 2.0 * t55;
-    const double t57 = t17 + t50 * (t20 + t52);
-    const double t58 = t18 - t51 * (t19 + t53);
-    const double t59 = t50 * (t54 - t55) - t22;
-    const double t60 = t21 - t51 * (t50 * t53 + t55);
-    const double t61 = 1.0 / (t57 * t58 - t56 * t56);
-    const double t62 = (t57 * t60 - t56 * t59) * t61;
-    const double t63 = (t58 * t59 - t56 * t60) * t61;
-    const double t64 = t20 + t38 * t62;
+    const double t55 = t17 + t50 * (t21 + t52);
+    const double t56 = t18 - t51 * (t19 + t53);
+    const double t57 = t19 * t50 - t54;
+    const double t58 = t39 - 2.0 * t57;
+    const double t59 = t50 * (t54 - t57) - t22;
+    const double t60 = t20 - t51 * (t50 * t53 + t57);
+    const double t61 = 1.0 / (t55 * t56 - t58 * t58);
+    const double t62 = (t55 * t60 - t58 * t59) * t61;
+    const double t63 = (t56 * t59 - t58 * t60) * t61;
+    const double t64 = t21 + t38 * t62;
     const double t65 = t19 - t38 * t63;
     const double t66 = t63 * t64;
-    const double t67 = t66 - t19 * t62;
-    const double t68 = t42 + 2.0 * t67;
-    const double t69 = t17 + t62 * (t20 + t64);
-    const double t70 = t18 - t63 * (t19 + t65);
-    const double t71 = t62 * (t66 + t67) - t22;
-    const double t72 = t21 - t63 * (t62 * t65 - t67);
-    const double t73 = 1.0 / (t68 * t68 - t70 * t69);
-    const double t74 = (t69 * t72 - t68 * t71) * t73;
-    const double t75 = (t70 * t71 - t68 * t72) * t73;
-    const double t76 = t38 * t74 - t20;
+    const double t67 = t17 + t62 * (t21 + t64);
+    const double t68 = t18 - t63 * (t19 + t65);
+    const double t69 = t66 - t19 * t62;
+    const double t70 = t39 + 2.0 * t69;
+    const double t71 = t62 * (t66 + t69) - t22;
+    const double t72 = t20 - t63 * (t62 * t65 - t69);
+    const double t73 = 1.0 / (t70 * t70 - t68 * t67);
+    const double t74 = (t67 * t72 - t70 * t71) * t73;
+    const double t75 = (t68 * t71 - t70 * t72) * t73;
+    const double t76 = t38 * t74 - t21;
     const double t77 = t19 + t38 * t75;
     const double t78 = t75 * t76;
-    const double t79 = t19 * t74 + t78;
-    const double t80 = t42 + 2.0 * t79;
-    const double t81 = t17 + t74 * (t76 - t20);
-    const double t82 = t18 + t75 * (t19 + t77);
-    const double t83 = t22 + t74 * (t78 + t79);
-    const double t84 = t75 * (t74 * t77 + t79) - t21;
-    const double t85 = 1.0 / (t81 * t82 - t80 * t80);
-    *xi = (t81 * t84 - t80 * t83) * t85;
-    *eta = (t82 * t83 - t80 * t84) * t85;
+    const double t79 = t17 + t74 * (t76 - t21);
+    const double t80 = t18 + t75 * (t19 + t77);
+    const double t81 = t19 * t74 + t78;
+    const double t82 = t39 + 2.0 * t81;
+    const double t83 = t22 + t74 * (t78 + t81);
+    const double t84 = t75 * (t74 * t77 + t81) - t20;
+    const double t85 = 1.0 / (t79 * t80 - t82 * t82);
+    *xi = (t79 * t84 - t82 * t83) * t85;
+    *eta = (t80 * t83 - t82 * t84) * t85;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1241,14 +1238,14 @@ FOOTPOINT_LOOP void footpoint_quad4_full_n(size_t n, const double *const x[15],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_full_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 1.1932146435699703e-12, 4.2662391033288125e-13},
-    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.7266017564316718, 1.5360014082429443, 2.7745239054013354e-15, 4.7392167911397379e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.6018663718845096e-16, 1.8942332665860863e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493456909, 1.1072465508514568, 5.8961856602694844e-15, 8.0375065822076783e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585423026070861, 0.82550485554409703, 9.2911494645353994e-14, 1.2803639807198067e-13},
-    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.1327377204874238, 2.786059071883289e-15, 8.8707523919372822e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144573563376849, 1.0735258713336699, 1.1543847074391034e-14, 1.0987344823358806e-14},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860595916, 1.1844394003710841, 3.6204186572292539e-15, 5.0891084519153194e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 1.1932146436247475e-12, 4.2662391034015634e-13},
+    {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.7266017564316718, 1.5360014082429443, 2.7745239054009812e-15, 4.7392167911392078e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.6018663718842868e-16, 1.8942332665860899e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493456909, 1.1072465508514568, 5.8961856602823965e-15, 8.0375065823691139e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585423026070861, 0.82550485554409703, 9.2911494644929006e-14, 1.2803639806858092e-13},
+    {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.1327377204874238, 2.7860590718832839e-15, 8.8707523919372822e-16},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144573563376849, 1.0735258713336699, 1.1543847074399825e-14, 1.0987344823516997e-14},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 0.99834424860595916, 1.1844394003710841, 3.6204186572277834e-15, 5.0891084519114075e-15},
 };
 #endif
 

@@ -14,7 +14,7 @@
  *
  * footpoint_quad4_float_fast
  *   genome_sha256: 9eab41fdebe0be890ccddb905a413f93bc9b944c74127d81456a8337ab4d6208
- *   operations: 29 mul, 1 div, 40 add, 0 sqrt, 0 compare; 24 temporaries
+ *   operations: 26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
  *   proved equal to the genome as rational functions over Q
  *   in float:
  *   heldout_xi: n 200000 mean 5.327e-02 p99 2.778e-01 max 4.769e-01
@@ -25,9 +25,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   rounding error of xi: <= 0.00052 proved (with or without FMA), 4.9e-13 worst of 10000 points
- *   rounding error of eta: <= 0.00037 proved (with or without FMA), 3.1e-13 worst of 10000 points
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 0.054 (rounding error <= 8.6e-11)
+ *   rounding error of xi: <= 0.00045 proved (with or without FMA), 2.7e-13 worst of 10000 points
+ *   rounding error of eta: <= 0.00031 proved (with or without FMA), 1.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.360e-02
@@ -47,7 +47,7 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t29: proved free of zeros, |t29| >= 1e-08 (rounding error <= 0.00056)
- *   rounding error of xi: no bound found, 9.4e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 8.9e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 5.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -67,10 +67,10 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t15 * t14 - t13 * t13: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   poles: t33 * t32 - t31 * t31: proved free of zeros, |...| >= 0.00051 (rounding error <= 4.6e+19)
- *   rounding error of xi: no bound found, 3.5e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 1.5e-12 worst of 10000 points
+ *   poles: t18 * t17 - t16 * t16: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
+ *   poles: t33 * t31 - t32 * t32: proved free of zeros, |...| >= 0.00051 (rounding error <= 4.6e+19)
+ *   rounding error of xi: no bound found, 2.6e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 1.4e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.260e-03
@@ -89,9 +89,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
  *   poles: t35 * t35 - t34 * t36: proved free of zeros, |...| >= 0.00033 (rounding error <= 7.8e+65)
- *   rounding error of xi: no bound found, 1.5e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 1.3e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 1.3e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -112,7 +112,7 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t32: proved free of zeros, |t32| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t44 * t44 - t43 * t45: proved free of zeros, |...| >= 0.00021
+ *   poles: t45 * t45 - t41 * t43: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 4e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.3e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -134,8 +134,8 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t31: proved free of zeros, |t31| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t43 * t44 - t42 * t42: proved free of zeros, |...| >= 0.00021
- *   rounding error of xi: no bound found, 9.6e-12 worst of 10000 points
+ *   poles: t40 * t41 - t44 * t44: proved free of zeros, |...| >= 0.00021
+ *   rounding error of xi: no bound found, 7.9e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 7.4e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -156,10 +156,10 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t30: proved free of zeros, |t30| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t45 * t46 - t44 * t44: proved free of zeros, |...| >= 0.00021
- *   poles: t57 * t57 - t56 * t58: proved free of zeros, |...| >= 0.00021
- *   rounding error of xi: no bound found, 1.5e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 1.4e-13 worst of 10000 points
+ *   poles: t43 * t45 - t46 * t46: proved free of zeros, |...| >= 0.00021
+ *   poles: t58 * t58 - t54 * t56: proved free of zeros, |...| >= 0.00021
+ *   rounding error of xi: no bound found, 2e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 3.1e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 6.538e-08
@@ -179,9 +179,9 @@
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
  *   poles: t32: proved free of zeros, |t32| >= 5.7e-14 (rounding error <= 2.6e+04)
- *   poles: t47 * t48 - t46 * t46: proved free of zeros, |...| >= 0.00021
- *   poles: t59 * t60 - t58 * t58: proved free of zeros, |...| >= 0.00021
- *   poles: t71 * t71 - t70 * t72: proved free of zeros, |...| >= 0.00021
+ *   poles: t45 * t47 - t48 * t48: proved free of zeros, |...| >= 0.00021
+ *   poles: t57 * t58 - t60 * t60: proved free of zeros, |...| >= 0.00021
+ *   poles: t72 * t72 - t68 * t70: proved free of zeros, |...| >= 0.00021
  *   rounding error of xi: no bound found, 7e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 2e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -371,7 +371,7 @@ FOOTPOINT_FN int footpoint_detail_f_vouch(const float xA[3], const float xB[3], 
 }
 #endif
 
-/* 29 mul, 1 div, 40 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                                 const float xS[3], float *xi, float *eta)
 {
@@ -381,32 +381,29 @@ FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float x
     const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
     const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
     const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2];
-    const float t2 = yA[1] - yB[1];
-    const float t3 = yC[2] - yD[2] + t1;
-    const float t4 = yC[1] - yD[1] + t2;
-    const float t5 = yA[0] - yB[0];
-    const float t6 = yC[0] - yD[0] + t5;
-    const float u1 = 0.5f * t3;
-    const float t7 = yA[2] - yD[2] - u1;
-    const float t8 = t1 - u1;
-    const float u2 = 0.5f * t4;
-    const float t9 = yA[1] - yD[1] - u2;
-    const float t10 = t2 - u2;
-    const float u3 = 0.5f * t6;
-    const float t11 = yA[0] - yD[0] - u3;
-    const float t12 = t5 - u3;
-    const float t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const float t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const float t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const float t16 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
-    const float t17 = t2 - 2.0f * (yA[1] - yS[1]) + t9;
-    const float t18 = t5 - 2.0f * (yA[0] - yS[0]) + t11;
-    const float t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const float t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const float t21 = 1.0f / (t14 * t15 - t13 * t13);
-    *xi = (t13 * t19 - t14 * t20) * t21;
-    *eta = (t13 * t20 - t15 * t19) * t21;
+    const float t1 = yB[2] - yD[2];
+    const float t2 = yA[2] - yC[2];
+    const float t3 = yB[1] - yD[1];
+    const float t4 = yA[1] - yC[1];
+    const float t5 = t2 - t1;
+    const float t6 = t1 + t2;
+    const float t7 = t4 - t3;
+    const float t8 = t3 + t4;
+    const float t9 = yB[0] - yD[0];
+    const float t10 = yA[0] - yC[0];
+    const float t11 = t6 - 2.0f * (yB[2] - yS[2] + (yA[2] - yS[2]));
+    const float t12 = t8 - 2.0f * (yB[1] - yS[1] + (yA[1] - yS[1]));
+    const float t13 = t10 - t9;
+    const float t14 = t9 + t10;
+    const float t15 = t14 - 2.0f * (yB[0] - yS[0] + (yA[0] - yS[0]));
+    const float t16 = t5 * t6 + t7 * t8 + t13 * t14;
+    const float t17 = t6 * t6 + t8 * t8 + t14 * t14;
+    const float t18 = t6 * t11 + t8 * t12 + t14 * t15;
+    const float t19 = t5 * t11 + t7 * t12 + t13 * t15;
+    const float t20 = t5 * t5 + t7 * t7 + t13 * t13;
+    const float t21 = 1.0f / (t17 * t20 - t16 * t16);
+    *xi = (t16 * t18 - t17 * t19) * t21;
+    *eta = (t16 * t19 - t20 * t18) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -478,33 +475,33 @@ FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float
     const float t3 = 0.5f * (yD[2] - yC[2] - t1);
     const float t4 = 0.5f * (yD[1] - yC[1] - t2);
     const float t5 = yA[0] - yB[0];
-    const float t6 = 0.5f * (yD[0] - yC[0] - t5);
-    const float t7 = yA[2] - yD[2] + t3;
-    const float t8 = t1 + t3;
-    const float t9 = yA[1] - yD[1] + t4;
-    const float t10 = t2 + t4;
-    const float t11 = yA[0] - yD[0] + t6;
-    const float t12 = t5 + t6;
-    const float t13 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
-    const float t14 = t2 - 2.0f * (yA[1] - yS[1]) + t9;
-    const float t15 = t11 - (2.0f * (yA[0] - yS[0]) - t5);
-    const float t16 = t7 * t8 + t9 * t10 + t11 * t12;
-    const float t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const float t18 = t8 * t8 + t10 * t10 + t12 * t12;
-    const float t19 = t7 * t13 + t9 * t14 + t11 * t15;
-    const float t20 = t8 * t13 + t10 * t14 + t12 * t15;
-    const float t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const float t22 = t3 * t7 + t4 * t9 + t6 * t11;
+    const float t6 = t1 + t3;
+    const float t7 = t2 + t4;
+    const float t8 = 0.5f * (yD[0] - yC[0] - t5);
+    const float t9 = yA[2] - yD[2] + t3;
+    const float t10 = t1 - 2.0f * (yA[2] - yS[2]) + t9;
+    const float t11 = yA[1] - yD[1] + t4;
+    const float t12 = t2 - 2.0f * (yA[1] - yS[1]) + t11;
+    const float t13 = t5 + t8;
+    const float t14 = yA[0] - yD[0] + t8;
+    const float t15 = t14 - (2.0f * (yA[0] - yS[0]) - t5);
+    const float t16 = t9 * t6 + t11 * t7 + t14 * t13;
+    const float t17 = t9 * t9 + t11 * t11 + t14 * t14;
+    const float t18 = t6 * t6 + t7 * t7 + t13 * t13;
+    const float t19 = t9 * t10 + t11 * t12 + t14 * t15;
+    const float t20 = t6 * t10 + t7 * t12 + t13 * t15;
+    const float t21 = t3 * t6 + t4 * t7 + t8 * t13;
+    const float t22 = t3 * t9 + t4 * t11 + t8 * t14;
     const float t23 = t17 * t18 - t16 * t16;
     const float t24 = t16 * t19 - t17 * t20;
-    const float t25 = t23 * t23;
-    const float t26 = t16 * t20 - t18 * t19;
-    const float t27 = t25 + (t22 * t18 - t21 * t16) * t24;
-    const float t28 = (t21 * t17 - t22 * t16) * t26;
-    const float t29 = t23 * (t28 + t27);
+    const float t25 = t16 * t20 - t18 * t19;
+    const float t26 = (t21 * t17 - t22 * t16) * t25;
+    const float t27 = t23 * t23;
+    const float t28 = t27 + (t22 * t18 - t21 * t16) * t24;
+    const float t29 = t23 * (t26 + t28);
     const float t30 = 1.0f / t29;
-    *xi = t24 * t27 * t30;
-    *eta = t26 * (t25 + t28) * t30;
+    *xi = t24 * t28 * t30;
+    *eta = t25 * (t27 + t26) * t30;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -583,32 +580,32 @@ FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float
     const float t10 = yA[1] - yD[1] + t5;
     const float t11 = t3 + t6;
     const float t12 = yA[2] - yD[2] + t6;
-    const float t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const float t14 = t12 * t12 + t10 * t10 + t8 * t8;
-    const float t15 = t11 * t11 + t9 * t9 + t7 * t7;
-    const float t16 = t3 - 2.0f * (yA[2] - yS[2]) + t12;
-    const float t17 = t2 - 2.0f * (yA[1] - yS[1]) + t10;
-    const float t18 = t1 - 2.0f * (yA[0] - yS[0]) + t8;
-    const float t19 = t7 * t18 + (t11 * t16 + t9 * t17);
-    const float t20 = t12 * t16 + t10 * t17 + t8 * t18;
-    const float t21 = 1.0f / (t15 * t14 - t13 * t13);
-    const float t22 = (t13 * t20 - t14 * t19) * t21;
-    const float t23 = (t15 * t20 - t13 * t19) * t21;
-    const float t24 = t6 * t6 + t5 * t5 + t4 * t4;
-    const float t25 = t6 * t11 + t5 * t9 + t4 * t7;
-    const float t26 = t6 * t12 + t5 * t10 + t4 * t8;
-    const float t27 = t26 + t24 * t22;
-    const float t28 = t25 - t24 * t23;
-    const float t29 = t23 * t27;
-    const float t30 = t6 * t16 + t5 * t17 + t4 * t18;
-    const float t31 = t13 + (t25 * t22 - t29);
-    const float t32 = t14 + t22 * (t26 + t27);
-    const float t33 = t15 - t23 * (t25 + t28);
-    const float t34 = t20 + t22 * (t30 + t29);
-    const float t35 = t19 - t23 * (t30 - t22 * t28);
-    const float t36 = 1.0f / (t33 * t32 - t31 * t31);
-    *xi = (t31 * t34 - t32 * t35) * t36;
-    *eta = (t31 * t35 - t33 * t34) * t36;
+    const float t13 = t3 - 2.0f * (yA[2] - yS[2]) + t12;
+    const float t14 = t2 - 2.0f * (yA[1] - yS[1]) + t10;
+    const float t15 = t1 - 2.0f * (yA[0] - yS[0]) + t8;
+    const float t16 = t7 * t8 + t9 * t10 + t11 * t12;
+    const float t17 = t12 * t12 + t10 * t10 + t8 * t8;
+    const float t18 = t11 * t11 + t9 * t9 + t7 * t7;
+    const float t19 = 1.0f / (t18 * t17 - t16 * t16);
+    const float t20 = t7 * t15 + (t11 * t13 + t9 * t14);
+    const float t21 = t12 * t13 + t10 * t14 + t8 * t15;
+    const float t22 = t6 * t11 + t5 * t9 + t4 * t7;
+    const float t23 = t6 * t12 + t5 * t10 + t4 * t8;
+    const float t24 = (t16 * t21 - t17 * t20) * t19;
+    const float t25 = (t18 * t21 - t16 * t20) * t19;
+    const float t26 = t6 * t6 + t5 * t5 + t4 * t4;
+    const float t27 = t6 * t13 + t5 * t14 + t4 * t15;
+    const float t28 = t23 + t26 * t24;
+    const float t29 = t22 - t26 * t25;
+    const float t30 = t25 * t28;
+    const float t31 = t17 + t24 * (t23 + t28);
+    const float t32 = t16 + (t22 * t24 - t30);
+    const float t33 = t18 - t25 * (t22 + t29);
+    const float t34 = t21 + t24 * (t27 + t30);
+    const float t35 = t20 - t25 * (t27 - t24 * t29);
+    const float t36 = 1.0f / (t33 * t31 - t32 * t32);
+    *xi = (t32 * t34 - t31 * t35) * t36;
+    *eta = (t32 * t35 - t33 * t34) * t36;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -685,34 +682,34 @@ FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float
     const float t8 = yA[1] - yD[1] + t4;
     const float t9 = t1 - t3;
     const float t10 = t2 + t4;
-    const float t11 = yA[0] - yD[0] + t6;
-    const float t12 = t5 - t6;
-    const float t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const float t14 = t7 * t9 - t8 * t10 + t11 * t12;
-    const float t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const float t16 = 2.0f * (yS[0] - yA[0]) - t5 + t11;
-    const float t17 = t2 + 2.0f * (yS[1] - yA[1]) + t8;
-    const float t18 = 2.0f * (yS[2] - yA[2]) - t1 + t7;
-    const float t19 = t11 * t16 + t8 * t17 + t7 * t18;
-    const float t20 = t9 * t18 + (t12 * t16 - t10 * t17);
-    const float t21 = 1.0f / (t13 * t15 - t14 * t14);
-    const float t22 = (t13 * t20 - t14 * t19) * t21;
-    const float t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const float t24 = t3 * t9 - t4 * t10 + t6 * t12;
-    const float t25 = (t15 * t19 - t14 * t20) * t21;
-    const float t26 = t25 * t21 * t22;
-    const float t27 = t22 - (t24 * t13 - t23 * t14) * t26;
-    const float t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const float t29 = t25 - (t23 * t15 - t24 * t14) * t26;
-    const float t30 = t23 + t28 * t27;
-    const float t31 = t24 + t28 * t29;
-    const float t32 = t29 * t30;
-    const float t33 = t3 * t18 + (t4 * t17 + t6 * t16);
-    const float t34 = t13 + t27 * (t23 + t30);
-    const float t35 = t14 + (t24 * t27 + t32);
-    const float t36 = t15 + t29 * (t24 + t31);
-    const float t37 = t20 + t29 * (t33 + t27 * t31);
-    const float t38 = t19 + t27 * (t33 + t32);
+    const float t11 = t5 - t6;
+    const float t12 = t2 + 2.0f * (yS[1] - yA[1]) + t8;
+    const float t13 = yA[0] - yD[0] + t6;
+    const float t14 = 2.0f * (yS[0] - yA[0]) - t5 + t13;
+    const float t15 = 2.0f * (yS[2] - yA[2]) - t1 + t7;
+    const float t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const float t17 = t7 * t9 - t8 * t10 + t13 * t11;
+    const float t18 = t9 * t9 + t10 * t10 + t11 * t11;
+    const float t19 = 1.0f / (t16 * t18 - t17 * t17);
+    const float t20 = t13 * t14 + t8 * t12 + t7 * t15;
+    const float t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const float t22 = t9 * t15 + (t11 * t14 - t10 * t12);
+    const float t23 = t3 * t9 - t4 * t10 + t6 * t11;
+    const float t24 = (t16 * t22 - t17 * t20) * t19;
+    const float t25 = (t18 * t20 - t17 * t22) * t19;
+    const float t26 = t25 * t19 * t24;
+    const float t27 = t24 - (t23 * t16 - t21 * t17) * t26;
+    const float t28 = t25 - (t21 * t18 - t23 * t17) * t26;
+    const float t29 = t3 * t3 + t4 * t4 + t6 * t6;
+    const float t30 = t3 * t15 + (t4 * t12 + t6 * t14);
+    const float t31 = t21 + t29 * t27;
+    const float t32 = t23 + t29 * t28;
+    const float t33 = t28 * t31;
+    const float t34 = t16 + t27 * (t21 + t31);
+    const float t35 = t17 + (t23 * t27 + t33);
+    const float t36 = t18 + t28 * (t23 + t32);
+    const float t37 = t22 + t28 * (t30 + t27 * t32);
+    const float t38 = t20 + t27 * (t30 + t33);
     const float t39 = 1.0f / (t35 * t35 - t34 * t36);
     *xi = (t35 * t38 - t34 * t37) * t39;
     *eta = (t36 * t38 - t35 * t37) * t39;
@@ -789,49 +786,49 @@ FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const flo
     const float t5 = 0.5f * (yD[1] - yC[1] - t2);
     const float t6 = 0.5f * (yD[0] - yC[0] - t3);
     const float t7 = yA[2] - yD[2] + t4;
-    const float t8 = yA[1] - yD[1] + t5;
-    const float t9 = yA[0] - yD[0] + t6;
-    const float t10 = t1 + t4;
-    const float t11 = t2 + t5;
-    const float t12 = t3 + t6;
-    const float t13 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
-    const float t14 = t2 - 2.0f * (yA[1] - yS[1]) + t8;
-    const float t15 = t3 - 2.0f * (yA[0] - yS[0]) + t9;
-    const float t16 = t7 * t7 + t8 * t8 + t9 * t9;
-    const float t17 = t10 * t7 + t11 * t8 + t12 * t9;
-    const float t18 = t10 * t10 + t11 * t11 + t12 * t12;
-    const float t19 = t4 * t10 + t5 * t11 + t6 * t12;
-    const float t20 = t4 * t7 + t5 * t8 + t6 * t9;
-    const float t21 = t7 * t13 + (t8 * t14 + t9 * t15);
-    const float t22 = t10 * t13 + t11 * t14 + t12 * t15;
+    const float t8 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
+    const float t9 = t1 + t4;
+    const float t10 = yA[1] - yD[1] + t5;
+    const float t11 = t2 - 2.0f * (yA[1] - yS[1]) + t10;
+    const float t12 = t2 + t5;
+    const float t13 = yA[0] - yD[0] + t6;
+    const float t14 = t3 - 2.0f * (yA[0] - yS[0]) + t13;
+    const float t15 = t3 + t6;
+    const float t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const float t17 = t9 * t7 + t12 * t10 + t15 * t13;
+    const float t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const float t19 = t7 * t8 + (t10 * t11 + t13 * t14);
+    const float t20 = t4 * t7 + t5 * t10 + t6 * t13;
+    const float t21 = t4 * t9 + t5 * t12 + t6 * t15;
+    const float t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const float t23 = t18 * t16 - t17 * t17;
-    const float t24 = t20 * t18 - t17 * t19;
-    const float t25 = t16 * t22 - t17 * t21;
-    const float t26 = t24 * t25;
-    const float t27 = t19 * t16 - t20 * t17;
-    const float t28 = t17 * t22 - t18 * t21;
-    const float t29 = t27 * t28;
-    const float t30 = t23 * t23 - t26 + t29;
-    const float t31 = t26 * t29 + t30 * t30;
+    const float t24 = t20 * t18 - t17 * t21;
+    const float t25 = t16 * t22 - t17 * t19;
+    const float t26 = t21 * t16 - t20 * t17;
+    const float t27 = t17 * t22 - t18 * t19;
+    const float t28 = t24 * t25;
+    const float t29 = t26 * t27;
+    const float t30 = t23 * t23 - t28 + t29;
+    const float t31 = t28 * t29 + t30 * t30;
     const float t32 = t23 * t31;
     const float t33 = 1.0f / t32;
-    const float t34 = t23 * t25 * t28 * t30 * t33;
+    const float t34 = t23 * t25 * t27 * t30 * t33;
     const float t35 = t31 * t33;
-    const float t36 = t35 * (t25 - t27 * t34);
-    const float t37 = t4 * t4 + t5 * t5 + t6 * t6;
-    const float t38 = t35 * (t28 + t24 * t34);
-    const float t39 = t20 - t37 * t36;
-    const float t40 = t19 + t37 * t38;
-    const float t41 = t38 * t39;
-    const float t42 = t19 * t36 - t41;
-    const float t43 = t16 - t36 * (t20 + t39);
-    const float t44 = 2.0f * t42 - t17 - (t4 * t13 + t5 * t14 + t6 * t15);
-    const float t45 = t18 + t38 * (t19 + t40);
-    const float t46 = t22 + t38 * (t36 * t40 + t42);
-    const float t47 = t21 + t36 * (t41 - t42);
-    const float t48 = 1.0f / (t44 * t44 - t43 * t45);
-    *xi = (t43 * t46 + t44 * t47) * t48;
-    *eta = (t44 * t46 + t45 * t47) * t48;
+    const float t36 = t35 * (t25 - t26 * t34);
+    const float t37 = t35 * (t27 + t24 * t34);
+    const float t38 = t4 * t4 + t5 * t5 + t6 * t6;
+    const float t39 = t20 - t38 * t36;
+    const float t40 = t21 + t38 * t37;
+    const float t41 = t16 - t36 * (t20 + t39);
+    const float t42 = t37 * t39;
+    const float t43 = t18 + t37 * (t21 + t40);
+    const float t44 = t21 * t36 - t42;
+    const float t45 = 2.0f * t44 - t17 - (t4 * t8 + t5 * t11 + t6 * t14);
+    const float t46 = t22 + t37 * (t36 * t40 + t44);
+    const float t47 = t19 + t36 * (t42 - t44);
+    const float t48 = 1.0f / (t45 * t45 - t41 * t43);
+    *xi = (t41 * t46 + t45 * t47) * t48;
+    *eta = (t45 * t46 + t43 * t47) * t48;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -906,58 +903,58 @@ FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float x
     const float t6 = 0.5f * (yD[0] - yC[0] - t3);
     const float t7 = yA[1] - yD[1] + t4;
     const float t8 = yA[2] - yD[2] + t5;
-    const float t9 = yA[0] - yD[0] + t6;
+    const float t9 = t2 - 2.0f * (yA[2] - yS[2]) + t8;
     const float t10 = t2 + t5;
-    const float t11 = t1 + t4;
-    const float t12 = t2 - 2.0f * (yA[2] - yS[2]) + t8;
-    const float t13 = t3 - 2.0f * (yA[0] - yS[0]) + t9;
-    const float t14 = 2.0f * (yA[1] - yS[1]) - t1 - t7;
-    const float t15 = t3 + t6;
-    const float t16 = t8 * t10 + t7 * t11 + t9 * t15;
-    const float t17 = t10 * t10 + t11 * t11 + t15 * t15;
-    const float t18 = t8 * t8 + t7 * t7 + t9 * t9;
-    const float t19 = t8 * t12 + t9 * t13 - t7 * t14;
-    const float t20 = t5 * t10 + t4 * t11 + t6 * t15;
-    const float t21 = t5 * t8 + t4 * t7 + t6 * t9;
-    const float t22 = t10 * t12 + t15 * t13 - t11 * t14;
-    const float t23 = t18 * t17 - t16 * t16;
-    const float t24 = t21 * t17 - t20 * t16;
-    const float t25 = t18 * t22 - t16 * t19;
-    const float t26 = t20 * t18 - t21 * t16;
-    const float t27 = t17 * t19 - t16 * t22;
-    const float t28 = t27 * t25;
-    const float t29 = t24 * t25 - t23 * t23 + t26 * t27;
-    const float t30 = t29 * t29 - t24 * t26 * t28;
+    const float t11 = yA[0] - yD[0] + t6;
+    const float t12 = t3 - 2.0f * (yA[0] - yS[0]) + t11;
+    const float t13 = t3 + t6;
+    const float t14 = t1 + t4;
+    const float t15 = 2.0f * (yA[1] - yS[1]) - t1 - t7;
+    const float t16 = t8 * t9 + t11 * t12 - t7 * t15;
+    const float t17 = t8 * t10 + t7 * t14 + t11 * t13;
+    const float t18 = t10 * t10 + t14 * t14 + t13 * t13;
+    const float t19 = t8 * t8 + t7 * t7 + t11 * t11;
+    const float t20 = t5 * t8 + t4 * t7 + t6 * t11;
+    const float t21 = t10 * t9 + t13 * t12 - t14 * t15;
+    const float t22 = t5 * t10 + t4 * t14 + t6 * t13;
+    const float t23 = t19 * t18 - t17 * t17;
+    const float t24 = t20 * t18 - t22 * t17;
+    const float t25 = t19 * t21 - t17 * t16;
+    const float t26 = t22 * t19 - t20 * t17;
+    const float t27 = t18 * t16 - t17 * t21;
+    const float t28 = t24 * t25 - t23 * t23 + t26 * t27;
+    const float t29 = t27 * t25;
+    const float t30 = t28 * t28 - t24 * t26 * t29;
     const float t31 = t23 * t30;
     const float t32 = 1.0f / t31;
-    const float t33 = t23 * t28 * t29 * t32;
+    const float t33 = t23 * t29 * t28 * t32;
     const float t34 = t30 * t32;
     const float t35 = t34 * (t25 - t26 * t33);
     const float t36 = t34 * (t27 - t24 * t33);
     const float t37 = t5 * t5 + t4 * t4 + t6 * t6;
-    const float t38 = t21 - t37 * t35;
-    const float t39 = t20 - t37 * t36;
-    const float t40 = t36 * t38;
-    const float t41 = t20 * t35 + t40;
-    const float t42 = t5 * t12 - t4 * t14 + t6 * t13 + t16 - 2.0f * t41;
-    const float t43 = t35 * (t21 + t38) - t18;
-    const float t44 = t36 * (t20 + t39) - t17;
-    const float t45 = 1.0f / (t43 * t44 - t42 * t42);
-    const float t46 = t19 - t35 * t40 - t35 * t41;
-    const float t47 = t42 * t45;
-    const float t48 = t22 - t36 * t35 * t39 - t36 * t41;
-    const float t49 = t44 * t45;
-    const float t50 = t43 * t45;
-    const float t51 = t48 * t47 + t46 * t49;
-    const float t52 = t46 * t47 + t48 * t50;
+    const float t38 = t20 - t37 * t35;
+    const float t39 = t22 - t37 * t36;
+    const float t40 = t35 * (t20 + t38) - t19;
+    const float t41 = t36 * (t22 + t39) - t18;
+    const float t42 = t36 * t38;
+    const float t43 = t22 * t35 + t42;
+    const float t44 = t5 * t9 - t4 * t15 + t6 * t12 + t17 - 2.0f * t43;
+    const float t45 = 1.0f / (t40 * t41 - t44 * t44);
+    const float t46 = t44 * t45;
+    const float t47 = t41 * t45;
+    const float t48 = t40 * t45;
+    const float t49 = t16 - t35 * t42 - t35 * t43;
+    const float t50 = t21 - t36 * t35 * t39 - t36 * t43;
+    const float t51 = t50 * t46 + t49 * t47;
+    const float t52 = t49 * t46 + t50 * t48;
     const float t53 = 2.0f * (t36 + t51);
     const float t54 = t35 + t52;
     const float t55 = t38 * t53;
     const float t56 = t39 * t54;
     const float t57 = t53 * (t56 + 0.25f * t55);
     const float t58 = t54 * (t56 + t55);
-    *xi = t52 + t50 * t57 + t47 * t58;
-    *eta = t51 + t47 * t57 + t49 * t58;
+    *xi = t52 + t48 * t57 + t46 * t58;
+    *eta = t51 + t46 * t57 + t47 * t58;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1031,62 +1028,62 @@ FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const floa
     const float t5 = yA[0] - yB[0];
     const float t6 = 0.5f * (yD[0] - yC[0] - t5);
     const float t7 = yA[2] - yD[2] + t3;
-    const float t8 = yA[1] - yD[1] + t4;
+    const float t8 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
     const float t9 = t1 + t3;
-    const float t10 = t2 + t4;
-    const float t11 = yA[0] - yD[0] + t6;
-    const float t12 = t5 + t6;
-    const float t13 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
-    const float t14 = t2 - 2.0f * (yA[1] - yS[1]) + t8;
-    const float t15 = t5 - 2.0f * (yA[0] - yS[0]) + t11;
-    const float t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const float t17 = t7 * t9 + t8 * t10 + t11 * t12;
-    const float t18 = t9 * t9 + t10 * t10 + t12 * t12;
-    const float t19 = t3 * t7 + t4 * t8 + t6 * t11;
-    const float t20 = t3 * t9 + t4 * t10 + t6 * t12;
-    const float t21 = t9 * t13 + t10 * t14 + t12 * t15;
-    const float t22 = t7 * t13 + t8 * t14 + t11 * t15;
+    const float t10 = yA[1] - yD[1] + t4;
+    const float t11 = t2 - 2.0f * (yA[1] - yS[1]) + t10;
+    const float t12 = t2 + t4;
+    const float t13 = yA[0] - yD[0] + t6;
+    const float t14 = t5 - 2.0f * (yA[0] - yS[0]) + t13;
+    const float t15 = t5 + t6;
+    const float t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const float t17 = t7 * t9 + t10 * t12 + t13 * t15;
+    const float t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const float t19 = t3 * t7 + t4 * t10 + t6 * t13;
+    const float t20 = t7 * t8 + t10 * t11 + t13 * t14;
+    const float t21 = t3 * t9 + t4 * t12 + t6 * t15;
+    const float t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const float t23 = t16 * t18 - t17 * t17;
-    const float t24 = t16 * t21 - t17 * t22;
-    const float t25 = t18 * t22 - t17 * t21;
-    const float t26 = (t19 * t18 - t20 * t17) * t24;
-    const float t27 = (t20 * t16 - t19 * t17) * t25;
-    const float t28 = t26 - t23 * t23 + t27;
-    const float t29 = t28 * t28 - t27 * t26;
+    const float t24 = t16 * t22 - t17 * t20;
+    const float t25 = (t19 * t18 - t21 * t17) * t24;
+    const float t26 = t18 * t20 - t17 * t22;
+    const float t27 = (t21 * t16 - t19 * t17) * t26;
+    const float t28 = t25 - t23 * t23 + t27;
+    const float t29 = t28 * t28 - t27 * t25;
     const float t30 = t23 * t29;
     const float t31 = 1.0f / t30;
     const float t32 = t23 * t28 * t31;
     const float t33 = t29 * t31;
     const float t34 = t24 * (t27 * t32 - 1.0f);
-    const float t35 = t25 * (t26 * t32 - 1.0f);
+    const float t35 = t26 * (t25 * t32 - 1.0f);
     const float t36 = t3 * t3 + t4 * t4 + t6 * t6;
     const float t37 = t33 * t34;
     const float t38 = t33 * t35;
-    const float t39 = t19 + t36 * t37;
-    const float t40 = t20 + t36 * t38;
-    const float t41 = t35 * t39;
-    const float t42 = t20 * t34 + t41;
-    const float t43 = t17 + (t3 * t13 + t4 * t14 + t6 * t15);
-    const float t44 = t43 + 2.0f * t33 * t42;
-    const float t45 = t16 + t37 * (t19 + t39);
-    const float t46 = t18 + t38 * (t20 + t40);
-    const float t47 = t22 - t33 * t37 * (t41 + t42);
-    const float t48 = t21 - t33 * t38 * (t34 * t40 + t42);
-    const float t49 = 1.0f / (t45 * t46 - t44 * t44);
-    const float t50 = (t45 * t48 - t44 * t47) * t49;
-    const float t51 = (t46 * t47 - t44 * t48) * t49;
+    const float t39 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
+    const float t40 = t19 + t36 * t37;
+    const float t41 = t35 * t40;
+    const float t42 = t21 + t36 * t38;
+    const float t43 = t16 + t37 * (t19 + t40);
+    const float t44 = t21 * t34 + t41;
+    const float t45 = t18 + t38 * (t21 + t42);
+    const float t46 = t39 + 2.0f * t33 * t44;
+    const float t47 = t20 - t33 * t37 * (t41 + t44);
+    const float t48 = t22 - t33 * t38 * (t34 * t42 + t44);
+    const float t49 = 1.0f / (t43 * t45 - t46 * t46);
+    const float t50 = (t43 * t48 - t46 * t47) * t49;
+    const float t51 = (t45 * t47 - t46 * t48) * t49;
     const float t52 = t19 - t36 * t50;
-    const float t53 = t20 - t36 * t51;
-    const float t54 = t51 * t52;
-    const float t55 = t20 * t50 + t54;
-    const float t56 = t16 - t50 * (t19 + t52);
-    const float t57 = 2.0f * t55 - t43;
-    const float t58 = t18 - t51 * (t20 + t53);
-    const float t59 = t21 - t51 * (t50 * t53 + t55);
-    const float t60 = t22 - t50 * (t54 + t55);
-    const float t61 = 1.0f / (t57 * t57 - t56 * t58);
-    *xi = (t56 * t59 + t57 * t60) * t61;
-    *eta = (t57 * t59 + t58 * t60) * t61;
+    const float t53 = t21 - t36 * t51;
+    const float t54 = t16 - t50 * (t19 + t52);
+    const float t55 = t51 * t52;
+    const float t56 = t18 - t51 * (t21 + t53);
+    const float t57 = t21 * t50 + t55;
+    const float t58 = 2.0f * t57 - t39;
+    const float t59 = t22 - t51 * (t50 * t53 + t57);
+    const float t60 = t20 - t50 * (t55 + t57);
+    const float t61 = 1.0f / (t58 * t58 - t54 * t56);
+    *xi = (t54 * t59 + t58 * t60) * t61;
+    *eta = (t58 * t59 + t56 * t60) * t61;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1160,76 +1157,76 @@ FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const flo
     const float t5 = yA[0] - yB[0];
     const float t6 = 0.5f * (yD[0] - yC[0] - t5);
     const float t7 = yA[2] - yD[2] + t3;
-    const float t8 = yA[1] - yD[1] + t4;
+    const float t8 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
     const float t9 = t1 + t3;
-    const float t10 = t2 + t4;
-    const float t11 = yA[0] - yD[0] + t6;
-    const float t12 = t5 + t6;
-    const float t13 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
-    const float t14 = t2 - 2.0f * (yA[1] - yS[1]) + t8;
-    const float t15 = t5 - 2.0f * (yA[0] - yS[0]) + t11;
-    const float t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const float t17 = t7 * t9 + t8 * t10 + t11 * t12;
-    const float t18 = t9 * t9 + t10 * t10 + t12 * t12;
-    const float t19 = t3 * t9 + t4 * t10 + t6 * t12;
-    const float t20 = t3 * t7 + (t4 * t8 + t6 * t11);
-    const float t21 = t7 * t13 + t8 * t14 + t11 * t15;
-    const float t22 = t9 * t13 + t10 * t14 + t12 * t15;
+    const float t10 = yA[1] - yD[1] + t4;
+    const float t11 = t2 - 2.0f * (yA[1] - yS[1]) + t10;
+    const float t12 = t2 + t4;
+    const float t13 = yA[0] - yD[0] + t6;
+    const float t14 = t5 - 2.0f * (yA[0] - yS[0]) + t13;
+    const float t15 = t5 + t6;
+    const float t16 = t7 * t7 + t10 * t10 + t13 * t13;
+    const float t17 = t7 * t9 + t10 * t12 + t13 * t15;
+    const float t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const float t19 = t7 * t8 + t10 * t11 + t13 * t14;
+    const float t20 = t3 * t7 + (t4 * t10 + t6 * t13);
+    const float t21 = t3 * t9 + t4 * t12 + t6 * t15;
+    const float t22 = t9 * t8 + t12 * t11 + t15 * t14;
     const float t23 = t16 * t18 - t17 * t17;
-    const float t24 = t19 * t17 - t20 * t18;
-    const float t25 = t16 * t22 - t17 * t21;
-    const float t26 = t24 * t25;
-    const float t27 = t19 * t16 - t20 * t17;
-    const float t28 = t18 * t21 - t17 * t22;
-    const float t29 = t27 * t28;
-    const float t30 = t29 - t26 - t23 * t23;
-    const float t31 = t26 * t29 + t30 * t30;
+    const float t24 = t21 * t17 - t20 * t18;
+    const float t25 = t16 * t22 - t17 * t19;
+    const float t26 = t21 * t16 - t20 * t17;
+    const float t27 = t18 * t19 - t17 * t22;
+    const float t28 = t24 * t25;
+    const float t29 = t26 * t27;
+    const float t30 = t29 - t28 - t23 * t23;
+    const float t31 = t28 * t29 + t30 * t30;
     const float t32 = t23 * t31;
     const float t33 = 1.0f / t32;
-    const float t34 = t23 * t25 * t28 * t30 * t33;
+    const float t34 = t23 * t25 * t27 * t30 * t33;
     const float t35 = t31 * t33;
-    const float t36 = t25 - t27 * t34;
-    const float t37 = t28 + t24 * t34;
+    const float t36 = t25 - t26 * t34;
+    const float t37 = t27 + t24 * t34;
     const float t38 = t3 * t3 + t4 * t4 + t6 * t6;
     const float t39 = t35 * t36;
     const float t40 = t35 * t37;
-    const float t41 = t20 - t38 * t39;
-    const float t42 = t19 - t38 * t40;
-    const float t43 = t37 * t41;
-    const float t44 = t19 * t36 + t43;
-    const float t45 = t17 + (t3 * t13 + t4 * t14 + t6 * t15);
-    const float t46 = t45 - 2.0f * t35 * t44;
-    const float t47 = t16 - t39 * (t20 + t41);
-    const float t48 = t18 - t40 * (t19 + t42);
-    const float t49 = t21 - t35 * t39 * (t43 + t44);
-    const float t50 = t22 - t35 * t40 * (t36 * t42 + t44);
-    const float t51 = 1.0f / (t47 * t48 - t46 * t46);
-    const float t52 = (t47 * t50 - t46 * t49) * t51;
-    const float t53 = (t48 * t49 - t46 * t50) * t51;
+    const float t41 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
+    const float t42 = t20 - t38 * t39;
+    const float t43 = t37 * t42;
+    const float t44 = t21 - t38 * t40;
+    const float t45 = t16 - t39 * (t20 + t42);
+    const float t46 = t21 * t36 + t43;
+    const float t47 = t18 - t40 * (t21 + t44);
+    const float t48 = t41 - 2.0f * t35 * t46;
+    const float t49 = t19 - t35 * t39 * (t43 + t46);
+    const float t50 = t22 - t35 * t40 * (t36 * t44 + t46);
+    const float t51 = 1.0f / (t45 * t47 - t48 * t48);
+    const float t52 = (t45 * t50 - t48 * t49) * t51;
+    const float t53 = (t47 * t49 - t48 * t50) * t51;
     const float t54 = t20 - t38 * t52;
-    const float t55 = t19 - t38 * t53;
+    const float t55 = t21 - t38 * t53;
     const float t56 = t53 * t54;
-    const float t57 = t19 * t52 + t56;
-    const float t58 = t45 - 2.0f * t57;
-    const float t59 = t16 - t52 * (t20 + t54);
-    const float t60 = t18 - t53 * (t19 + t55);
-    const float t61 = t21 - t52 * (t56 + t57);
-    const float t62 = t22 - t53 * (t52 * t55 + t57);
-    const float t63 = 1.0f / (t59 * t60 - t58 * t58);
-    const float t64 = (t59 * t62 - t58 * t61) * t63;
-    const float t65 = (t60 * t61 - t58 * t62) * t63;
+    const float t57 = t16 - t52 * (t20 + t54);
+    const float t58 = t18 - t53 * (t21 + t55);
+    const float t59 = t21 * t52 + t56;
+    const float t60 = t41 - 2.0f * t59;
+    const float t61 = t19 - t52 * (t56 + t59);
+    const float t62 = t22 - t53 * (t52 * t55 + t59);
+    const float t63 = 1.0f / (t57 * t58 - t60 * t60);
+    const float t64 = (t57 * t62 - t60 * t61) * t63;
+    const float t65 = (t58 * t61 - t60 * t62) * t63;
     const float t66 = t20 - t38 * t64;
-    const float t67 = t19 - t38 * t65;
-    const float t68 = t65 * t66;
-    const float t69 = t19 * t64 + t68;
-    const float t70 = t16 - t64 * (t20 + t66);
-    const float t71 = 2.0f * t69 - t45;
-    const float t72 = t18 - t65 * (t19 + t67);
-    const float t73 = t22 - t65 * (t64 * t67 + t69);
-    const float t74 = t21 - t64 * (t68 + t69);
-    const float t75 = 1.0f / (t71 * t71 - t70 * t72);
-    *xi = (t70 * t73 + t71 * t74) * t75;
-    *eta = (t71 * t73 + t72 * t74) * t75;
+    const float t67 = t21 - t38 * t65;
+    const float t68 = t16 - t64 * (t20 + t66);
+    const float t69 = t65 * t66;
+    const float t70 = t18 - t65 * (t21 + t67);
+    const float t71 = t21 * t64 + t69;
+    const float t72 = 2.0f * t71 - t41;
+    const float t73 = t22 - t65 * (t64 * t67 + t71);
+    const float t74 = t19 - t64 * (t69 + t71);
+    const float t75 = 1.0f / (t72 * t72 - t68 * t70);
+    *xi = (t68 * t73 + t72 * t74) * t75;
+    *eta = (t72 * t73 + t70 * t74) * t75;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.

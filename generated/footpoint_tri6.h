@@ -20,9 +20,9 @@
  *     yC in [0.14, 5.00], zC = 0.00, xD in [0.47, 0.53], yD in [-0.03, 0.03], zD in [-0.08, 0.08],
  *     xE in [-1.29, 2.28], yE in [0.06, 2.52], zE in [-0.30, 0.30], xF in [-1.77, 1.79], yF in [0.06, 2.52],
  *     zF in [-0.26, 0.25], xS in [-3.67, 3.47], yS in [-0.52, 5.28], zS in [-0.41, 0.45]; all requires > 0
- *   poles: t18 * t17 - t16 * t16: proved free of zeros, |...| >= 0.73 (rounding error <= 2.1e-10)
- *   rounding error of xi: <= 2.1e-05 proved (with or without FMA), 5.3e-11 worst of 10000 points
- *   rounding error of eta: <= 2.2e-05 proved (with or without FMA), 4.5e-11 worst of 10000 points
+ *   poles: t23 * t20 - t19 * t19: proved free of zeros, |...| >= 0.73 (rounding error <= 2.1e-10)
+ *   rounding error of xi: <= 2.1e-05 proved (with or without FMA), 4.7e-11 worst of 10000 points
+ *   rounding error of eta: <= 2.2e-05 proved (with or without FMA), 4e-11 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 8.306e-03
@@ -40,8 +40,8 @@
  *     yC in [0.14, 5.00], zC = 0.00, xD in [0.47, 0.53], yD in [-0.03, 0.03], zD in [-0.08, 0.08],
  *     xE in [-1.29, 2.28], yE in [0.06, 2.52], zE in [-0.30, 0.30], xF in [-1.77, 1.79], yF in [0.06, 2.52],
  *     zF in [-0.26, 0.25], xS in [-3.67, 3.47], yS in [-0.52, 5.28], zS in [-0.41, 0.45]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.046 (rounding error <= 1.5e-11)
- *   poles: t48 * t49 - t47 * t47: proved free of zeros, |...| >= 0.01 (rounding error <= 3.1e+18)
+ *   poles: t18 * t19 - t17 * t17: proved free of zeros, |...| >= 0.046 (rounding error <= 1.5e-11)
+ *   poles: t51 * t54 - t50 * t50: proved free of zeros, |...| >= 0.01 (rounding error <= 3.1e+18)
  *   rounding error of xi: no bound found, 4.4e-11 worst of 10000 points
  *   rounding error of eta: no bound found, 3.9e-11 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -61,8 +61,8 @@
  *     yC in [0.14, 5.00], zC = 0.00, xD in [0.47, 0.53], yD in [-0.03, 0.03], zD in [-0.08, 0.08],
  *     xE in [-1.29, 2.28], yE in [0.06, 2.52], zE in [-0.30, 0.30], xF in [-1.77, 1.79], yF in [0.06, 2.52],
  *     zF in [-0.26, 0.25], xS in [-3.67, 3.47], yS in [-0.52, 5.28], zS in [-0.41, 0.45]; all requires > 0
- *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.73 (rounding error <= 2.3e-10)
- *   poles: t58 * t59 + t57 * t57: proved free of zeros, |...| >= 0.16 (rounding error <= 1.1e+20)
+ *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.73 (rounding error <= 2.3e-10)
+ *   poles: t57 * t60 + t58 * t58: proved free of zeros, |...| >= 0.16 (rounding error <= 1.1e+20)
  *   rounding error of xi: no bound found, 6.4e-08 worst of 10000 points
  *   rounding error of eta: no bound found, 5.9e-09 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -82,10 +82,10 @@
  *     yC in [0.14, 5.00], zC = 0.00, xD in [0.47, 0.53], yD in [-0.03, 0.03], zD in [-0.08, 0.08],
  *     xE in [-1.29, 2.28], yE in [0.06, 2.52], zE in [-0.30, 0.30], xF in [-1.77, 1.79], yF in [0.06, 2.52],
  *     zF in [-0.26, 0.25], xS in [-3.67, 3.47], yS in [-0.52, 5.28], zS in [-0.41, 0.45]; all requires > 0
- *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.0028 (rounding error <= 8.8e-13)
- *   poles: t58 * t59 - t57 * t57: proved free of zeros, |...| >= 0.00063 (rounding error <= 4.5e+17)
- *   rounding error of xi: no bound found, 0.0043 worst of 10000 points
- *   rounding error of eta: no bound found, 0.0011 worst of 10000 points
+ *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.0028 (rounding error <= 8.8e-13)
+ *   poles: t61 * t59 - t57 * t57: proved free of zeros, |...| >= 0.00063 (rounding error <= 4.5e+17)
+ *   rounding error of xi: no bound found, 0.0036 worst of 10000 points
+ *   rounding error of eta: no bound found, 0.00068 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.911e-06
@@ -103,9 +103,9 @@
  *     yC in [0.14, 5.00], zC = 0.00, xD in [0.47, 0.53], yD in [-0.03, 0.03], zD in [-0.08, 0.08],
  *     xE in [-1.29, 2.28], yE in [0.06, 2.52], zE in [-0.30, 0.30], xF in [-1.77, 1.79], yF in [0.06, 2.52],
  *     zF in [-0.26, 0.25], xS in [-3.67, 3.47], yS in [-0.52, 5.28], zS in [-0.41, 0.45]; all requires > 0
- *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.73 (rounding error <= 2.3e-10)
- *   poles: t54 * t54 - t55 * t56: proved free of zeros, |...| >= 0.16 (rounding error <= 6.8e+19)
- *   poles: t87 * t88 - t86 * t86: proved free of zeros, |...| >= 0.14
+ *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.73 (rounding error <= 2.3e-10)
+ *   poles: t57 * t57 - t58 * t61: proved free of zeros, |...| >= 0.16 (rounding error <= 6.8e+19)
+ *   poles: t86 * t89 - t87 * t87: proved free of zeros, |...| >= 0.14
  *   rounding error of xi: no bound found, 2e-11 worst of 10000 points
  *   rounding error of eta: no bound found, 8.8e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -125,10 +125,10 @@
  *     yC in [0.14, 5.00], zC = 0.00, xD in [0.47, 0.53], yD in [-0.03, 0.03], zD in [-0.08, 0.08],
  *     xE in [-1.29, 2.28], yE in [0.06, 2.52], zE in [-0.30, 0.30], xF in [-1.77, 1.79], yF in [0.06, 2.52],
  *     zF in [-0.26, 0.25], xS in [-3.67, 3.47], yS in [-0.52, 5.28], zS in [-0.41, 0.45]; all requires > 0
- *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.73 (rounding error <= 2.3e-10)
- *   poles: t55 * t56 - t54 * t54: proved free of zeros, |...| >= 0.16 (rounding error <= 1.1e+20)
- *   poles: t87 * t87 + t85 * t86: proved free of zeros, |...| >= 0.14
- *   poles: t115 * t116 + t114 * t114: proved free of zeros, |...| >= 0.12
+ *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.73 (rounding error <= 2.3e-10)
+ *   poles: t60 * t57 - t56 * t56: proved free of zeros, |...| >= 0.16 (rounding error <= 1.1e+20)
+ *   poles: t89 * t89 + t85 * t87: proved free of zeros, |...| >= 0.14
+ *   poles: t114 * t117 + t115 * t115: proved free of zeros, |...| >= 0.12
  *   rounding error of xi: no bound found, 5.3e-12 worst of 8752 points
  *   rounding error of eta: no bound found, 4.5e-12 worst of 8752 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -148,11 +148,11 @@
  *     yC in [0.14, 5.00], zC = 0.00, xD in [0.47, 0.53], yD in [-0.03, 0.03], zD in [-0.08, 0.08],
  *     xE in [-1.29, 2.28], yE in [0.06, 2.52], zE in [-0.30, 0.30], xF in [-1.77, 1.79], yF in [0.06, 2.52],
  *     zF in [-0.26, 0.25], xS in [-3.67, 3.47], yS in [-0.52, 5.28], zS in [-0.41, 0.45]; all requires > 0
- *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.73 (rounding error <= 2.4e-10)
- *   poles: t55 * t56 - t54 * t54: proved free of zeros, |...| >= 0.16 (rounding error <= 1.3e+20)
- *   poles: t87 * t88 - t86 * t86: proved free of zeros, |...| >= 0.14
- *   poles: t116 * t117 - t115 * t115: proved free of zeros, |...| >= 0.12
- *   poles: t145 * t146 - t144 * t144: proved free of zeros, |...| >= 0.12
+ *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.73 (rounding error <= 2.4e-10)
+ *   poles: t58 * t61 - t57 * t57: proved free of zeros, |...| >= 0.16 (rounding error <= 1.3e+20)
+ *   poles: t90 * t88 - t86 * t86: proved free of zeros, |...| >= 0.14
+ *   poles: t119 * t117 - t115 * t115: proved free of zeros, |...| >= 0.12
+ *   poles: t144 * t147 - t145 * t145: proved free of zeros, |...| >= 0.12
  *   rounding error of xi: no bound found, 5.8e-11 worst of 7181 points
  *   rounding error of eta: no bound found, 2.7e-11 worst of 7181 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -286,25 +286,25 @@ FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3],
     const double t5 = xA[1] - 4.0 * xE[1];
     const double t6 = xB[1] - 4.0 * xF[1];
     const double t7 = t2 - t1;
-    const double t8 = t2 - t3;
-    const double t9 = t5 - t4;
-    const double t10 = t5 - t6;
-    const double t11 = xC[0] - 4.0 * xD[0];
-    const double t12 = xA[0] - 4.0 * xE[0];
-    const double t13 = xB[0] - 4.0 * xF[0];
-    const double t14 = t12 - t11;
-    const double t15 = t12 - t13;
-    const double t16 = t7 * t8 + t9 * t10 + t14 * t15;
-    const double t17 = t7 * t7 + t9 * t9 + t14 * t14;
-    const double t18 = t8 * t8 + t10 * t10 + t15 * t15;
-    const double t19 = 9.0 * xS[1] + t4 + t6 + t5;
-    const double t20 = 9.0 * xS[0] + t11 + t13 + t12;
-    const double t21 = 9.0 * xS[2] + t1 + t3 + t2;
-    const double t22 = t9 * t19 + t14 * t20 + t7 * t21;
-    const double t23 = t10 * t19 + t15 * t20 + t8 * t21;
-    const double t24 = (1.0 / 3.0) / (t18 * t17 - t16 * t16);
-    *xi = (1.0 / 3.0) - (t17 * t23 - t16 * t22) * t24;
-    *eta = (t16 * t23 - t18 * t22) * t24 + (1.0 / 3.0);
+    const double t8 = 9.0 * xS[2] + t1 + t3 + t2;
+    const double t9 = t2 - t3;
+    const double t10 = t5 - t4;
+    const double t11 = 9.0 * xS[1] + t4 + t6 + t5;
+    const double t12 = t5 - t6;
+    const double t13 = xC[0] - 4.0 * xD[0];
+    const double t14 = xA[0] - 4.0 * xE[0];
+    const double t15 = xB[0] - 4.0 * xF[0];
+    const double t16 = t14 - t13;
+    const double t17 = 9.0 * xS[0] + t13 + t15 + t14;
+    const double t18 = t14 - t15;
+    const double t19 = t7 * t9 + t10 * t12 + t16 * t18;
+    const double t20 = t7 * t7 + t10 * t10 + t16 * t16;
+    const double t21 = t10 * t11 + t16 * t17 + t7 * t8;
+    const double t22 = t12 * t11 + t18 * t17 + t9 * t8;
+    const double t23 = t9 * t9 + t12 * t12 + t18 * t18;
+    const double t24 = (1.0 / 3.0) / (t23 * t20 - t19 * t19);
+    *xi = (1.0 / 3.0) - (t20 * t22 - t19 * t21) * t24;
+    *eta = (t19 * t22 - t23 * t21) * t24 + (1.0 / 3.0);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -345,14 +345,14 @@ FOOTPOINT_LOOP void footpoint_tri6_fast_n(size_t n, const double *const x[21],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_tri6_fast_points[][25] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 1.5930059803465904, 0.7629584393468295, 1.5109096813498514e-14, 4.3113005507459662e-15},
-    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -3.788622140827258, 2.2662195473069868, 6.2862639322815004e-14, 3.1371692181153969e-14},
-    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -1.0765664397597956, 1.2866616207767885, 3.5143328222016258e-14, 8.3769834661272626e-15},
-    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.40509612700686948, 0.90133801983538386, 2.164649232558182e-15, 1.9480748857712851e-15},
-    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, -0.81207893233630435, -0.96386480965489707, 2.8353443614310016e-15, 4.1556560441974501e-15},
-    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.80405455705968265, 1.89427677141907, 2.6677576204872011e-15, 7.3616515299183787e-15},
-    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 2.050255345455529, 1.8956375411360449, 6.2541016757339855e-15, 5.0639348553546278e-15},
-    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.015685459993755743, 1.013466422279385, 1.9371050172683594e-15, 2.5860686720577828e-15},
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 1.5930059803465904, 0.7629584393468295, 1.5109096813498514e-14, 4.3113005507459654e-15},
+    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -3.788622140827258, 2.2662195473069868, 6.2862639322815017e-14, 3.1371692181153963e-14},
+    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -1.0765664397597956, 1.2866616207767885, 3.514332822201624e-14, 8.3769834661272594e-15},
+    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.40509612700686948, 0.90133801983538386, 2.164649232558182e-15, 1.9480748857712847e-15},
+    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, -0.81207893233630435, -0.96386480965489707, 2.8353443614310008e-15, 4.1556560441974501e-15},
+    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.80405455705968265, 1.89427677141907, 2.6677576204872011e-15, 7.3616515299183803e-15},
+    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 2.050255345455529, 1.8956375411360449, 6.2541016757339863e-15, 5.0639348553546278e-15},
+    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.015685459993755743, 1.013466422279385, 1.9371050172683598e-15, 2.5860686720577832e-15},
 };
 #endif
 
@@ -360,63 +360,63 @@ static const double footpoint_tri6_fast_points[][25] = {
 FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                            const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xD[0] - xE[0];
-    const double t2 = xF[2] + xD[2];
-    const double t3 = xF[1] + xD[1];
-    const double t4 = xB[0] + xA[0];
-    const double t5 = xA[2] - xC[2] + 4.0 * (xD[2] - xE[2]);
-    const double t6 = 0.25 * (xB[2] - xA[2]) + (xE[2] - xF[2]);
-    const double t7 = xA[1] - xC[1] + 4.0 * (xD[1] - xE[1]);
-    const double t8 = 0.25 * (xB[1] - xA[1]) + (xE[1] - xF[1]);
-    const double t9 = xB[2] + xA[2];
-    const double t10 = xE[2] + t2;
-    const double t11 = xB[1] + xA[1];
-    const double t12 = xE[1] + t3;
-    const double t13 = xA[0] - xC[0] + 4.0 * t1;
-    const double t14 = 0.25 * (xB[0] - xA[0]) + (xE[0] - xF[0]);
-    const double t15 = t5 * t6 + t7 * t8 + t13 * t14;
-    const double t16 = t5 * t5 + t7 * t7 + t13 * t13;
-    const double t17 = t6 * t6 + t8 * t8 + t14 * t14;
-    const double t18 = xC[2] + t9 - t10 - 3.0 * (t10 - 3.0 * xS[2]);
-    const double t19 = xC[1] + t11 - t12 - 3.0 * (t12 - 3.0 * xS[1]);
-    const double t20 = xC[0] + t4 + 9.0 * xS[0] - 4.0 * (xF[0] + xE[0] + xD[0]);
-    const double t21 = t5 * t18 + t7 * t19 + t13 * t20;
-    const double t22 = t6 * t18 + t8 * t19 + t14 * t20;
-    const double t23 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t24 = (t16 * t22 - t15 * t21) * t23;
-    const double t25 = (t17 * t21 - t15 * t22) * t23;
-    const double t26 = xE[2] + xA[2] - t2;
-    const double t27 = (0.125 * t9 - 0.25 * xD[2]) * t24;
-    const double t28 = xE[1] + xA[1] - t3;
-    const double t29 = (0.125 * t11 - 0.25 * xD[1]) * t24;
-    const double t30 = (2.0 * (xC[2] + xA[2]) - 4.0 * xF[2]) * t25;
-    const double t31 = (2.0 * (xC[1] + xA[1]) - 4.0 * xF[1]) * t25;
-    const double t32 = xA[0] - xF[0] - t1;
-    const double t33 = (0.125 * t4 - 0.25 * xD[0]) * t24;
-    const double t34 = (2.0 * (xC[0] + xA[0]) - 4.0 * xF[0]) * t25;
-    const double t35 = t5 + t30;
-    const double t36 = t6 + t27 - t26 * t25;
-    const double t37 = t7 + t31;
-    const double t38 = t8 + t29 - t28 * t25;
-    const double t39 = t13 + t34;
-    const double t40 = t14 + t33 - t32 * t25;
-    const double t41 = t30 - t26 * t24 + t35;
-    const double t42 = t31 - t28 * t24 + t37;
-    const double t43 = t27 + t36;
-    const double t44 = t29 + t38;
-    const double t45 = t34 - t32 * t24 + t39;
-    const double t46 = t33 + t40;
-    const double t47 = t41 * t43 + t42 * t44 + t45 * t46;
-    const double t48 = t41 * t41 + t42 * t42 + t45 * t45;
-    const double t49 = t43 * t43 + t44 * t44 + t46 * t46;
-    const double t50 = t18 - t25 * t35 - t24 * t36;
-    const double t51 = t19 - t25 * t37 - t24 * t38;
-    const double t52 = t20 - t25 * t39 - t24 * t40;
-    const double t53 = t41 * t50 + t42 * t51 + t45 * t52;
-    const double t54 = t43 * t50 + t44 * t51 + t46 * t52;
-    const double t55 = 1.0 / (t48 * t49 - t47 * t47);
-    *xi = (1.0 / 12.0) * (t24 + 4.0 + (t48 * t54 - t53 * t47) * t55);
-    *eta = (1.0 / 3.0) * (1.0 - t25 - (t53 * t49 - t54 * t47) * t55);
+    const double t1 = xA[2] - xC[2] + 4.0 * (xD[2] - xE[2]);
+    const double t2 = 0.25 * (xB[2] - xA[2]) + (xE[2] - xF[2]);
+    const double t3 = xA[1] - xC[1] + 4.0 * (xD[1] - xE[1]);
+    const double t4 = 0.25 * (xB[1] - xA[1]) + (xE[1] - xF[1]);
+    const double t5 = xD[0] - xE[0];
+    const double t6 = xA[0] - xC[0] + 4.0 * t5;
+    const double t7 = 0.25 * (xB[0] - xA[0]) + (xE[0] - xF[0]);
+    const double t8 = xF[2] + xD[2];
+    const double t9 = xF[1] + xD[1];
+    const double t10 = xB[0] + xA[0];
+    const double t11 = xB[2] + xA[2];
+    const double t12 = xE[2] + t8;
+    const double t13 = xB[1] + xA[1];
+    const double t14 = xE[1] + t9;
+    const double t15 = xC[2] + t11 - t12 - 3.0 * (t12 - 3.0 * xS[2]);
+    const double t16 = xC[1] + t13 - t14 - 3.0 * (t14 - 3.0 * xS[1]);
+    const double t17 = t1 * t2 + t3 * t4 + t6 * t7;
+    const double t18 = t1 * t1 + t3 * t3 + t6 * t6;
+    const double t19 = t2 * t2 + t4 * t4 + t7 * t7;
+    const double t20 = 1.0 / (t18 * t19 - t17 * t17);
+    const double t21 = xC[0] + t10 + 9.0 * xS[0] - 4.0 * (xF[0] + xE[0] + xD[0]);
+    const double t22 = xE[2] + xA[2] - t8;
+    const double t23 = xE[1] + xA[1] - t9;
+    const double t24 = t1 * t15 + t3 * t16 + t6 * t21;
+    const double t25 = t2 * t15 + t4 * t16 + t7 * t21;
+    const double t26 = (t18 * t25 - t17 * t24) * t20;
+    const double t27 = (t19 * t24 - t17 * t25) * t20;
+    const double t28 = (0.125 * t11 - 0.25 * xD[2]) * t26;
+    const double t29 = (0.125 * t13 - 0.25 * xD[1]) * t26;
+    const double t30 = xA[0] - xF[0] - t5;
+    const double t31 = (0.125 * t10 - 0.25 * xD[0]) * t26;
+    const double t32 = (2.0 * (xC[2] + xA[2]) - 4.0 * xF[2]) * t27;
+    const double t33 = t1 + t32;
+    const double t34 = (2.0 * (xC[1] + xA[1]) - 4.0 * xF[1]) * t27;
+    const double t35 = t3 + t34;
+    const double t36 = t2 + t28 - t22 * t27;
+    const double t37 = t32 - t22 * t26 + t33;
+    const double t38 = t28 + t36;
+    const double t39 = t4 + t29 - t23 * t27;
+    const double t40 = t34 - t23 * t26 + t35;
+    const double t41 = t29 + t39;
+    const double t42 = (2.0 * (xC[0] + xA[0]) - 4.0 * xF[0]) * t27;
+    const double t43 = t6 + t42;
+    const double t44 = t7 + t31 - t30 * t27;
+    const double t45 = t42 - t30 * t26 + t43;
+    const double t46 = t31 + t44;
+    const double t47 = t15 - t27 * t33 - t26 * t36;
+    const double t48 = t16 - t27 * t35 - t26 * t39;
+    const double t49 = t21 - t27 * t43 - t26 * t44;
+    const double t50 = t37 * t38 + t40 * t41 + t45 * t46;
+    const double t51 = t37 * t37 + t40 * t40 + t45 * t45;
+    const double t52 = t37 * t47 + t40 * t48 + t45 * t49;
+    const double t53 = t38 * t47 + t41 * t48 + t46 * t49;
+    const double t54 = t38 * t38 + t41 * t41 + t46 * t46;
+    const double t55 = 1.0 / (t51 * t54 - t50 * t50);
+    *xi = (1.0 / 12.0) * (t26 + 4.0 + (t51 * t53 - t52 * t50) * t55);
+    *eta = (1.0 / 3.0) * (1.0 - t27 - (t52 * t54 - t53 * t50) * t55);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -457,14 +457,14 @@ FOOTPOINT_LOOP void footpoint_tri6_coarse_n(size_t n, const double *const x[21],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_tri6_coarse_points[][25] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.93717535871798729, 0.60636847486702683, 9.3915658562979456e-15, 2.6039464170933571e-15},
-    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -1.6583398923204942, 1.3504864787470781, 4.0688099250074034e-14, 1.7167476316729226e-14},
-    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -0.10278955249454436, 1.0886971943176524, 1.681493720721969e-14, 5.1452844044498861e-15},
-    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.077149702841947249, 0.72889126498622525, 2.055463486071381e-15, 1.6151201404396571e-15},
-    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 0.045554991891773429, -0.39337944730002422, 7.0668821943301851e-15, 3.4763347777080188e-15},
-    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.50290982890112712, 1.1400797858153955, 1.0059439762929179e-14, 7.936837388429678e-15},
-    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.2734971041372181, 1.3120230182372503, 5.7914206823220953e-15, 4.6823096616200681e-15},
-    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.054713666838839665, 0.88177647619611965, 1.7779017613090413e-15, 2.4001958191793521e-15},
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.93717535871798729, 0.60636847486702683, 9.3915658562979472e-15, 2.6039464170933567e-15},
+    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -1.6583398923204942, 1.3504864787470781, 4.0688099250074085e-14, 1.7167476316729226e-14},
+    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -0.10278955249454436, 1.0886971943176524, 1.6814937207219709e-14, 5.1452844044498885e-15},
+    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.077149702841947249, 0.72889126498622525, 2.0554634860713822e-15, 1.6151201404396573e-15},
+    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 0.045554991891773429, -0.39337944730002422, 7.066882194330178e-15, 3.4763347777080188e-15},
+    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.50290982890112712, 1.1400797858153955, 1.0059439762929167e-14, 7.9368373884296701e-15},
+    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.2734971041372181, 1.3120230182372503, 5.7914206823220993e-15, 4.6823096616200673e-15},
+    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.054713666838839665, 0.88177647619611965, 1.7779017613090413e-15, 2.4001958191793525e-15},
 };
 #endif
 
@@ -472,70 +472,70 @@ static const double footpoint_tri6_coarse_points[][25] = {
 FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                            const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xD[2] + xF[2];
-    const double t2 = xD[1] + xF[1];
-    const double t3 = xE[2] + t1;
-    const double t4 = xE[1] + t2;
-    const double t5 = xD[0] + xF[0];
-    const double t6 = xA[2] - xC[2] - 4.0 * (xE[2] - xD[2]);
-    const double t7 = xA[2] - xB[2] - 4.0 * (xE[2] - xF[2]);
-    const double t8 = xA[1] - xC[1] + 4.0 * (xD[1] - xE[1]);
-    const double t9 = xA[1] - xB[1] - 4.0 * (xE[1] - xF[1]);
-    const double t10 = xB[2] + xA[2];
-    const double t11 = xB[1] + xA[1];
-    const double t12 = xE[0] + t5;
-    const double t13 = xA[0] - xC[0] - 4.0 * (xE[0] - xD[0]);
-    const double t14 = xA[0] - xB[0] - 4.0 * (xE[0] - xF[0]);
-    const double t15 = xB[0] + xA[0];
-    const double t16 = t6 * t7 + t8 * t9 + t13 * t14;
-    const double t17 = t6 * t6 + t8 * t8 + t13 * t13;
-    const double t18 = t7 * t7 + t9 * t9 + t14 * t14;
-    const double t19 = 4.0 * (xC[2] + t10 - t3) + 36.0 * (xS[2] - (1.0 / 3.0) * t3);
-    const double t20 = 4.0 * (xC[1] + t11 - t4) + 36.0 * (xS[1] - (1.0 / 3.0) * t4);
-    const double t21 = 4.0 * (xC[0] + t15 - t12) + 36.0 * (xS[0] - (1.0 / 3.0) * t12);
-    const double t22 = t6 * t19 + t8 * t20 + t13 * t21;
-    const double t23 = t7 * t19 + t9 * t20 + t14 * t21;
-    const double t24 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t25 = (t17 * t23 - t16 * t22) * t24;
-    const double t26 = xD[2] - 0.5 * t10;
-    const double t27 = (t16 * t23 - t18 * t22) * t24;
-    const double t28 = 0.5 * (xC[2] + xA[2]) - xF[2];
-    const double t29 = xD[1] - 0.5 * t11;
-    const double t30 = 0.5 * (xC[1] + xA[1]) - xF[1];
-    const double t31 = t26 * t25;
-    const double t32 = xE[2] + xA[2] - t1;
-    const double t33 = t28 * t27;
-    const double t34 = t29 * t25;
-    const double t35 = xE[1] + xA[1] - t2;
-    const double t36 = t30 * t27;
-    const double t37 = xD[0] - 0.5 * t15;
-    const double t38 = 0.5 * (xC[0] + xA[0]) - xF[0];
-    const double t39 = t37 * t25;
-    const double t40 = xE[0] + xA[0] - t5;
-    const double t41 = t38 * t27;
-    const double t42 = t6 - t33;
-    const double t43 = t8 - t36;
-    const double t44 = t7 - t31 - t32 * t27;
-    const double t45 = t9 - t34 - t35 * t27;
-    const double t46 = t13 - t41;
-    const double t47 = t14 - t39 - t40 * t27;
-    const double t48 = t19 + t27 * t42 - t25 * t44;
-    const double t49 = t20 + t27 * t43 - t25 * t45;
-    const double t50 = t31 - t44;
-    const double t51 = t21 + t27 * t46 - t25 * t47;
-    const double t52 = t33 - t32 * t25 - t42;
-    const double t53 = t36 - t35 * t25 - t43;
-    const double t54 = t34 - t45;
-    const double t55 = t41 - t40 * t25 - t46;
-    const double t56 = t39 - t47;
-    const double t57 = t32 * t48 + t35 * t49 + t40 * t51 - t52 * t50 - t53 * t54 - t55 * t56;
-    const double t58 = 2.0 * (t28 * t48 + t30 * t49 + t38 * t51) - t52 * t52 - t53 * t53 - t55 * t55;
-    const double t59 = 2.0 * (t26 * t48 + t29 * t49 + t37 * t51) + t50 * t50 + t54 * t54 + t56 * t56;
-    const double t60 = t52 * t48 + t53 * t49 + t55 * t51;
-    const double t61 = t50 * t48 + t54 * t49 + t56 * t51;
-    const double t62 = 1.0 / (t58 * t59 + t57 * t57);
-    *xi = (1.0 / 12.0) * ((t61 * t58 - t60 * t57) * t62 + 4.0 - t25);
-    *eta = (1.0 / 12.0) * (t27 + 4.0 - (t61 * t57 + t60 * t59) * t62);
+    const double t1 = xA[2] - xC[2] - 4.0 * (xE[2] - xD[2]);
+    const double t2 = xA[2] - xB[2] - 4.0 * (xE[2] - xF[2]);
+    const double t3 = xA[1] - xB[1] - 4.0 * (xE[1] - xF[1]);
+    const double t4 = xD[2] + xF[2];
+    const double t5 = xD[1] + xF[1];
+    const double t6 = xA[0] - xC[0] - 4.0 * (xE[0] - xD[0]);
+    const double t7 = xA[0] - xB[0] - 4.0 * (xE[0] - xF[0]);
+    const double t8 = xE[2] + t4;
+    const double t9 = xE[1] + t5;
+    const double t10 = xD[0] + xF[0];
+    const double t11 = xA[1] - xC[1] + 4.0 * (xD[1] - xE[1]);
+    const double t12 = xB[2] + xA[2];
+    const double t13 = xB[1] + xA[1];
+    const double t14 = xE[0] + t10;
+    const double t15 = 4.0 * (xC[2] + t12 - t8) + 36.0 * (xS[2] - (1.0 / 3.0) * t8);
+    const double t16 = 4.0 * (xC[1] + t13 - t9) + 36.0 * (xS[1] - (1.0 / 3.0) * t9);
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t1 * t2 + t11 * t3 + t6 * t7;
+    const double t19 = t1 * t1 + t11 * t11 + t6 * t6;
+    const double t20 = t2 * t2 + t3 * t3 + t7 * t7;
+    const double t21 = 4.0 * (xC[0] + t17 - t14) + 36.0 * (xS[0] - (1.0 / 3.0) * t14);
+    const double t22 = 1.0 / (t19 * t20 - t18 * t18);
+    const double t23 = xD[2] - 0.5 * t12;
+    const double t24 = xD[1] - 0.5 * t13;
+    const double t25 = xE[2] + xA[2] - t4;
+    const double t26 = xE[1] + xA[1] - t5;
+    const double t27 = xD[0] - 0.5 * t17;
+    const double t28 = t1 * t15 + t11 * t16 + t6 * t21;
+    const double t29 = t2 * t15 + t3 * t16 + t7 * t21;
+    const double t30 = (t19 * t29 - t18 * t28) * t22;
+    const double t31 = (t18 * t29 - t20 * t28) * t22;
+    const double t32 = xE[0] + xA[0] - t10;
+    const double t33 = 0.5 * (xC[2] + xA[2]) - xF[2];
+    const double t34 = 0.5 * (xC[1] + xA[1]) - xF[1];
+    const double t35 = t23 * t30;
+    const double t36 = t33 * t31;
+    const double t37 = t1 - t36;
+    const double t38 = t24 * t30;
+    const double t39 = t34 * t31;
+    const double t40 = t11 - t39;
+    const double t41 = 0.5 * (xC[0] + xA[0]) - xF[0];
+    const double t42 = t2 - t35 - t25 * t31;
+    const double t43 = t35 - t42;
+    const double t44 = t3 - t38 - t26 * t31;
+    const double t45 = t27 * t30;
+    const double t46 = t41 * t31;
+    const double t47 = t6 - t46;
+    const double t48 = t38 - t44;
+    const double t49 = t7 - t45 - t32 * t31;
+    const double t50 = t45 - t49;
+    const double t51 = t15 + t31 * t37 - t30 * t42;
+    const double t52 = t16 + t31 * t40 - t30 * t44;
+    const double t53 = t36 - t25 * t30 - t37;
+    const double t54 = t39 - t26 * t30 - t40;
+    const double t55 = t21 + t31 * t47 - t30 * t49;
+    const double t56 = t46 - t32 * t30 - t47;
+    const double t57 = 2.0 * (t33 * t51 + t34 * t52 + t41 * t55) - t53 * t53 - t54 * t54 - t56 * t56;
+    const double t58 = t25 * t51 + t26 * t52 + t32 * t55 - t53 * t43 - t54 * t48 - t56 * t50;
+    const double t59 = t53 * t51 + t54 * t52 + t56 * t55;
+    const double t60 = 2.0 * (t23 * t51 + t24 * t52 + t27 * t55) + t43 * t43 + t48 * t48 + t50 * t50;
+    const double t61 = t43 * t51 + t48 * t52 + t50 * t55;
+    const double t62 = 1.0 / (t57 * t60 + t58 * t58);
+    *xi = (1.0 / 12.0) * ((t61 * t57 - t59 * t58) * t62 + 4.0 - t30);
+    *eta = (1.0 / 12.0) * (t31 + 4.0 - (t61 * t58 + t59 * t60) * t62);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -576,14 +576,14 @@ FOOTPOINT_LOOP void footpoint_tri6_medium_n(size_t n, const double *const x[21],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_tri6_medium_points[][25] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68317867307350932, 0.84635386775751087, 3.6804256008227948e-14, 2.1434627734737382e-14},
-    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -2.056849269847588, 1.696349237061052, 5.1885094135739208e-14, 2.2719387806472417e-14},
-    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.28200108957030201, 2.2803448254594985, 1.541251565216246e-13, 2.5664776402356217e-13},
-    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, 0.1388093418429579, 1.157905943472942, 2.5946549527797472e-14, 3.3507518275089637e-14},
-    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, -0.30862893847015965, -0.56432852070184403, 7.7515567564495839e-15, 4.101315943988622e-15},
-    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, -0.20918366804760266, 1.6271652367743015, 2.1527077242307642e-14, 1.2568656840374441e-14},
-    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.444057316894322, 1.4556071062482805, 6.0764509633457518e-15, 4.8657792010260305e-15},
-    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.047985066860236528, 0.90062351727222023, 2.096725398514601e-15, 3.1036634403522475e-15},
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68317867307350932, 0.84635386775751087, 3.680425600822796e-14, 2.1434627734737357e-14},
+    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -2.056849269847588, 1.696349237061052, 5.1885094135739119e-14, 2.2719387806472411e-14},
+    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.28200108957030201, 2.2803448254594985, 1.5412515652162463e-13, 2.5664776402356217e-13},
+    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, 0.1388093418429579, 1.157905943472942, 2.5946549527797501e-14, 3.3507518275089675e-14},
+    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, -0.30862893847015965, -0.56432852070184403, 7.7515567564495886e-15, 4.1013159439886189e-15},
+    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, -0.20918366804760266, 1.6271652367743015, 2.152707724230769e-14, 1.2568656840374437e-14},
+    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.444057316894322, 1.4556071062482805, 6.0764509633457447e-15, 4.8657792010260281e-15},
+    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.047985066860236528, 0.90062351727222023, 2.096725398514607e-15, 3.1036634403522664e-15},
 };
 #endif
 
@@ -591,89 +591,89 @@ static const double footpoint_tri6_medium_points[][25] = {
 FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                              const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xD[2] + xF[2];
-    const double t2 = xD[1] + xF[1];
-    const double t3 = xE[2] + t1;
-    const double t4 = xE[1] + t2;
-    const double t5 = xD[0] + xF[0];
-    const double t6 = 0.25 * (xC[2] - xA[2]) + (xE[2] - xD[2]);
-    const double t7 = 0.25 * (xB[2] - xA[2]) + (xE[2] - xF[2]);
-    const double t8 = 0.25 * (xC[1] - xA[1]) + (xE[1] - xD[1]);
-    const double t9 = 0.25 * (xB[1] - xA[1]) + (xE[1] - xF[1]);
-    const double t10 = xB[2] + xA[2];
-    const double t11 = xB[1] + xA[1];
-    const double t12 = xE[0] + t5;
-    const double t13 = 0.25 * (xC[0] - xA[0]) + (xE[0] - xD[0]);
-    const double t14 = 0.25 * (xB[0] - xA[0]) + (xE[0] - xF[0]);
-    const double t15 = xB[0] + xA[0];
-    const double t16 = t6 * t7 + t8 * t9 + t13 * t14;
-    const double t17 = t6 * t6 + t8 * t8 + t13 * t13;
-    const double t18 = t7 * t7 + t9 * t9 + t14 * t14;
-    const double t19 = 0.25 * (xC[2] + t10 - t3) + 2.25 * (xS[2] - (1.0 / 3.0) * t3);
-    const double t20 = 0.25 * (xC[1] + t11 - t4) + 2.25 * (xS[1] - (1.0 / 3.0) * t4);
-    const double t21 = 0.25 * (xC[0] + t15 - t12) + 2.25 * (xS[0] - (1.0 / 3.0) * t12);
-    const double t22 = t6 * t19 + t8 * t20 + t13 * t21;
-    const double t23 = t7 * t19 + t9 * t20 + t14 * t21;
-    const double t24 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t25 = (t17 * t23 - t16 * t22) * t24;
-    const double t26 = xD[2] - 0.5 * t10;
-    const double t27 = (t18 * t22 - t16 * t23) * t24;
-    const double t28 = xF[2] - 0.5 * (xC[2] + xA[2]);
-    const double t29 = xD[1] - 0.5 * t11;
-    const double t30 = xF[1] - 0.5 * (xC[1] + xA[1]);
-    const double t31 = t26 * t25;
-    const double t32 = xE[2] + xA[2] - t1;
-    const double t33 = t28 * t27;
-    const double t34 = t29 * t25;
-    const double t35 = xE[1] + xA[1] - t2;
-    const double t36 = t30 * t27;
-    const double t37 = xD[0] - 0.5 * t15;
-    const double t38 = xF[0] - 0.5 * (xC[0] + xA[0]);
-    const double t39 = t37 * t25;
-    const double t40 = xE[0] + xA[0] - t5;
-    const double t41 = t38 * t27;
-    const double t42 = t6 - t33;
-    const double t43 = t8 - t36;
-    const double t44 = t31 - t7 - t32 * t27;
-    const double t45 = t34 - t9 - t35 * t27;
-    const double t46 = t13 - t41;
-    const double t47 = t39 - t14 - t40 * t27;
-    const double t48 = t27 * t42 - t19 - t25 * t44;
-    const double t49 = t27 * t43 - t20 - t25 * t45;
-    const double t50 = t31 + t44;
-    const double t51 = t27 * t46 - t21 - t25 * t47;
-    const double t52 = t33 - t32 * t25 - t42;
-    const double t53 = t36 - t35 * t25 - t43;
-    const double t54 = t34 + t45;
-    const double t55 = t41 - t40 * t25 - t46;
-    const double t56 = t39 + t47;
-    const double t57 = t32 * t48 + t35 * t49 + t40 * t51 + t52 * t50 + t53 * t54 + t55 * t56;
-    const double t58 = 2.0 * (t28 * t48 + t30 * t49 + t38 * t51) - t52 * t52 - t53 * t53 - t55 * t55;
-    const double t59 = 2.0 * (t26 * t48 + t29 * t49 + t37 * t51) - t50 * t50 - t54 * t54 - t56 * t56;
-    const double t60 = t52 * t48 + t53 * t49 + t55 * t51;
-    const double t61 = t50 * t48 + t54 * t49 + t56 * t51;
-    const double t62 = -1.0 / (t58 * t59 - t57 * t57);
-    const double t63 = t25 + (t61 * t58 + t60 * t57) * t62;
-    const double t64 = t27 + (t61 * t57 + t60 * t59) * t62;
-    const double t65 = t26 * t63;
-    const double t66 = t28 * t64;
-    const double t67 = t29 * t63;
-    const double t68 = t30 * t64;
-    const double t69 = t37 * t63;
-    const double t70 = t38 * t64;
-    const double t71 = t6 - t66;
-    const double t72 = t8 - t68;
-    const double t73 = t65 - t7 - t32 * t64;
-    const double t74 = t67 - t9 - t35 * t64;
-    const double t75 = t13 - t70;
-    const double t76 = t69 - t14 - t40 * t64;
-    const double t77 = t19 - t64 * t71 + t63 * t73;
-    const double t78 = t20 - t64 * t72 + t63 * t74;
-    const double t79 = t21 - t64 * t75 + t63 * t76;
-    const double t80 = (t66 - t32 * t63 - t71) * t77 + (t68 - t35 * t63 - t72) * t78 + (t70 - t40 * t63 - t75) *
+    const double t1 = 0.25 * (xC[2] - xA[2]) + (xE[2] - xD[2]);
+    const double t2 = 0.25 * (xB[2] - xA[2]) + (xE[2] - xF[2]);
+    const double t3 = 0.25 * (xC[1] - xA[1]) + (xE[1] - xD[1]);
+    const double t4 = 0.25 * (xB[1] - xA[1]) + (xE[1] - xF[1]);
+    const double t5 = xD[2] + xF[2];
+    const double t6 = xD[1] + xF[1];
+    const double t7 = 0.25 * (xC[0] - xA[0]) + (xE[0] - xD[0]);
+    const double t8 = 0.25 * (xB[0] - xA[0]) + (xE[0] - xF[0]);
+    const double t9 = xE[2] + t5;
+    const double t10 = xE[1] + t6;
+    const double t11 = xD[0] + xF[0];
+    const double t12 = xB[2] + xA[2];
+    const double t13 = xB[1] + xA[1];
+    const double t14 = xE[0] + t11;
+    const double t15 = 0.25 * (xC[2] + t12 - t9) + 2.25 * (xS[2] - (1.0 / 3.0) * t9);
+    const double t16 = 0.25 * (xC[1] + t13 - t10) + 2.25 * (xS[1] - (1.0 / 3.0) * t10);
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t1 * t2 + t3 * t4 + t7 * t8;
+    const double t19 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t20 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t21 = 0.25 * (xC[0] + t17 - t14) + 2.25 * (xS[0] - (1.0 / 3.0) * t14);
+    const double t22 = 1.0 / (t19 * t20 - t18 * t18);
+    const double t23 = xD[2] - 0.5 * t12;
+    const double t24 = xD[1] - 0.5 * t13;
+    const double t25 = xE[2] + xA[2] - t5;
+    const double t26 = xE[1] + xA[1] - t6;
+    const double t27 = xD[0] - 0.5 * t17;
+    const double t28 = t1 * t15 + t3 * t16 + t7 * t21;
+    const double t29 = t2 * t15 + t4 * t16 + t8 * t21;
+    const double t30 = (t19 * t29 - t18 * t28) * t22;
+    const double t31 = (t20 * t28 - t18 * t29) * t22;
+    const double t32 = xE[0] + xA[0] - t11;
+    const double t33 = xF[2] - 0.5 * (xC[2] + xA[2]);
+    const double t34 = xF[1] - 0.5 * (xC[1] + xA[1]);
+    const double t35 = t23 * t30;
+    const double t36 = t33 * t31;
+    const double t37 = t24 * t30;
+    const double t38 = t34 * t31;
+    const double t39 = xF[0] - 0.5 * (xC[0] + xA[0]);
+    const double t40 = t35 - t2 - t25 * t31;
+    const double t41 = t35 + t40;
+    const double t42 = t37 - t4 - t26 * t31;
+    const double t43 = t27 * t30;
+    const double t44 = t39 * t31;
+    const double t45 = t37 + t42;
+    const double t46 = t1 - t36;
+    const double t47 = t3 - t38;
+    const double t48 = t43 - t8 - t32 * t31;
+    const double t49 = t43 + t48;
+    const double t50 = t31 * t46 - t15 - t30 * t40;
+    const double t51 = t31 * t47 - t16 - t30 * t42;
+    const double t52 = t7 - t44;
+    const double t53 = t36 - t25 * t30 - t46;
+    const double t54 = t38 - t26 * t30 - t47;
+    const double t55 = t31 * t52 - t21 - t30 * t48;
+    const double t56 = t44 - t32 * t30 - t52;
+    const double t57 = t25 * t50 + t26 * t51 + t32 * t55 + t53 * t41 + t54 * t45 + t56 * t49;
+    const double t58 = t53 * t50 + t54 * t51 + t56 * t55;
+    const double t59 = 2.0 * (t23 * t50 + t24 * t51 + t27 * t55) - t41 * t41 - t45 * t45 - t49 * t49;
+    const double t60 = t41 * t50 + t45 * t51 + t49 * t55;
+    const double t61 = 2.0 * (t33 * t50 + t34 * t51 + t39 * t55) - t53 * t53 - t54 * t54 - t56 * t56;
+    const double t62 = -1.0 / (t61 * t59 - t57 * t57);
+    const double t63 = t30 + (t60 * t61 + t58 * t57) * t62;
+    const double t64 = t31 + (t60 * t57 + t58 * t59) * t62;
+    const double t65 = t23 * t63;
+    const double t66 = t33 * t64;
+    const double t67 = t24 * t63;
+    const double t68 = t34 * t64;
+    const double t69 = t27 * t63;
+    const double t70 = t39 * t64;
+    const double t71 = t1 - t66;
+    const double t72 = t3 - t68;
+    const double t73 = t7 - t70;
+    const double t74 = t65 - t2 - t25 * t64;
+    const double t75 = t15 - t64 * t71 + t63 * t74;
+    const double t76 = t67 - t4 - t26 * t64;
+    const double t77 = t16 - t64 * t72 + t63 * t76;
+    const double t78 = t69 - t8 - t32 * t64;
+    const double t79 = t21 - t64 * t73 + t63 * t78;
+    const double t80 = (t66 - t25 * t63 - t71) * t75 + (t68 - t26 * t63 - t72) * t77 + (t70 - t32 * t63 - t73) *
         t79;
-    const double t81 = (t65 + t73) * t77 + (t67 + t74) * t78 + (t69 + t76) * t79;
-    *xi = (1.0 / 3.0) * (t63 + 1.0 - t62 * (t58 * t81 + t57 * t80));
+    const double t81 = (t65 + t74) * t75 + (t67 + t76) * t77 + (t69 + t78) * t79;
+    *xi = (1.0 / 3.0) * (t63 + 1.0 - t62 * (t61 * t81 + t57 * t80));
     *eta = (1.0 / 3.0) * (t64 + 1.0 - t62 * (t57 * t81 + t59 * t80));
 }
 
@@ -715,14 +715,14 @@ FOOTPOINT_LOOP void footpoint_tri6_balanced_n(size_t n, const double *const x[21
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_tri6_balanced_points[][25] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 2.4478301840742658, 0.021410591442985908, 4.352923223039577e-13, 1.7826989651170125e-13},
-    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -1.5927784033436341, 1.5236500140458946, 4.1973502779030288e-14, 1.904187042671192e-14},
-    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -9.4189607782898257, -11.732145907971578, 6.231543991058202e-12, 8.8130936267700627e-12},
-    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -5.1994426524968231, -5.9446339362530534, 1.343950358115848e-12, 1.7663746954784942e-12},
-    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, -0.10315585946472945, -0.46124304238941988, 8.1063342829451729e-15, 3.4034025701625432e-15},
-    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.2958183652649336, 1.315872236377901, 3.9435135246413874e-14, 1.7037451922755905e-14},
-    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.2906402307005449, 1.3473041439379256, 4.7896432632985024e-15, 3.8317657256365669e-15},
-    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.050626879532320798, 0.88514501108893329, 1.0665278260282944e-15, 1.928670160617627e-15},
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 2.4478301840742658, 0.021410591442985908, 4.3529232230395775e-13, 1.782698965117009e-13},
+    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -1.5927784033436341, 1.5236500140458946, 4.1973502779030169e-14, 1.9041870426711907e-14},
+    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, -9.4189607782898257, -11.732145907971578, 6.2315439910582028e-12, 8.8130936267700482e-12},
+    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -5.1994426524968231, -5.9446339362530534, 1.3439503581158506e-12, 1.766374695478497e-12},
+    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, -0.10315585946472945, -0.46124304238941988, 8.1063342829451587e-15, 3.4034025701625408e-15},
+    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.2958183652649336, 1.315872236377901, 3.9435135246413754e-14, 1.7037451922755908e-14},
+    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.2906402307005449, 1.3473041439379256, 4.7896432632984985e-15, 3.8317657256365669e-15},
+    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.050626879532320798, 0.88514501108893329, 1.0665278260283037e-15, 1.9286701606176613e-15},
 };
 #endif
 
@@ -730,99 +730,99 @@ static const double footpoint_tri6_balanced_points[][25] = {
 FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                          const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xD[2] + xF[2];
-    const double t2 = xD[1] + xF[1];
-    const double t3 = xE[2] + t1;
-    const double t4 = xE[1] + t2;
-    const double t5 = xD[0] + xF[0];
-    const double t6 = xA[2] - xC[2] - 4.0 * (xE[2] - xD[2]);
-    const double t7 = xA[2] - xB[2] - 4.0 * (xE[2] - xF[2]);
-    const double t8 = xA[1] - xC[1] - 4.0 * (xE[1] - xD[1]);
-    const double t9 = xA[1] - xB[1] - 4.0 * (xE[1] - xF[1]);
-    const double t10 = xB[2] + xA[2];
-    const double t11 = xB[1] + xA[1];
-    const double t12 = xE[0] + t5;
-    const double t13 = xA[0] - xC[0] - 4.0 * (xE[0] - xD[0]);
-    const double t14 = xA[0] - xB[0] - 4.0 * (xE[0] - xF[0]);
-    const double t15 = xB[0] + xA[0];
-    const double t16 = t6 * t7 + t8 * t9 + t13 * t14;
-    const double t17 = t6 * t6 + t8 * t8 + t13 * t13;
-    const double t18 = t7 * t7 + t9 * t9 + t14 * t14;
-    const double t19 = 4.0 * (xC[2] + t10 - t3) + 36.0 * (xS[2] - (1.0 / 3.0) * t3);
-    const double t20 = 4.0 * (xC[1] + t11 - t4) + 36.0 * (xS[1] - (1.0 / 3.0) * t4);
-    const double t21 = 4.0 * (xC[0] + t15 - t12) + 36.0 * (xS[0] - (1.0 / 3.0) * t12);
-    const double t22 = t6 * t19 + t8 * t20 + t13 * t21;
-    const double t23 = t7 * t19 + t9 * t20 + t14 * t21;
-    const double t24 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t25 = (t18 * t22 - t16 * t23) * t24;
-    const double t26 = xE[2] + xA[2] - t1;
-    const double t27 = xE[1] + xA[1] - t2;
-    const double t28 = (t17 * t23 - t16 * t22) * t24;
-    const double t29 = xF[2] - 0.5 * (xC[2] + xA[2]);
-    const double t30 = xD[2] - 0.5 * t10;
-    const double t31 = xF[1] - 0.5 * (xC[1] + xA[1]);
-    const double t32 = xE[0] + xA[0] - t5;
-    const double t33 = t29 * t25;
-    const double t34 = t30 * t28;
-    const double t35 = t31 * t25;
-    const double t36 = xF[0] - 0.5 * (xC[0] + xA[0]);
-    const double t37 = xD[1] - 0.5 * t11;
-    const double t38 = t36 * t25;
-    const double t39 = t6 - t33;
-    const double t40 = t7 + t26 * t25 - t34;
-    const double t41 = t8 - t35;
-    const double t42 = t37 * t28;
-    const double t43 = xD[0] - 0.5 * t15;
-    const double t44 = t42 - (t9 + t27 * t25);
-    const double t45 = t13 - t38;
-    const double t46 = t43 * t28;
-    const double t47 = t26 * t28 - t33 + t39;
-    const double t48 = t34 - t40;
-    const double t49 = t27 * t28 - t35 + t41;
-    const double t50 = t42 + t44;
-    const double t51 = t46 - (t14 + t32 * t25);
-    const double t52 = t32 * t28 - t38 + t45;
-    const double t53 = t46 + t51;
-    const double t54 = t47 * t48 + t49 * t50 + t52 * t53;
-    const double t55 = t47 * t47 + t49 * t49 + t52 * t52;
-    const double t56 = t48 * t48 + t50 * t50 + t53 * t53;
-    const double t57 = t19 - t25 * t39 - t28 * t40;
-    const double t58 = t20 - t25 * t41 + t28 * t44;
-    const double t59 = t21 - t25 * t45 + t28 * t51;
-    const double t60 = t47 * t57 + t49 * t58 + t52 * t59;
-    const double t61 = t57 * t48 + t50 * t58 + t53 * t59;
-    const double t62 = 1.0 / (t54 * t54 - t55 * t56);
-    const double t63 = t28 + (t55 * t61 - t54 * t60) * t62;
-    const double t64 = t25 + (t54 * t61 - t56 * t60) * t62;
-    const double t65 = t30 * t63;
-    const double t66 = t29 * t64;
-    const double t67 = t37 * t63;
-    const double t68 = t31 * t64;
-    const double t69 = t43 * t63;
-    const double t70 = t36 * t64;
-    const double t71 = t6 - t66;
-    const double t72 = t8 - t68;
-    const double t73 = t7 - t65 + t26 * t64;
-    const double t74 = t9 - t67 + t27 * t64;
-    const double t75 = t13 - t70;
-    const double t76 = t14 - t69 + t32 * t64;
-    const double t77 = t19 - t64 * t71 - t63 * t73;
-    const double t78 = t20 - t64 * t72 - t63 * t74;
-    const double t79 = t65 - t73;
-    const double t80 = t21 - t64 * t75 - t63 * t76;
-    const double t81 = t26 * t63 - t66 + t71;
-    const double t82 = t27 * t63 - t68 + t72;
-    const double t83 = t67 - t74;
-    const double t84 = t32 * t63 - t70 + t75;
-    const double t85 = t69 - t76;
-    const double t86 = t26 * t77 + t27 * t78 + t32 * t80 + t81 * t79 + t82 * t83 + t84 * t85;
-    const double t87 = t81 * t81 + t82 * t82 + t84 * t84 + 2.0 * (t29 * t77 + t31 * t78 + t36 * t80);
-    const double t88 = 2.0 * (t30 * t77 + t37 * t78 + t43 * t80) + t79 * t79 + t83 * t83 + t85 * t85;
-    const double t89 = t81 * t77 + t82 * t78 + t84 * t80;
-    const double t90 = t79 * t77 + t83 * t78 + t85 * t80;
-    const double t91 = 1.0 / (t87 * t88 - t86 * t86);
-    *xi = (1.0 / 12.0) * (4.0 - t63 - (t89 * t86 - t90 * t87) * t91);
-    *eta = (1.0 / 12.0) * (4.0 - t64 - (t89 * t88 - t90 * t86) * t91);
+    const double t1 = xA[2] - xC[2] - 4.0 * (xE[2] - xD[2]);
+    const double t2 = xA[2] - xB[2] - 4.0 * (xE[2] - xF[2]);
+    const double t3 = xA[1] - xC[1] - 4.0 * (xE[1] - xD[1]);
+    const double t4 = xA[1] - xB[1] - 4.0 * (xE[1] - xF[1]);
+    const double t5 = xD[2] + xF[2];
+    const double t6 = xD[1] + xF[1];
+    const double t7 = xA[0] - xC[0] - 4.0 * (xE[0] - xD[0]);
+    const double t8 = xA[0] - xB[0] - 4.0 * (xE[0] - xF[0]);
+    const double t9 = xE[2] + t5;
+    const double t10 = xE[1] + t6;
+    const double t11 = xD[0] + xF[0];
+    const double t12 = xB[2] + xA[2];
+    const double t13 = xB[1] + xA[1];
+    const double t14 = xE[0] + t11;
+    const double t15 = 4.0 * (xC[2] + t12 - t9) + 36.0 * (xS[2] - (1.0 / 3.0) * t9);
+    const double t16 = 4.0 * (xC[1] + t13 - t10) + 36.0 * (xS[1] - (1.0 / 3.0) * t10);
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t1 * t2 + t3 * t4 + t7 * t8;
+    const double t19 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t20 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t21 = 4.0 * (xC[0] + t17 - t14) + 36.0 * (xS[0] - (1.0 / 3.0) * t14);
+    const double t22 = 1.0 / (t19 * t20 - t18 * t18);
+    const double t23 = xE[2] + xA[2] - t5;
+    const double t24 = xE[1] + xA[1] - t6;
+    const double t25 = xD[2] - 0.5 * t12;
+    const double t26 = xE[0] + xA[0] - t11;
+    const double t27 = t1 * t15 + t3 * t16 + t7 * t21;
+    const double t28 = t2 * t15 + t4 * t16 + t8 * t21;
+    const double t29 = (t20 * t27 - t18 * t28) * t22;
+    const double t30 = (t19 * t28 - t18 * t27) * t22;
+    const double t31 = xD[1] - 0.5 * t13;
+    const double t32 = xD[0] - 0.5 * t17;
+    const double t33 = xF[2] - 0.5 * (xC[2] + xA[2]);
+    const double t34 = xF[1] - 0.5 * (xC[1] + xA[1]);
+    const double t35 = t33 * t29;
+    const double t36 = t25 * t30;
+    const double t37 = t2 + t23 * t29 - t36;
+    const double t38 = t36 - t37;
+    const double t39 = t34 * t29;
+    const double t40 = xF[0] - 0.5 * (xC[0] + xA[0]);
+    const double t41 = t40 * t29;
+    const double t42 = t1 - t35;
+    const double t43 = t23 * t30 - t35 + t42;
+    const double t44 = t3 - t39;
+    const double t45 = t24 * t30 - t39 + t44;
+    const double t46 = t31 * t30;
+    const double t47 = t46 - (t4 + t24 * t29);
+    const double t48 = t46 + t47;
+    const double t49 = t15 - t29 * t42 - t30 * t37;
+    const double t50 = t16 - t29 * t44 + t30 * t47;
+    const double t51 = t7 - t41;
+    const double t52 = t26 * t30 - t41 + t51;
+    const double t53 = t32 * t30;
+    const double t54 = t53 - (t8 + t26 * t29);
+    const double t55 = t53 + t54;
+    const double t56 = t21 - t29 * t51 + t30 * t54;
+    const double t57 = t43 * t38 + t45 * t48 + t52 * t55;
+    const double t58 = t43 * t43 + t45 * t45 + t52 * t52;
+    const double t59 = t43 * t49 + t45 * t50 + t52 * t56;
+    const double t60 = t49 * t38 + t48 * t50 + t55 * t56;
+    const double t61 = t38 * t38 + t48 * t48 + t55 * t55;
+    const double t62 = 1.0 / (t57 * t57 - t58 * t61);
+    const double t63 = t30 + (t58 * t60 - t57 * t59) * t62;
+    const double t64 = t29 + (t57 * t60 - t61 * t59) * t62;
+    const double t65 = t25 * t63;
+    const double t66 = t33 * t64;
+    const double t67 = t1 - t66;
+    const double t68 = t31 * t63;
+    const double t69 = t34 * t64;
+    const double t70 = t3 - t69;
+    const double t71 = t2 - t65 + t23 * t64;
+    const double t72 = t65 - t71;
+    const double t73 = t4 - t68 + t24 * t64;
+    const double t74 = t32 * t63;
+    const double t75 = t40 * t64;
+    const double t76 = t7 - t75;
+    const double t77 = t68 - t73;
+    const double t78 = t8 - t74 + t26 * t64;
+    const double t79 = t74 - t78;
+    const double t80 = t15 - t64 * t67 - t63 * t71;
+    const double t81 = t16 - t64 * t70 - t63 * t73;
+    const double t82 = t23 * t63 - t66 + t67;
+    const double t83 = t24 * t63 - t69 + t70;
+    const double t84 = t21 - t64 * t76 - t63 * t78;
+    const double t85 = t26 * t63 - t75 + t76;
+    const double t86 = t82 * t82 + t83 * t83 + t85 * t85 + 2.0 * (t33 * t80 + t34 * t81 + t40 * t84);
+    const double t87 = t23 * t80 + t24 * t81 + t26 * t84 + t82 * t72 + t83 * t77 + t85 * t79;
+    const double t88 = t82 * t80 + t83 * t81 + t85 * t84;
+    const double t89 = 2.0 * (t25 * t80 + t31 * t81 + t32 * t84) + t72 * t72 + t77 * t77 + t79 * t79;
+    const double t90 = t72 * t80 + t77 * t81 + t79 * t84;
+    const double t91 = 1.0 / (t86 * t89 - t87 * t87);
+    *xi = (1.0 / 12.0) * (4.0 - t63 - (t88 * t87 - t90 * t86) * t91);
+    *eta = (1.0 / 12.0) * (4.0 - t64 - (t88 * t89 - t90 * t87) * t91);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -863,14 +863,14 @@ FOOTPOINT_LOOP void footpoint_tri6_fine_n(size_t n, const double *const x[21],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_tri6_fine_points[][25] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.73007858287234262, 0.58501442435324058, 3.809759956364274e-15, 2.1468028776893834e-15},
-    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.73275601554160363, 1.1133277989013666, 2.5708678670169909e-14, 1.1375567962820942e-14},
-    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.14254715457824979, 1.0890419134466731, 7.7772130742349235e-15, 6.1423632727194726e-15},
-    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.0088279071413165534, 0.70644810799714042, 8.2425827830357298e-16, 1.2331483904337315e-15},
-    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 2.1667359432017816, -0.53217399128790843, 1.7281946952756582e-13, 2.620533791709512e-14},
-    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, -0.037461765134876666, 1.0472607821768718, 1.5313594179252415e-14, 8.8175219313807213e-15},
-    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.0920580073271038, 1.2079844025373385, 2.9221886780248375e-15, 2.4510242313674365e-15},
-    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.052192962743816004, 0.87673618265876607, 8.5341290723919644e-16, 1.1858324858286216e-15},
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.73007858287234262, 0.58501442435324058, 3.8097599563642298e-15, 2.1468028776893132e-15},
+    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.73275601554160363, 1.1133277989013666, 2.5708678670169881e-14, 1.1375567962820854e-14},
+    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.14254715457824979, 1.0890419134466731, 7.7772130742349472e-15, 6.1423632727194647e-15},
+    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.0088279071413165534, 0.70644810799714042, 8.2425827830356312e-16, 1.2331483904337179e-15},
+    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 2.1667359432017816, -0.53217399128790843, 1.7281946952756695e-13, 2.6205337917095082e-14},
+    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, -0.037461765134876666, 1.0472607821768718, 1.5313594179252702e-14, 8.8175219313807687e-15},
+    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.0920580073271038, 1.2079844025373385, 2.9221886780248632e-15, 2.4510242313674065e-15},
+    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.052192962743816004, 0.87673618265876607, 8.5341290723964816e-16, 1.1858324858292454e-15},
 };
 #endif
 
@@ -878,127 +878,127 @@ static const double footpoint_tri6_fine_points[][25] = {
 FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xD[2] + xF[2];
-    const double t2 = xD[1] + xF[1];
-    const double t3 = xE[2] + t1;
-    const double t4 = xE[1] + t2;
-    const double t5 = xD[0] + xF[0];
-    const double t6 = xA[2] - xC[2] + 4.0 * (xD[2] - xE[2]);
-    const double t7 = xB[2] - xA[2] + (4.0 * (xE[2] - xF[2]));
-    const double t8 = xA[1] - xC[1] - (4.0 * (xE[1] - xD[1]));
-    const double t9 = xA[1] - xB[1] - (4.0 * (xE[1] - xF[1]));
-    const double t10 = xB[2] + xA[2];
-    const double t11 = xB[1] + xA[1];
-    const double t12 = xE[0] + t5;
-    const double t13 = xA[0] - xC[0] + 4.0 * (xD[0] - xE[0]);
-    const double t14 = xA[0] - xB[0] - (4.0 * (xE[0] - xF[0]));
-    const double t15 = xB[0] + xA[0];
-    const double t16 = t8 * t9 - t6 * t7 + t13 * t14;
-    const double t17 = t6 * t6 + t8 * t8 + t13 * t13;
-    const double t18 = t7 * t7 + t9 * t9 + t14 * t14;
-    const double t19 = 4.0 * (xC[2] + t10 - t3) + 36.0 * (xS[2] - (1.0 / 3.0) * t3);
-    const double t20 = 4.0 * (xC[1] + t11 - t4) + 36.0 * (xS[1] - (1.0 / 3.0) * t4);
-    const double t21 = 4.0 * (xC[0] + t15 - t12) + 36.0 * (xS[0] - (1.0 / 3.0) * t12);
-    const double t22 = t6 * t19 + t8 * t20 + t13 * t21;
-    const double t23 = t7 * t19 - t9 * t20 - t14 * t21;
-    const double t24 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t25 = (t16 * t23 + t18 * t22) * t24;
-    const double t26 = xE[2] + xA[2] - t1;
-    const double t27 = xE[1] + xA[1] - t2;
-    const double t28 = (t16 * t22 + t17 * t23) * t24;
-    const double t29 = xF[0] - 0.5 * (xC[0] + xA[0]);
-    const double t30 = 0.5 * (xC[1] + xA[1]) - xF[1];
-    const double t31 = xE[0] + xA[0] - t5;
-    const double t32 = t29 * t25;
-    const double t33 = xF[2] - 0.5 * (xC[2] + xA[2]);
-    const double t34 = xD[2] - 0.5 * t10;
-    const double t35 = t30 * t25;
-    const double t36 = xD[0] - 0.5 * t15;
-    const double t37 = t33 * t25;
-    const double t38 = t34 * t28;
-    const double t39 = xD[1] - 0.5 * t11;
-    const double t40 = t36 * t28;
-    const double t41 = t13 - t32;
-    const double t42 = t38 - (t7 - t26 * t25);
-    const double t43 = t8 + t35;
-    const double t44 = t39 * t28;
-    const double t45 = t14 + t31 * t25;
-    const double t46 = t6 - t26 * t28 - 2.0 * t37;
-    const double t47 = t38 + t42;
-    const double t48 = t44 + (t9 + t27 * t25);
-    const double t49 = 2.0 * t40 + t45;
-    const double t50 = t41 - t32 - t31 * t28;
-    const double t51 = t35 - t27 * t28 + t43;
-    const double t52 = t44 + t48;
-    const double t53 = t19 - t25 * (t6 - t37) + t28 * t42;
-    const double t54 = t49 * t50 + t46 * t47 + t51 * t52;
-    const double t55 = t46 * t46 + t51 * t51 + t50 * t50;
-    const double t56 = t49 * t49 + t47 * t47 + t52 * t52;
-    const double t57 = t21 - t25 * t41 + t28 * (t40 + t45);
-    const double t58 = t20 - t25 * t43 + t28 * t48;
-    const double t59 = t50 * t57 + t51 * t58 + t46 * t53;
-    const double t60 = t49 * t57 + t47 * t53 + t52 * t58;
-    const double t61 = 1.0 / (t55 * t56 - t54 * t54);
-    const double t62 = t28 + (t54 * t59 - t55 * t60) * t61;
-    const double t63 = t34 * t62;
-    const double t64 = t25 + (t56 * t59 - t54 * t60) * t61;
-    const double t65 = t39 * t62;
-    const double t66 = t36 * t62;
-    const double t67 = t33 * t64;
-    const double t68 = t30 * t64;
-    const double t69 = t7 - t63 - t26 * t64;
-    const double t70 = t9 + t65 + t27 * t64;
-    const double t71 = t29 * t64;
-    const double t72 = t6 - t67;
-    const double t73 = t8 + t68;
-    const double t74 = t14 + t66 + t31 * t64;
-    const double t75 = t63 - t69;
-    const double t76 = t65 + t70;
-    const double t77 = t13 - t71;
-    const double t78 = t66 + t74;
-    const double t79 = t72 - t26 * t62 - t67;
-    const double t80 = t68 - t27 * t62 + t73;
-    const double t81 = t77 - t31 * t62 - t71;
-    const double t82 = t62 * t69 - t19 + t64 * t72;
-    const double t83 = t64 * t73 - t20 - t62 * t70;
-    const double t84 = t64 * t77 - t21 - t62 * t74;
-    const double t85 = t79 * t79 + t80 * t80 + t81 * t81 + 2.0 * (t30 * t83 - t33 * t82 - t29 * t84);
-    const double t86 = 2.0 * (t34 * t82 + t39 * t83 + t36 * t84) - t75 * t75 - t76 * t76 - t78 * t78;
-    const double t87 = t79 * t75 + t80 * t76 + t81 * t78 + t26 * t82 + t27 * t83 + t31 * t84;
-    const double t88 = t79 * t82 + t80 * t83 + t81 * t84;
-    const double t89 = t75 * t82 + t76 * t83 + t78 * t84;
-    const double t90 = 1.0 / (t87 * t87 + t85 * t86);
-    const double t91 = t62 + (t88 * t87 - t89 * t85) * t90;
-    const double t92 = (t89 * t87 + t88 * t86) * t90 - t64;
-    const double t93 = t34 * t91;
-    const double t94 = t33 * t92;
-    const double t95 = t39 * t91;
-    const double t96 = t30 * t92;
-    const double t97 = t36 * t91;
-    const double t98 = t29 * t92;
-    const double t99 = t6 + t94;
-    const double t100 = t8 - t96;
-    const double t101 = t7 - t93 + t26 * t92;
-    const double t102 = t9 + t95 - t27 * t92;
-    const double t103 = t13 + t98;
-    const double t104 = t14 + t97 - t31 * t92;
-    const double t105 = t19 + t92 * t99 - t91 * t101;
-    const double t106 = t20 + t92 * t100 + t91 * t102;
-    const double t107 = t93 - t101;
-    const double t108 = t21 + t92 * t103 + t91 * t104;
-    const double t109 = t94 - t26 * t91 + t99;
-    const double t110 = t100 - t96 - t27 * t91;
-    const double t111 = t95 + t102;
-    const double t112 = t98 - t31 * t91 + t103;
-    const double t113 = t97 + t104;
-    const double t114 = t26 * t105 + t27 * t106 + t31 * t108 - t109 * t107 - t110 * t111 - t112 * t113;
-    const double t115 = 2.0 * (t30 * t106 - t33 * t105 - t29 * t108) - t109 * t109 - t110 * t110 - t112 * t112;
-    const double t116 = 2.0 * (t34 * t105 + t39 * t106 + t36 * t108) + t107 * t107 + t111 * t111 + t113 * t113;
-    const double t117 = t109 * t105 + t110 * t106 + t112 * t108;
-    const double t118 = t107 * t105 + t111 * t106 + t113 * t108;
-    const double t119 = 1.0 / (t115 * t116 + t114 * t114);
-    *xi = (1.0 / 12.0) * (t91 + 4.0 + (t117 * t114 - t118 * t115) * t119);
-    *eta = (1.0 / 12.0) * (t92 + 4.0 + (t118 * t114 + t117 * t116) * t119);
+    const double t1 = xB[2] - xA[2] + (4.0 * (xE[2] - xF[2]));
+    const double t2 = xA[1] - xC[1] - (4.0 * (xE[1] - xD[1]));
+    const double t3 = xA[1] - xB[1] - (4.0 * (xE[1] - xF[1]));
+    const double t4 = xD[2] + xF[2];
+    const double t5 = xD[1] + xF[1];
+    const double t6 = xA[0] - xB[0] - (4.0 * (xE[0] - xF[0]));
+    const double t7 = xE[2] + t4;
+    const double t8 = xE[1] + t5;
+    const double t9 = xD[0] + xF[0];
+    const double t10 = xA[2] - xC[2] + 4.0 * (xD[2] - xE[2]);
+    const double t11 = xB[2] + xA[2];
+    const double t12 = xB[1] + xA[1];
+    const double t13 = xE[0] + t9;
+    const double t14 = xA[0] - xC[0] + 4.0 * (xD[0] - xE[0]);
+    const double t15 = 4.0 * (xC[2] + t11 - t7) + 36.0 * (xS[2] - (1.0 / 3.0) * t7);
+    const double t16 = 4.0 * (xC[1] + t12 - t8) + 36.0 * (xS[1] - (1.0 / 3.0) * t8);
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t2 * t3 - t10 * t1 + t14 * t6;
+    const double t19 = t10 * t10 + t2 * t2 + t14 * t14;
+    const double t20 = t1 * t1 + t3 * t3 + t6 * t6;
+    const double t21 = 4.0 * (xC[0] + t17 - t13) + 36.0 * (xS[0] - (1.0 / 3.0) * t13);
+    const double t22 = 1.0 / (t19 * t20 - t18 * t18);
+    const double t23 = xE[2] + xA[2] - t4;
+    const double t24 = xE[1] + xA[1] - t5;
+    const double t25 = t10 * t15 + t2 * t16 + t14 * t21;
+    const double t26 = t1 * t15 - t3 * t16 - t6 * t21;
+    const double t27 = (t18 * t26 + t20 * t25) * t22;
+    const double t28 = (t18 * t25 + t19 * t26) * t22;
+    const double t29 = xE[0] + xA[0] - t9;
+    const double t30 = xD[2] - 0.5 * t11;
+    const double t31 = xD[0] - 0.5 * t17;
+    const double t32 = xD[1] - 0.5 * t12;
+    const double t33 = xF[0] - 0.5 * (xC[0] + xA[0]);
+    const double t34 = 0.5 * (xC[1] + xA[1]) - xF[1];
+    const double t35 = t33 * t27;
+    const double t36 = xF[2] - 0.5 * (xC[2] + xA[2]);
+    const double t37 = t34 * t27;
+    const double t38 = t6 + t29 * t27;
+    const double t39 = t36 * t27;
+    const double t40 = t10 - t23 * t28 - 2.0 * t39;
+    const double t41 = t30 * t28;
+    const double t42 = t41 - (t1 - t23 * t27);
+    const double t43 = t41 + t42;
+    const double t44 = t15 - t27 * (t10 - t39) + t28 * t42;
+    const double t45 = t31 * t28;
+    const double t46 = t14 - t35;
+    const double t47 = t46 - t35 - t29 * t28;
+    const double t48 = t2 + t37;
+    const double t49 = t37 - t24 * t28 + t48;
+    const double t50 = t32 * t28;
+    const double t51 = t50 + (t3 + t24 * t27);
+    const double t52 = t50 + t51;
+    const double t53 = t16 - t27 * t48 + t28 * t51;
+    const double t54 = 2.0 * t45 + t38;
+    const double t55 = t21 - t27 * t46 + t28 * (t45 + t38);
+    const double t56 = t54 * t47 + t40 * t43 + t49 * t52;
+    const double t57 = t54 * t54 + t43 * t43 + t52 * t52;
+    const double t58 = t54 * t55 + t43 * t44 + t52 * t53;
+    const double t59 = t47 * t55 + t49 * t53 + t40 * t44;
+    const double t60 = t40 * t40 + t49 * t49 + t47 * t47;
+    const double t61 = 1.0 / (t60 * t57 - t56 * t56);
+    const double t62 = t28 + (t56 * t59 - t60 * t58) * t61;
+    const double t63 = t27 + (t57 * t59 - t56 * t58) * t61;
+    const double t64 = t30 * t62;
+    const double t65 = t32 * t62;
+    const double t66 = t1 - t64 - t23 * t63;
+    const double t67 = t64 - t66;
+    const double t68 = t3 + t65 + t24 * t63;
+    const double t69 = t65 + t68;
+    const double t70 = t31 * t62;
+    const double t71 = t36 * t63;
+    const double t72 = t34 * t63;
+    const double t73 = t6 + t70 + t29 * t63;
+    const double t74 = t70 + t73;
+    const double t75 = t33 * t63;
+    const double t76 = t10 - t71;
+    const double t77 = t76 - t23 * t62 - t71;
+    const double t78 = t62 * t66 - t15 + t63 * t76;
+    const double t79 = t2 + t72;
+    const double t80 = t72 - t24 * t62 + t79;
+    const double t81 = t63 * t79 - t16 - t62 * t68;
+    const double t82 = t14 - t75;
+    const double t83 = t82 - t29 * t62 - t75;
+    const double t84 = t63 * t82 - t21 - t62 * t73;
+    const double t85 = t77 * t77 + t80 * t80 + t83 * t83 + 2.0 * (t34 * t81 - t36 * t78 - t33 * t84);
+    const double t86 = t77 * t78 + t80 * t81 + t83 * t84;
+    const double t87 = 2.0 * (t30 * t78 + t32 * t81 + t31 * t84) - t67 * t67 - t69 * t69 - t74 * t74;
+    const double t88 = t67 * t78 + t69 * t81 + t74 * t84;
+    const double t89 = t77 * t67 + t80 * t69 + t83 * t74 + t23 * t78 + t24 * t81 + t29 * t84;
+    const double t90 = 1.0 / (t89 * t89 + t85 * t87);
+    const double t91 = t62 + (t86 * t89 - t88 * t85) * t90;
+    const double t92 = (t88 * t89 + t86 * t87) * t90 - t63;
+    const double t93 = t30 * t91;
+    const double t94 = t36 * t92;
+    const double t95 = t10 + t94;
+    const double t96 = t32 * t91;
+    const double t97 = t34 * t92;
+    const double t98 = t2 - t97;
+    const double t99 = t1 - t93 + t23 * t92;
+    const double t100 = t93 - t99;
+    const double t101 = t3 + t96 - t24 * t92;
+    const double t102 = t31 * t91;
+    const double t103 = t33 * t92;
+    const double t104 = t14 + t103;
+    const double t105 = t96 + t101;
+    const double t106 = t6 + t102 - t29 * t92;
+    const double t107 = t102 + t106;
+    const double t108 = t15 + t92 * t95 - t91 * t99;
+    const double t109 = t16 + t92 * t98 + t91 * t101;
+    const double t110 = t94 - t23 * t91 + t95;
+    const double t111 = t98 - t97 - t24 * t91;
+    const double t112 = t21 + t92 * t104 + t91 * t106;
+    const double t113 = t103 - t29 * t91 + t104;
+    const double t114 = 2.0 * (t34 * t109 - t36 * t108 - t33 * t112) - t110 * t110 - t111 * t111 - t113 * t113;
+    const double t115 = t23 * t108 + t24 * t109 + t29 * t112 - t110 * t100 - t111 * t105 - t113 * t107;
+    const double t116 = t110 * t108 + t111 * t109 + t113 * t112;
+    const double t117 = 2.0 * (t30 * t108 + t32 * t109 + t31 * t112) + t100 * t100 + t105 * t105 + t107 * t107;
+    const double t118 = t100 * t108 + t105 * t109 + t107 * t112;
+    const double t119 = 1.0 / (t114 * t117 + t115 * t115);
+    *xi = (1.0 / 12.0) * (t91 + 4.0 + (t116 * t115 - t118 * t114) * t119);
+    *eta = (1.0 / 12.0) * (t92 + 4.0 + (t118 * t115 + t116 * t117) * t119);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1039,14 +1039,14 @@ FOOTPOINT_LOOP void footpoint_tri6_precise_n(size_t n, const double *const x[21]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_tri6_precise_points[][25] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68991337314258061, 0.5629297132539921, 1.7468340954432675e-15, 8.8561966103398567e-16},
-    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.34523596512825439, 0.95493922060898906, 1.2156168369300434e-14, 6.5939614423908348e-15},
-    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.23020390873548743, 1.0376089149931929, 3.025223115984805e-15, 2.2617484552393771e-15},
-    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.0030385483272315954, 0.69658724363474911, 4.6113509274505957e-16, 6.8512164815252245e-16},
-    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 3.0111721293411366, -0.24747607474768346, 6.7234883204819222e-13, 6.297772189164928e-14},
-    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.045311838563791902, 0.86586344038523366, 6.3568977712107287e-15, 5.5342646074988251e-15},
-    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.0650555296922819, 1.1920794514206603, 1.5487579565832572e-15, 1.5328715381339098e-15},
-    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.05233718219469749, 0.87640213878712148, 7.3655646231665692e-16, 1.0089137658467355e-15},
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68991337314258061, 0.5629297132539921, 1.7468340954438361e-15, 8.8561966103381242e-16},
+    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.34523596512825439, 0.95493922060898906, 1.2156168369300505e-14, 6.5939614423900672e-15},
+    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.23020390873548743, 1.0376089149931929, 3.0252231159865709e-15, 2.2617484552410739e-15},
+    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.0030385483272315954, 0.69658724363474911, 4.6113509274497132e-16, 6.8512164815251101e-16},
+    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 3.0111721293411366, -0.24747607474768346, 6.723488320482317e-13, 6.2977721891657105e-14},
+    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.045311838563791902, 0.86586344038523366, 6.3568977712095991e-15, 5.5342646074991035e-15},
+    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.0650555296922819, 1.1920794514206603, 1.548757956583295e-15, 1.5328715381337609e-15},
+    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.05233718219469749, 0.87640213878712148, 7.3655646232664696e-16, 1.0089137658614055e-15},
 };
 #endif
 
@@ -1054,157 +1054,157 @@ static const double footpoint_tri6_precise_points[][25] = {
 FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                              const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xD[2] + xF[2];
-    const double t2 = xD[1] + xF[1];
-    const double t3 = xE[2] + t1;
-    const double t4 = xE[1] + t2;
-    const double t5 = xD[0] + xF[0];
-    const double t6 = xA[2] - xC[2] - (4.0 * (xE[2] - xD[2]));
-    const double t7 = xA[2] - xB[2] - (4.0 * (xE[2] - xF[2]));
-    const double t8 = xA[1] - xC[1] - (4.0 * (xE[1] - xD[1]));
-    const double t9 = xA[1] - xB[1] - (4.0 * (xE[1] - xF[1]));
-    const double t10 = xB[2] + xA[2];
-    const double t11 = xB[1] + xA[1];
-    const double t12 = xE[0] + t5;
-    const double t13 = xA[0] - xC[0] + 4.0 * (xD[0] - xE[0]);
-    const double t14 = xA[0] - xB[0] - (4.0 * (xE[0] - xF[0]));
-    const double t15 = xB[0] + xA[0];
-    const double t16 = t6 * t7 + t8 * t9 + t13 * t14;
-    const double t17 = t6 * t6 + t8 * t8 + t13 * t13;
-    const double t18 = t7 * t7 + t9 * t9 + t14 * t14;
-    const double t19 = 4.0 * (xC[2] + t10 - t3) + 36.0 * (xS[2] - (1.0 / 3.0) * t3);
-    const double t20 = 4.0 * (xC[1] + t11 - t4) + 36.0 * (xS[1] - (1.0 / 3.0) * t4);
-    const double t21 = 4.0 * (xC[0] + t15 - t12) + 36.0 * (xS[0] - (1.0 / 3.0) * t12);
-    const double t22 = t6 * t19 + t8 * t20 + t13 * t21;
-    const double t23 = t7 * t19 + t9 * t20 + t14 * t21;
-    const double t24 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t25 = (t16 * t23 - t18 * t22) * t24;
-    const double t26 = xE[2] + xA[2] - t1;
-    const double t27 = xE[1] + xA[1] - t2;
-    const double t28 = 0.5 * (xC[2] + xA[2]) - xF[2];
-    const double t29 = xF[1] - 0.5 * (xC[1] + xA[1]);
-    const double t30 = xE[0] + xA[0] - t5;
-    const double t31 = (t16 * t22 - t17 * t23) * t24;
-    const double t32 = t28 * t25;
-    const double t33 = t29 * t25;
-    const double t34 = 0.5 * (xC[0] + xA[0]) - xF[0];
-    const double t35 = xD[2] - 0.5 * t10;
-    const double t36 = xD[1] - 0.5 * t11;
-    const double t37 = t34 * t25;
-    const double t38 = t32 - t6;
-    const double t39 = t35 * t31;
-    const double t40 = t8 + t33;
-    const double t41 = t36 * t31;
-    const double t42 = xD[0] - 0.5 * t15;
-    const double t43 = t39 - (t26 * t25 - t7);
-    const double t44 = t41 - (t27 * t25 - t9);
-    const double t45 = t13 - t37;
-    const double t46 = t42 * t31;
-    const double t47 = t32 + t26 * t31 + t38;
-    const double t48 = t39 + t43;
-    const double t49 = t27 * t31 - t33 - t40;
-    const double t50 = t41 + t44;
-    const double t51 = t46 - (t30 * t25 - t14);
-    const double t52 = t45 - t37 - t30 * t31;
-    const double t53 = t46 + t51;
-    const double t54 = t52 * t53 - t47 * t48 - t49 * t50;
-    const double t55 = t47 * t47 + t49 * t49 + t52 * t52;
-    const double t56 = t48 * t48 + t50 * t50 + t53 * t53;
-    const double t57 = t19 - t25 * t38 + t31 * t43;
-    const double t58 = t20 + t25 * t40 + t31 * t44;
-    const double t59 = t21 + t25 * t45 + t31 * t51;
-    const double t60 = t52 * t59 - t47 * t57 - t49 * t58;
-    const double t61 = t48 * t57 + t50 * t58 + t53 * t59;
-    const double t62 = 1.0 / (t55 * t56 - t54 * t54);
-    const double t63 = t31 + (t54 * t60 - t55 * t61) * t62;
-    const double t64 = (t56 * t60 - t54 * t61) * t62 - t25;
-    const double t65 = t35 * t63;
-    const double t66 = t28 * t64;
-    const double t67 = t36 * t63;
-    const double t68 = t29 * t64;
-    const double t69 = t42 * t63;
-    const double t70 = t34 * t64;
-    const double t71 = t6 + t66;
-    const double t72 = t68 - t8;
-    const double t73 = t7 + t65 + t26 * t64;
-    const double t74 = t9 + t67 + t27 * t64;
-    const double t75 = t13 + t70;
-    const double t76 = t14 + t69 + t30 * t64;
-    const double t77 = t19 - t64 * t71 + t63 * t73;
-    const double t78 = t20 + t64 * t72 + t63 * t74;
-    const double t79 = t65 + t73;
-    const double t80 = t21 - t64 * t75 + t63 * t76;
-    const double t81 = t66 - t26 * t63 + t71;
-    const double t82 = t68 + t27 * t63 + t72;
-    const double t83 = t67 + t74;
-    const double t84 = t70 - t30 * t63 + t75;
-    const double t85 = t69 + t76;
-    const double t86 = t26 * t77 + t27 * t78 + t30 * t80 - t81 * t79 + t82 * t83 - t84 * t85;
-    const double t87 = t81 * t81 + t82 * t82 + t84 * t84 - 2.0 * (t28 * t77 - t29 * t78 + t34 * t80);
-    const double t88 = 2.0 * (t35 * t77 + t36 * t78 + t42 * t80) + t79 * t79 + t83 * t83 + t85 * t85;
-    const double t89 = t81 * t77 - t82 * t78 + t84 * t80;
-    const double t90 = t79 * t77 + t83 * t78 + t85 * t80;
-    const double t91 = 1.0 / (t87 * t88 - t86 * t86);
-    const double t92 = t63 - (t90 * t87 + t89 * t86) * t91;
-    const double t93 = t64 + (t90 * t86 + t89 * t88) * t91;
-    const double t94 = t35 * t92;
-    const double t95 = t28 * t93;
-    const double t96 = t36 * t92;
-    const double t97 = t29 * t93;
-    const double t98 = t42 * t92;
-    const double t99 = t34 * t93;
-    const double t100 = t6 + t95;
-    const double t101 = t97 - t8;
-    const double t102 = t7 + t94 + t26 * t93;
-    const double t103 = t9 + t96 + t27 * t93;
-    const double t104 = t13 + t99;
-    const double t105 = t14 + t98 + t30 * t93;
-    const double t106 = t19 - t93 * t100 + t92 * t102;
-    const double t107 = t20 + t93 * t101 + t92 * t103;
-    const double t108 = t94 + t102;
-    const double t109 = t21 - t93 * t104 + t92 * t105;
-    const double t110 = t95 - t26 * t92 + t100;
-    const double t111 = t97 + t27 * t92 + t101;
-    const double t112 = t96 + t103;
-    const double t113 = t99 - t30 * t92 + t104;
-    const double t114 = t98 + t105;
-    const double t115 = t26 * t106 + t27 * t107 + t30 * t109 - t110 * t108 + t111 * t112 - t113 * t114;
-    const double t116 = t110 * t110 + t111 * t111 + t113 * t113 - 2.0 * (t28 * t106 - t29 * t107 + t34 * t109);
-    const double t117 = 2.0 * (t35 * t106 + t36 * t107 + t42 * t109) + t108 * t108 + t112 * t112 + t114 * t114;
-    const double t118 = t110 * t106 - t111 * t107 + t113 * t109;
-    const double t119 = t108 * t106 + t112 * t107 + t114 * t109;
-    const double t120 = 1.0 / (t116 * t117 - t115 * t115);
-    const double t121 = t92 - (t119 * t116 + t118 * t115) * t120;
-    const double t122 = t93 + (t119 * t115 + t118 * t117) * t120;
-    const double t123 = t35 * t121;
-    const double t124 = t28 * t122;
-    const double t125 = t36 * t121;
-    const double t126 = t29 * t122;
-    const double t127 = t42 * t121;
-    const double t128 = t34 * t122;
-    const double t129 = t6 + t124;
-    const double t130 = t126 - t8;
-    const double t131 = t7 + t123 + t26 * t122;
-    const double t132 = t9 + t125 + t27 * t122;
-    const double t133 = t13 + t128;
-    const double t134 = t14 + t127 + t30 * t122;
-    const double t135 = t19 - t122 * t129 + t121 * t131;
-    const double t136 = t20 + t122 * t130 + t121 * t132;
-    const double t137 = t123 + t131;
-    const double t138 = t21 - t122 * t133 + t121 * t134;
-    const double t139 = t124 - t26 * t121 + t129;
-    const double t140 = t126 + t27 * t121 + t130;
-    const double t141 = t125 + t132;
-    const double t142 = t128 - t30 * t121 + t133;
-    const double t143 = t127 + t134;
-    const double t144 = t26 * t135 + t27 * t136 + t30 * t138 - t139 * t137 + t140 * t141 - t142 * t143;
-    const double t145 = t139 * t139 + t140 * t140 + t142 * t142 - 2.0 * (t28 * t135 - t29 * t136 + t34 * t138);
-    const double t146 = 2.0 * (t35 * t135 + t36 * t136 + t42 * t138) + t137 * t137 + t141 * t141 + t143 * t143;
-    const double t147 = t139 * t135 - t140 * t136 + t142 * t138;
-    const double t148 = t137 * t135 + t141 * t136 + t143 * t138;
-    const double t149 = 1.0 / (t145 * t146 - t144 * t144);
-    *xi = (1.0 / 12.0) * (t121 + 4.0 - (t148 * t145 + t147 * t144) * t149);
-    *eta = (1.0 / 12.0) * (4.0 - t122 - (t148 * t144 + t147 * t146) * t149);
+    const double t1 = xA[2] - xC[2] - (4.0 * (xE[2] - xD[2]));
+    const double t2 = xA[2] - xB[2] - (4.0 * (xE[2] - xF[2]));
+    const double t3 = xA[1] - xC[1] - (4.0 * (xE[1] - xD[1]));
+    const double t4 = xA[1] - xB[1] - (4.0 * (xE[1] - xF[1]));
+    const double t5 = xD[2] + xF[2];
+    const double t6 = xD[1] + xF[1];
+    const double t7 = xA[0] - xB[0] - (4.0 * (xE[0] - xF[0]));
+    const double t8 = xE[2] + t5;
+    const double t9 = xE[1] + t6;
+    const double t10 = xD[0] + xF[0];
+    const double t11 = xB[2] + xA[2];
+    const double t12 = xB[1] + xA[1];
+    const double t13 = xE[0] + t10;
+    const double t14 = xA[0] - xC[0] + 4.0 * (xD[0] - xE[0]);
+    const double t15 = 4.0 * (xC[2] + t11 - t8) + 36.0 * (xS[2] - (1.0 / 3.0) * t8);
+    const double t16 = 4.0 * (xC[1] + t12 - t9) + 36.0 * (xS[1] - (1.0 / 3.0) * t9);
+    const double t17 = xB[0] + xA[0];
+    const double t18 = t1 * t2 + t3 * t4 + t14 * t7;
+    const double t19 = t1 * t1 + t3 * t3 + t14 * t14;
+    const double t20 = t2 * t2 + t4 * t4 + t7 * t7;
+    const double t21 = 4.0 * (xC[0] + t17 - t13) + 36.0 * (xS[0] - (1.0 / 3.0) * t13);
+    const double t22 = 1.0 / (t19 * t20 - t18 * t18);
+    const double t23 = xE[2] + xA[2] - t5;
+    const double t24 = xE[1] + xA[1] - t6;
+    const double t25 = xE[0] + xA[0] - t10;
+    const double t26 = t1 * t15 + t3 * t16 + t14 * t21;
+    const double t27 = t2 * t15 + t4 * t16 + t7 * t21;
+    const double t28 = (t18 * t27 - t20 * t26) * t22;
+    const double t29 = (t18 * t26 - t19 * t27) * t22;
+    const double t30 = xD[2] - 0.5 * t11;
+    const double t31 = xD[1] - 0.5 * t12;
+    const double t32 = xD[0] - 0.5 * t17;
+    const double t33 = 0.5 * (xC[2] + xA[2]) - xF[2];
+    const double t34 = xF[1] - 0.5 * (xC[1] + xA[1]);
+    const double t35 = t33 * t28;
+    const double t36 = t34 * t28;
+    const double t37 = 0.5 * (xC[0] + xA[0]) - xF[0];
+    const double t38 = t37 * t28;
+    const double t39 = t35 - t1;
+    const double t40 = t35 + t23 * t29 + t39;
+    const double t41 = t30 * t29;
+    const double t42 = t41 - (t23 * t28 - t2);
+    const double t43 = t41 + t42;
+    const double t44 = t3 + t36;
+    const double t45 = t24 * t29 - t36 - t44;
+    const double t46 = t31 * t29;
+    const double t47 = t46 - (t24 * t28 - t4);
+    const double t48 = t46 + t47;
+    const double t49 = t15 - t28 * t39 + t29 * t42;
+    const double t50 = t16 + t28 * t44 + t29 * t47;
+    const double t51 = t14 - t38;
+    const double t52 = t51 - t38 - t25 * t29;
+    const double t53 = t32 * t29;
+    const double t54 = t53 - (t25 * t28 - t7);
+    const double t55 = t53 + t54;
+    const double t56 = t21 + t28 * t51 + t29 * t54;
+    const double t57 = t52 * t55 - t40 * t43 - t45 * t48;
+    const double t58 = t40 * t40 + t45 * t45 + t52 * t52;
+    const double t59 = t52 * t56 - t40 * t49 - t45 * t50;
+    const double t60 = t43 * t49 + t48 * t50 + t55 * t56;
+    const double t61 = t43 * t43 + t48 * t48 + t55 * t55;
+    const double t62 = 1.0 / (t58 * t61 - t57 * t57);
+    const double t63 = t29 + (t57 * t59 - t58 * t60) * t62;
+    const double t64 = (t61 * t59 - t57 * t60) * t62 - t28;
+    const double t65 = t30 * t63;
+    const double t66 = t33 * t64;
+    const double t67 = t31 * t63;
+    const double t68 = t34 * t64;
+    const double t69 = t2 + t65 + t23 * t64;
+    const double t70 = t65 + t69;
+    const double t71 = t4 + t67 + t24 * t64;
+    const double t72 = t32 * t63;
+    const double t73 = t37 * t64;
+    const double t74 = t67 + t71;
+    const double t75 = t1 + t66;
+    const double t76 = t68 - t3;
+    const double t77 = t7 + t72 + t25 * t64;
+    const double t78 = t72 + t77;
+    const double t79 = t15 - t64 * t75 + t63 * t69;
+    const double t80 = t16 + t64 * t76 + t63 * t71;
+    const double t81 = t14 + t73;
+    const double t82 = t66 - t23 * t63 + t75;
+    const double t83 = t68 + t24 * t63 + t76;
+    const double t84 = t21 - t64 * t81 + t63 * t77;
+    const double t85 = t73 - t25 * t63 + t81;
+    const double t86 = t23 * t79 + t24 * t80 + t25 * t84 - t82 * t70 + t83 * t74 - t85 * t78;
+    const double t87 = t82 * t79 - t83 * t80 + t85 * t84;
+    const double t88 = 2.0 * (t30 * t79 + t31 * t80 + t32 * t84) + t70 * t70 + t74 * t74 + t78 * t78;
+    const double t89 = t70 * t79 + t74 * t80 + t78 * t84;
+    const double t90 = t82 * t82 + t83 * t83 + t85 * t85 - 2.0 * (t33 * t79 - t34 * t80 + t37 * t84);
+    const double t91 = 1.0 / (t90 * t88 - t86 * t86);
+    const double t92 = t63 - (t89 * t90 + t87 * t86) * t91;
+    const double t93 = t64 + (t89 * t86 + t87 * t88) * t91;
+    const double t94 = t30 * t92;
+    const double t95 = t33 * t93;
+    const double t96 = t31 * t92;
+    const double t97 = t34 * t93;
+    const double t98 = t2 + t94 + t23 * t93;
+    const double t99 = t94 + t98;
+    const double t100 = t4 + t96 + t24 * t93;
+    const double t101 = t32 * t92;
+    const double t102 = t37 * t93;
+    const double t103 = t96 + t100;
+    const double t104 = t1 + t95;
+    const double t105 = t97 - t3;
+    const double t106 = t7 + t101 + t25 * t93;
+    const double t107 = t101 + t106;
+    const double t108 = t15 - t93 * t104 + t92 * t98;
+    const double t109 = t16 + t93 * t105 + t92 * t100;
+    const double t110 = t14 + t102;
+    const double t111 = t95 - t23 * t92 + t104;
+    const double t112 = t97 + t24 * t92 + t105;
+    const double t113 = t21 - t93 * t110 + t92 * t106;
+    const double t114 = t102 - t25 * t92 + t110;
+    const double t115 = t23 * t108 + t24 * t109 + t25 * t113 - t111 * t99 + t112 * t103 - t114 * t107;
+    const double t116 = t111 * t108 - t112 * t109 + t114 * t113;
+    const double t117 = 2.0 * (t30 * t108 + t31 * t109 + t32 * t113) + t99 * t99 + t103 * t103 + t107 * t107;
+    const double t118 = t99 * t108 + t103 * t109 + t107 * t113;
+    const double t119 = t111 * t111 + t112 * t112 + t114 * t114 - 2.0 * (t33 * t108 - t34 * t109 + t37 * t113);
+    const double t120 = 1.0 / (t119 * t117 - t115 * t115);
+    const double t121 = t92 - (t118 * t119 + t116 * t115) * t120;
+    const double t122 = t93 + (t118 * t115 + t116 * t117) * t120;
+    const double t123 = t30 * t121;
+    const double t124 = t33 * t122;
+    const double t125 = t1 + t124;
+    const double t126 = t31 * t121;
+    const double t127 = t34 * t122;
+    const double t128 = t127 - t3;
+    const double t129 = t2 + t123 + t23 * t122;
+    const double t130 = t123 + t129;
+    const double t131 = t4 + t126 + t24 * t122;
+    const double t132 = t32 * t121;
+    const double t133 = t37 * t122;
+    const double t134 = t14 + t133;
+    const double t135 = t126 + t131;
+    const double t136 = t7 + t132 + t25 * t122;
+    const double t137 = t132 + t136;
+    const double t138 = t15 - t122 * t125 + t121 * t129;
+    const double t139 = t16 + t122 * t128 + t121 * t131;
+    const double t140 = t124 - t23 * t121 + t125;
+    const double t141 = t127 + t24 * t121 + t128;
+    const double t142 = t21 - t122 * t134 + t121 * t136;
+    const double t143 = t133 - t25 * t121 + t134;
+    const double t144 = t140 * t140 + t141 * t141 + t143 * t143 - 2.0 * (t33 * t138 - t34 * t139 + t37 * t142);
+    const double t145 = t23 * t138 + t24 * t139 + t25 * t142 - t140 * t130 + t141 * t135 - t143 * t137;
+    const double t146 = t140 * t138 - t141 * t139 + t143 * t142;
+    const double t147 = 2.0 * (t30 * t138 + t31 * t139 + t32 * t142) + t130 * t130 + t135 * t135 + t137 * t137;
+    const double t148 = t130 * t138 + t135 * t139 + t137 * t142;
+    const double t149 = 1.0 / (t144 * t147 - t145 * t145);
+    *xi = (1.0 / 12.0) * (t121 + 4.0 - (t148 * t144 + t146 * t145) * t149);
+    *eta = (1.0 / 12.0) * (4.0 - t122 - (t148 * t145 + t146 * t147) * t149);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1245,14 +1245,14 @@ FOOTPOINT_LOOP void footpoint_tri6_accurate_n(size_t n, const double *const x[21
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_tri6_accurate_points[][25] = {
-    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68402167962359439, 0.56060156643568737, 1.0387706872957132e-15, 5.8759181196940734e-16},
-    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.20932806717341432, 0.88265449114375238, 4.2087419305307822e-15, 2.8059290685992386e-15},
-    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.24455644279050992, 1.0330497421773002, 9.3581210132654606e-16, 1.4450406651914916e-15},
-    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.0028969597741336501, 0.69633228486346099, 4.3172687238862658e-16, 6.4073077742523642e-16},
-    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 2.0787700114655059, -0.29078896590217779, 3.9158283905118257e-13, 3.9668879875059827e-14},
-    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.095273060257048098, 0.76479757005493454, 2.4971019407249079e-15, 3.195823184084871e-15},
-    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.0644686304594482, 1.1917264528771401, 1.4233898875685777e-15, 1.4443723001569555e-15},
-    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.052337210873562801, 0.87640201930402206, 1.1185927520823165e-15, 1.5144288944155628e-15},
+    {0, 0, 0, 1, 0, 0, 0.46875, 4.84375, 0, 0.49658203125, 0.022705078125, -0.0341796875, 0.15625, 1.171875, -0.0390625, 0.53125, 1.734375, -0.2265625, -0.125, 1.15625, 0.03515625, 0.68402167962359439, 0.56060156643568737, 1.0387706872955803e-15, 5.8759181196898313e-16},
+    {0, 0, 0, 1, 0, 0, -3.21875, 3.03125, 0, 0.493896484375, -0.014892578125, 0.0068359375, 1.625, 2.1875, -0.15625, 1.328125, 0.859375, 0.1953125, -1.5, 1.375, -0.0703125, -0.20932806717341432, 0.88265449114375238, 4.2087419305338019e-15, 2.8059290685935521e-15},
+    {0, 0, 0, 1, 0, 0, 1.3125, 3.78125, 0, 0.480712890625, 0.016845703125, -0.064453125, 0.84375, 2.171875, -0.29999999999999999, 0.84375, 1.703125, -0.0234375, 0.90625, 4.40625, -0.078125, 0.24455644279050992, 1.0330497421773002, 9.3581210137951985e-16, 1.4450406652119821e-15},
+    {0, 0, 0, 1, 0, 0, 1.0625, 3, 0, 0.5244140625, 0.019287109375, 0.052734375, -0.40625, 0.59375, -0.16015625, 1.375, 0.453125, -0.2578125, 1.5, 1.15625, 0.328125, -0.0028969597741336501, 0.69633228486346099, 4.3172687238837439e-16, 6.4073077742515516e-16},
+    {0, 0, 0, 1, 0, 0, -2.84375, 1.96875, 0, 0.477783203125, -0.00439453125, -0.0703125, 2.21875, 0.4375, -0.1796875, 0.515625, 1.875, -0.2421875, -3.125, 1.40625, 0.10546875, 2.0787700114655059, -0.29078896590217779, 3.9158283905107215e-13, 3.9668879874978291e-14},
+    {0, 0, 0, 1, 0, 0, 2.96875, 2.0625, 0, 0.49072265625, 0.013427734375, 0.0205078125, -0.15625, 0.5, -0.0234375, -1.28125, 2.453125, -0.046875, 0.21875, 1.96875, 0.38671875, 0.095273060257048098, 0.76479757005493454, 2.4971019408086238e-15, 3.1958231840672605e-15},
+    {0, 0, 0, 1, 0, 0, -2.0625, 4.28125, 0, 0.49169921875, -0.000732421875, 0.0380859375, 0.265625, 0.875, -0.28125, -0.828125, 1.28125, -0.09375, 1.90625, 3.9375, 0.10546875, 1.0644686304594482, 1.1917264528771401, 1.4233898875684894e-15, 1.4443723001561797e-15},
+    {0, 0, 0, 1, 0, 0, -0.25, 2.75, 0, 0.490966796875, -0.004150390625, -0.0576171875, -1.03125, 1.1875, -0.109375, 1.671875, 0.984375, 0.10546875, 0.03125, 2.28125, -0.08984375, 0.052337210873562801, 0.87640201930402206, 1.1185927523412039e-15, 1.5144288947027352e-15},
 };
 #endif
 

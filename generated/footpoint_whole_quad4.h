@@ -19,7 +19,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   rounding error of xi: <= 5.1e-06 proved (with or without FMA), 1.6e-11 worst of 10000 points
  *   rounding error of eta: <= 4.9e-06 proved (with or without FMA), 1.7e-11 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -33,14 +33,14 @@
  *
  * footpoint_whole_quad4_fast
  *   genome_sha256: 0a1b8787c182a118178828c6892f0f6378d84f65dabc8e9f54528b81ffa5302c
- *   operations: 34 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
+ *   operations: 31 mul, 1 div, 41 add, 0 sqrt, 4 compare; 30 temporaries
  *   proved equal to the genome as rational functions over Q
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   rounding error of xi: <= 1.4e-05 proved (with or without FMA), 1.3e-13 worst of 10000 points
- *   rounding error of eta: <= 1.4e-05 proved (with or without FMA), 5.7e-14 worst of 10000 points
+ *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 0.0013 (rounding error <= 2.2e-13)
+ *   rounding error of xi: <= 1.1e-05 proved (with or without FMA), 3.4e-13 worst of 10000 points
+ *   rounding error of eta: <= 1.1e-05 proved (with or without FMA), 1.6e-13 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
  *   found_eta: seed 1 generations 100 islands 2
  *   training_xi: genes 7 mean 3.151e-02
@@ -57,7 +57,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t14 - t15 * t13: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t17 * t17 - t18 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   rounding error of xi: no bound found, 9e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 1.3e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -76,7 +76,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles: t36: proved free of zeros, |t36| >= 5.4e-08 (rounding error <= 1.6e+12)
  *   rounding error of xi: no bound found, 1.7e-08 worst of 10000 points
  *   rounding error of eta: no bound found, 8.5e-09 worst of 10000 points
@@ -96,7 +96,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
  *   rounding error of xi: no bound found, 8.6e-12 worst of 10000 points
  *   rounding error of eta: no bound found, 9.6e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -115,9 +115,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles: t43: proved free of zeros, |t43| >= 6e-09 (rounding error <= 0.012)
- *   rounding error of xi: no bound found, 8.4e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 5.2e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 6.1e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -135,10 +135,10 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t13 - t15 * t14: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
+ *   poles: t16 * t16 - t18 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
  *   poles: t47: proved free of zeros, |t47| >= 5.7e-09 (rounding error <= 3.1e+17)
- *   rounding error of xi: no bound found, 9.2e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 7.1e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 6.4e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 6.5e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.824e-03
@@ -155,9 +155,9 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles: t49: proved free of zeros, |t49| >= 5.9e-09 (rounding error <= 5.2e+33)
- *   rounding error of xi: no bound found, 7.5e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 9.3e-13 worst of 10000 points
  *   rounding error of eta: no bound found, 2.6e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -175,11 +175,11 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles: t50: proved free of zeros, |t50| >= 5.9e-09 (rounding error <= 1.5e+34)
  *   poles: t70: proved free of zeros, |t70| >= 5.3e-09
  *   rounding error of xi: no bound found, 7.8e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 7.7e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 5.1e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 5.602e-04
@@ -196,12 +196,12 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles: t50: proved free of zeros, |t50| >= 5.9e-09 (rounding error <= 5.4e+34)
  *   poles: t70: proved free of zeros, |t70| >= 5.3e-09
  *   poles: t90: proved free of zeros, |t90| >= 3.8e-09
- *   rounding error of xi: no bound found, 1.5e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 2.2e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 2.4e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 3.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 4.154e-04
@@ -218,11 +218,11 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles: t50: proved free of zeros, |t50| >= 5.9e-09 (rounding error <= 2.3e+34)
  *   poles: t84: proved free of zeros, |t84| >= 4.3e-09
  *   rounding error of xi: no bound found, 1.1e-12 worst of 10000 points
- *   rounding error of eta: no bound found, 2.5e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 2.6e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 3.720e-04
@@ -239,13 +239,13 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t13 * t15 - t14 * t14: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
+ *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
  *   poles: t50: proved free of zeros, |t50| >= 5.9e-09 (rounding error <= 1.2e+35)
  *   poles: t70: proved free of zeros, |t70| >= 5.3e-09
  *   poles: t90: proved free of zeros, |t90| >= 3.8e-09
  *   poles: t110: proved free of zeros, |t110| >= 5.1e-09
- *   rounding error of xi: no bound found, 1.2e-11 worst of 10000 points
- *   rounding error of eta: no bound found, 6.8e-12 worst of 10000 points
+ *   rounding error of xi: no bound found, 1.8e-11 worst of 10000 points
+ *   rounding error of eta: no bound found, 1.1e-11 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 3.700e-04
@@ -262,7 +262,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t17 * t16 - t15 * t15: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
+ *   poles: t18 * t17 - t16 * t16: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
  *   poles: t34: proved free of zeros, |t34| >= 0.0012 (rounding error <= 1.9e+33)
  *   poles: t43: proved free of zeros, |t43| >= 0.00034
  *   poles: t47: proved free of zeros, |t47| >= 0.00086
@@ -307,7 +307,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 0.99], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.49, 0.50], yS in [-1.92, 2.00], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t14 * t15 - t13 * t13: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.6e-14)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.6e-14)
  *   poles: t36: proved free of zeros, |t36| >= 0.0012 (rounding error <= 7.3e+33)
  *   poles: t44: proved free of zeros, |t44| >= 0.00034
  *   poles: t48: proved free of zeros, |t48| >= 0.00086
@@ -445,20 +445,20 @@ FOOTPOINT_FN void footpoint_whole_quad4_gauss_at(const double xA[3], const doubl
     const double u2 = 0.425 * t4;
     const double t9 = xA[1] - xD[1] - u2;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.425 * (t2 + t9);
     const double u3 = 0.425 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.425 * (t2 + t9);
-    const double t18 = (xA[0] - xS[0]) - 0.425 * (t5 + t11);
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 2.0 / (t14 * t15 - t13 * t13);
-    *xi = (t14 * t20 - t13 * t19) * t21 - 0.15;
-    *eta = (t15 * t19 - t13 * t20) * t21 - 0.15;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.425 * (t5 + t13);
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t19 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t20 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t21 = 2.0 / (t17 * t20 - t16 * t16);
+    *xi = (t17 * t19 - t16 * t18) * t21 - 0.15;
+    *eta = (t20 * t18 - t16 * t19) * t21 - 0.15;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -511,53 +511,50 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -3.5394852000887869, 1.1165749868210308, 4.4370030479953223e-14, 3.2834906429016283e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1.8701550795603499, -4.551527733299455, 5.7269684107194983e-15, 1.0482358943209087e-14},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14629822357846314, -0.57423865796440676, 3.4227778857340635e-16, 8.9448823892316935e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.036857740561193064, 0.88933548161351939, 2.8128367662868723e-15, 5.7701634031706072e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.67792053944322983, -8.1212216271328401, 1.1306639243154038e-14, 2.4775066402214873e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -3.516156898690959, 6.945970455227406, 1.1415221611713307e-14, 2.4559166965830181e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1.1219496373642888, -4.9655115779182459, 5.0164792245083022e-15, 1.1089959112019244e-14},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -1.0076059596906908, 3.3009466846162945, 3.0128263239438178e-15, 8.6274735692605288e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -3.5394852000887869, 1.1165749868210308, 4.4370030479953229e-14, 3.283490642901629e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1.8701550795603499, -4.551527733299455, 5.7269684107194959e-15, 1.0482358943209087e-14},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14629822357846314, -0.57423865796440676, 3.4227778857340645e-16, 8.9448823892316935e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.036857740561193064, 0.88933548161351939, 2.8128367662868703e-15, 5.7701634031706072e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.67792053944322983, -8.1212216271328401, 1.1306639243154037e-14, 2.4775066402214873e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -3.516156898690959, 6.945970455227406, 1.1415221611713306e-14, 2.4559166965830181e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1.1219496373642888, -4.9655115779182459, 5.0164792245083006e-15, 1.1089959112019247e-14},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -1.0076059596906908, 3.3009466846162945, 3.0128263239438182e-15, 8.6274735692605272e-15},
 };
 #endif
 
-/* 34 mul, 1 div, 44 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+/* 31 mul, 1 div, 41 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
 FOOTPOINT_FN void footpoint_whole_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2];
-    const double t2 = xA[1] - xB[1];
-    const double t3 = xC[2] - xD[2] + t1;
-    const double t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0];
-    const double t6 = xC[0] - xD[0] + t5;
-    const double u1 = 0.5 * t3;
-    const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
-    const double u2 = 0.5 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
-    const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.5 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.5 * (t2 + t9);
-    const double t18 = (xA[0] - xS[0]) - 0.5 * (t5 + t11);
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    const double t22 = (t14 * t20 - t13 * t19) * t21;
-    const double t23 = (t15 * t19 - t13 * t20) * t21;
-    double u4 = 0.5;
-    const double t24 = (u4 < t22 ? u4 : t22);
-    double u5 = -0.5;
-    const double t25 = (!(t24 <= u5) ? t24 : u5);
-    const double t26 = (u4 < t23 ? u4 : t23);
-    const double t27 = (!(t26 <= u5) ? t26 : u5);
+    const double t1 = xB[2] - xD[2];
+    const double t2 = xA[2] - xC[2];
+    const double t3 = xB[1] - xD[1];
+    const double t4 = xA[1] - xC[1];
+    const double t5 = t2 - t1;
+    const double t6 = t1 + t2;
+    const double t7 = t4 - t3;
+    const double t8 = t3 + t4;
+    const double t9 = xB[0] - xD[0];
+    const double t10 = xA[0] - xC[0];
+    const double t11 = ((xB[2] - xS[2]) + (xA[2] - xS[2])) - 0.5 * t6;
+    const double t12 = ((xB[1] - xS[1]) + (xA[1] - xS[1])) - 0.5 * t8;
+    const double t13 = t10 - t9;
+    const double t14 = t9 + t10;
+    const double t15 = ((xB[0] - xS[0]) + (xA[0] - xS[0])) - 0.5 * t14;
+    const double t16 = t5 * t6 + t7 * t8 + t13 * t14;
+    const double t17 = t6 * t6 + t8 * t8 + t14 * t14;
+    const double t18 = t6 * t11 + t8 * t12 + t14 * t15;
+    const double t19 = t5 * t11 + t7 * t12 + t13 * t15;
+    const double t20 = t5 * t5 + t7 * t7 + t13 * t13;
+    const double t21 = 1.0 / (t17 * t20 - t16 * t16);
+    const double t22 = (t17 * t19 - t16 * t18) * t21;
+    const double t23 = (t20 * t18 - t16 * t19) * t21;
+    double u1 = 0.5;
+    const double t24 = (u1 < t22 ? u1 : t22);
+    double u2 = -0.5;
+    const double t25 = (!(t24 <= u2) ? t24 : u2);
+    const double t26 = (u1 < t23 ? u1 : t23);
+    const double t27 = (!(t26 <= u2) ? t26 : u2);
     const double t28 = t27 * t25;
     *xi = t25 * (t27 * (t28 - 0.8947284) + 2.0);
     *eta = t27 * (t25 * (t28 - 1.416141) + 2.0);
@@ -615,9 +612,9 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fast_n(size_t n, const double *const x
 static const double footpoint_whole_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.71381790000000001, 1.4165352499999999, 1.9545044471770195e-16, 3.8431899329617984e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1.1611821, -1.2915352499999999, 2.8090746395649142e-16, 3.4268562987273411e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.13820327982606134, -0.60314421112766825, 5.1990780522378268e-16, 1.2371932390178517e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.013991219261246678, 1.0064102588015977, 2.0527915226266277e-15, 1.1677961536680493e-15},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.38023702279678206, -1.105579548431223, 1.1013332037126826e-14, 3.1658343095881866e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.13820327982606134, -0.60314421112766825, 4.7907484668348067e-16, 1.3290622622182518e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.013991219261246678, 1.0064102588015977, 2.1304908688305645e-15, 1.2035602289044745e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.38023702279678206, -1.105579548431223, 1.0663333267546101e-14, 3.0728650555050791e-15},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -0.71381790000000001, 1.4165352499999999, 1.9545044471770195e-16, 3.8431899329617984e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1.1611821, -1.2915352499999999, 2.8090746395649142e-16, 3.4268562987273411e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.71381790000000001, 1.4165352499999999, 1.9545044471770195e-16, 3.8431899329617984e-16},
@@ -642,26 +639,26 @@ FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const doubl
     const double t9 = xA[1] - xD[1] + u3;
     const double t10 = t3 + u3;
     const double t11 = t1 + u1;
-    const double t12 = t2 + u2;
-    const double t13 = t7 * t7 + t8 * t8 + t9 * t9;
-    const double t14 = t7 * t11 + t9 * t10 + t8 * t12;
-    const double t15 = t12 * t12 + (t11 * t11 + t10 * t10);
-    const double t16 = (xA[1] - xS[1]) - 0.425 * (t3 + t9);
-    const double t17 = (xA[0] - xS[0]) - 0.425 * (t2 + t8);
-    const double t18 = xA[2] - xS[2] - 0.425 * (t1 + t7);
-    const double t19 = t10 * t16 + t12 * t17 + t11 * t18;
-    const double t20 = t9 * t16 + t8 * t17 + t7 * t18;
-    const double t21 = t4 * t7 + t6 * t9 + t5 * t8;
-    const double t22 = t4 * t11 + t6 * t10 + t5 * t12;
-    const double t23 = 1.0 / (t14 * t14 - t15 * t13);
-    const double t24 = (t14 * t20 - t13 * t19) * t23;
-    const double t25 = (t14 * t19 - t15 * t20) * t23;
-    const double t26 = (t13 * t22 - t21 * t14) * t25;
-    const double t27 = (t22 * t14 - t15 * t21) * t24;
-    const double t28 = t23 * (t26 - t27) + 1.0;
+    const double t12 = xA[2] - xS[2] - 0.425 * (t1 + t7);
+    const double t13 = (xA[1] - xS[1]) - 0.425 * (t3 + t9);
+    const double t14 = (xA[0] - xS[0]) - 0.425 * (t2 + t8);
+    const double t15 = t2 + u2;
+    const double t16 = t7 * t7 + t8 * t8 + t9 * t9;
+    const double t17 = t7 * t11 + t9 * t10 + t8 * t15;
+    const double t18 = t15 * t15 + (t11 * t11 + t10 * t10);
+    const double t19 = 1.0 / (t17 * t17 - t18 * t16);
+    const double t20 = t10 * t13 + t15 * t14 + t11 * t12;
+    const double t21 = t9 * t13 + t8 * t14 + t7 * t12;
+    const double t22 = t4 * t7 + t6 * t9 + t5 * t8;
+    const double t23 = t4 * t11 + t6 * t10 + t5 * t15;
+    const double t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t17 * t20 - t18 * t21) * t19;
+    const double t26 = (t16 * t23 - t22 * t17) * t25;
+    const double t27 = (t23 * t17 - t18 * t22) * t24;
+    const double t28 = t19 * (t26 - t27) + 1.0;
     double u4 = 0.6;
     const double t29 = (u4 > t28 ? u4 : t28);
-    const double t30 = 2.0 * t23 * t29;
+    const double t30 = 2.0 * t19 * t29;
     const double t31 = t24 * (t26 * t30 + 2.0) - 0.15;
     const double t32 = t25 * (t27 * t30 - 2.0) + 0.15;
     double u5 = 1.0;
@@ -726,12 +723,12 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_taper_n(size_t n, const double *const 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.88456849649386438, -1, 9.723666402513779e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14577917117847874, -0.57423097882806806, 3.8254766940818649e-16, 9.3956917257303289e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.028990111474139681, 0.99605724054515032, 3.4349316264929371e-15, 1.0435112398800406e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.88456849649386438, -1, 9.7236664025137821e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14577917117847874, -0.57423097882806806, 3.8254766940818654e-16, 9.3956917257303289e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.028990111474139681, 0.99605724054515032, 3.4349316264929379e-15, 1.0435112398800408e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 0.52218646729687312, -1, 2.9105499580723153e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.37389848517212632, -1, 2.9354920300170839e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.37389848517212632, -1, 2.9354920300170827e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.31011607937323188, 1, 2.7164911583678542e-15, 1.110223024625157e-16},
 };
 #endif
@@ -750,36 +747,36 @@ FOOTPOINT_FN void footpoint_whole_quad4_gauss2_at(const double xA[3], const doub
     const double t8 = t1 + t3;
     const double t9 = xA[1] - xD[1] + t4;
     const double t10 = t2 + t4;
-    const double t11 = xA[0] - xD[0] + t6;
-    const double t12 = t5 + t6;
-    const double t13 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t14 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t15 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t16 = t1 - (40.0 / 17.0) * (xA[2] - xS[2]) + t7;
-    const double t17 = t2 - (40.0 / 17.0) * (xA[1] - xS[1]) + t9;
-    const double t18 = t5 - (40.0 / 17.0) * (xA[0] - xS[0]) + t11;
-    const double t19 = t7 * t16 + t9 * t17 + t11 * t18;
-    const double t20 = t8 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t14 * t15 - t13 * t13);
-    const double t22 = (t14 * t20 - t13 * t19) * t21;
-    const double t23 = (t15 * t19 - t13 * t20) * t21;
-    const double t24 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t25 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t26 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t27 = t26 - t24 * t22;
-    const double t28 = t25 - t24 * t23;
-    const double t29 = t23 * t27;
-    const double t30 = t3 * t16 + t4 * t17 + t6 * t18;
-    const double t31 = t13 - (t25 * t22 + t29);
-    const double t32 = t22 * (t26 + t27) - t14;
-    const double t33 = t15 - t23 * (t25 + t28);
-    const double t34 = t19 - t22 * (t30 + t29);
-    const double t35 = t20 - t23 * (t30 + t22 * t28);
-    const double t36 = t31 * t31 + t32 * t33;
+    const double t11 = t1 - (40.0 / 17.0) * (xA[2] - xS[2]) + t7;
+    const double t12 = t2 - (40.0 / 17.0) * (xA[1] - xS[1]) + t9;
+    const double t13 = xA[0] - xD[0] + t6;
+    const double t14 = t5 + t6;
+    const double t15 = t5 - (40.0 / 17.0) * (xA[0] - xS[0]) + t13;
+    const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t21 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t22 = t3 * t7 + t4 * t9 + t6 * t13;
+    const double t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19;
+    const double t26 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t27 = t3 * t11 + t4 * t12 + t6 * t15;
+    const double t28 = t22 - t26 * t24;
+    const double t29 = t23 - t26 * t25;
+    const double t30 = t25 * t28;
+    const double t31 = t24 * (t22 + t28) - t17;
+    const double t32 = t16 - (t23 * t24 + t30);
+    const double t33 = t18 - t25 * (t23 + t29);
+    const double t34 = t20 - t24 * (t27 + t30);
+    const double t35 = t21 - t25 * (t27 + t24 * t29);
+    const double t36 = t32 * t32 + t31 * t33;
     const double u1 = (3.0 / 17.0) * t36;
     const double t37 = -0.85 / t36;
-    *xi = (u1 + (t31 * t34 + t32 * t35)) * t37;
-    *eta = (u1 + (t31 * t35 - t33 * t34)) * t37;
+    *xi = (u1 + (t32 * t34 + t31 * t35)) * t37;
+    *eta = (u1 + (t32 * t35 - t33 * t34)) * t37;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -832,13 +829,13 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -2.5436340308553431, 0.11787527917909428, 3.5041695588846402e-14, 2.5989599688448484e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.07154876882522225, -6.8440930000149622, 2.4696419444909145e-13, 2.6122209753234237e-12},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 4.0025249773177575e-16, 1.0376360765287907e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0026996191333835749, 1.0750324336826758, 8.5863938904646426e-15, 2.416251854652629e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.020603794126347639, -7.240792749722555, 8.4215607720873135e-15, 5.0944981116065611e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -2.1933491924771098, 4.0263553194868624, 1.7109002504795396e-14, 3.7501121463538522e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.55925974807039247, -4.4610661377474754, 3.8590175045258621e-15, 1.2375411587383185e-14},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -2.5436340308553431, 0.11787527917909428, 3.5041695588846383e-14, 2.5989599688448484e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.07154876882522225, -6.8440930000149622, 2.4696419444909155e-13, 2.6122209753234249e-12},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 4.0025249773177556e-16, 1.0376360765287911e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0026996191333835749, 1.0750324336826758, 8.5863938904646394e-15, 2.4162518546526296e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.020603794126347639, -7.240792749722555, 8.4215607720872993e-15, 5.0944981116065573e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -2.1933491924771098, 4.0263553194868624, 1.7109002504795399e-14, 3.7501121463538522e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.55925974807039247, -4.4610661377474754, 3.8590175045258621e-15, 1.237541158738319e-14},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.38291642204398046, 4.25193604668915, 2.2197912772819603e-15, 3.2030761142676298e-14},
 };
 #endif
@@ -855,32 +852,32 @@ FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const doub
     const double t6 = xD[0] - xC[0] + t5;
     const double u1 = 0.5 * t3;
     const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
+    const double t8 = (xA[2] - xS[2]) - 0.5 * (t1 + t7);
+    const double t9 = t1 - u1;
     const double u2 = 0.5 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.5 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.5 * t6;
-    const double t11 = xA[0] - xD[0] + u3;
-    const double t12 = t5 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.5 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.5 * (t2 + t9);
-    const double t15 = t7 * t8 + t9 * t10 - t11 * t12;
-    const double t16 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t17 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t18 = xA[0] - xS[0] + 0.5 * (t5 - t11);
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t18;
-    const double t20 = t12 * t18 - t8 * t13 - t10 * t14;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = t3 * t7 + t4 * t9 - t6 * t11;
-    const double t23 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t24 = (t15 * t19 + t16 * t20) * t23;
-    const double t25 = (t22 * t17 - t21 * t15) * t23;
-    const double t26 = (t22 * t15 - t21 * t16) * t23;
-    const double t27 = (t15 * t20 + t17 * t19) * t23;
+    const double t13 = xA[0] - xD[0] + u3;
+    const double t14 = t5 - u3;
+    const double t15 = xA[0] - xS[0] + 0.5 * (t5 - t13);
+    const double t16 = t7 * t9 + t10 * t12 - t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t10 - t6 * t13;
+    const double t22 = t14 * t15 - t9 * t8 - t12 * t11;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14;
+    const double t24 = (t16 * t20 + t17 * t22) * t19;
+    const double t25 = (t21 * t18 - t23 * t16) * t19;
+    const double t26 = (t21 * t16 - t23 * t17) * t19;
+    const double t27 = (t16 * t22 + t18 * t20) * t19;
     const double t28 = t25 * t24;
     const double t29 = t26 * t27;
     const double t30 = 1.0 - t28 - t29;
-    const double t31 = t23 * (t6 * t18 - t3 * t13 - t4 * t14 + t19 * t25 + t20 * t26);
+    const double t31 = t19 * (t6 * t15 - t3 * t8 - t4 * t11 + t20 * t25 + t22 * t26);
     double u4 = 0.6;
     const double t32 = (u4 > t30 ? u4 : t30);
     const double t33 = t24 * (t29 * t32 - 1.0);
@@ -891,8 +888,8 @@ FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const doub
     const double t36 = (u6 > t35 ? u6 : t35);
     const double t37 = (u5 < t34 ? u5 : t34);
     const double t38 = (u6 > t37 ? u6 : t37);
-    const double t39 = t16 * t31 * t38;
-    const double t40 = t31 * (t17 * t36 - t15 * t38);
+    const double t39 = t17 * t31 * t38;
+    const double t40 = t31 * (t18 * t36 - t16 * t38);
     double u7 = 0.075;
     const double t41 = (u7 < t39 ? u7 : t39);
     double u8 = -0.075;
@@ -961,8 +958,8 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_n(size_t n, const double *const
 static const double footpoint_whole_quad4_coarse_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.97349492056234888, 0.96422751691154251, 3.6607184325739398e-13, 4.9397152891899154e-13},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14194193749828848, -0.57633687572510106, 6.7874314730788859e-16, 1.2788585303339693e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0054552253835257686, 1, 5.440323050002863e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14194193749828848, -0.57633687572510106, 6.7874314730788839e-16, 1.2788585303339691e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0054552253835257686, 1, 5.4403230500028615e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.78804578109844137, -0.87484612985154109, 4.0245895871744147e-14, 3.8970729114555962e-14},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.41969923529257086, -1, 4.4856077046479073e-15, 1.110223024625157e-16},
@@ -986,47 +983,47 @@ FOOTPOINT_FN void footpoint_whole_quad4_newton_at(const double xA[3], const doub
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.425 * (t2 + t8);
     const double u3 = 0.425 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.425 * (t2 + t8);
-    const double t18 = (xA[0] - xS[0]) - 0.425 * (t5 + t11);
-    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
-    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t22 = (t13 * t20 - t14 * t19) * t21;
-    const double t23 = (t15 * t19 - t14 * t20) * t21;
-    const double t24 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t25 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t26 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t27 = t3 * t16 + t4 * t17 + t6 * t18;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.425 * (t5 + t13);
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 + t8 * t10 + t13 * t14;
+    const double t18 = t9 * t9 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t7 * t11 + t8 * t12 + t13 * t15;
+    const double t21 = t9 * t11 + t10 * t12 + t14 * t15;
+    const double t22 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t23 = t3 * t9 + t4 * t10 + t6 * t14;
+    const double t24 = (t16 * t21 - t17 * t20) * t19;
+    const double t25 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t26 = t3 * t11 + t4 * t12 + t6 * t15;
+    const double t27 = (t18 * t20 - t17 * t21) * t19;
     double u4 = 0.575;
-    const double t28 = (u4 < t22 ? u4 : t22);
+    const double t28 = (u4 < t24 ? u4 : t24);
     double u5 = -0.425;
     const double t29 = (u5 > t28 ? u5 : t28);
-    const double t30 = (u4 < t23 ? u4 : t23);
+    const double t30 = (u4 < t27 ? u4 : t27);
     const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = t25 - t24 * t29;
-    const double t33 = t26 - t24 * t31;
+    const double t32 = t22 - t25 * t29;
+    const double t33 = t23 - t25 * t31;
     const double t34 = t31 * t32;
-    const double t35 = t26 * t29 + t34;
-    const double t36 = t13 - t29 * (t25 + t32);
-    const double t37 = t15 - t31 * (t26 + t33);
-    const double t38 = t14 + t27 - 2.0 * t35;
-    const double t39 = t36 * t37;
-    const double t40 = t39 - t38 * t38;
-    const double t41 = t19 - t29 * (t34 + t35);
-    const double t42 = t20 - t31 * (t29 * t33 + t35);
-    const double u6 = 0.02 * t39;
-    const double t43 = (t40 > u6 ? t40 : u6);
-    const double t44 = t40 - t43;
+    const double t35 = t16 - t29 * (t22 + t32);
+    const double t36 = t23 * t29 + t34;
+    const double t37 = t17 + t26 - 2.0 * t36;
+    const double t38 = t18 - t31 * (t23 + t33);
+    const double t39 = t20 - t29 * (t34 + t36);
+    const double t40 = t21 - t31 * (t29 * t33 + t36);
+    const double t41 = t35 * t38;
+    const double t42 = t41 - t37 * t37;
+    const double u6 = 0.02 * t41;
+    const double t43 = (t42 > u6 ? t42 : u6);
+    const double t44 = t42 - t43;
     const double t45 = 2.0 / t43;
-    const double t46 = t45 * (t36 * t42 - t38 * t41 - t29 * t44) - 0.15;
-    const double t47 = t45 * (t37 * t41 - t38 * t42 - t31 * t44) - 0.15;
+    const double t46 = t45 * (t35 * t40 - t37 * t39 - t29 * t44) - 0.15;
+    const double t47 = t45 * (t38 * t39 - t37 * t40 - t31 * t44) - 0.15;
     double u7 = 1.0;
     const double t48 = (u7 < t46 ? u7 : t46);
     double u8 = -1.0;
@@ -1089,9 +1086,9 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_newton_n(size_t n, const double *const
 static const double footpoint_whole_quad4_newton_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14158572348720469, -0.57596682783878428, 4.3772089998525178e-16, 1.0693172248735784e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.0068522332796276293, 1, 7.0110140394139217e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.35095406471474982, -1, 4.780871857021403e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14158572348720469, -0.57596682783878428, 4.3772089998525188e-16, 1.069317224873578e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.0068522332796276293, 1, 7.0110140394139193e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.35095406471474982, -1, 4.7808718570214017e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.45194894663997082, -1, 4.5679671473685924e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, 1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -1113,52 +1110,52 @@ FOOTPOINT_FN void footpoint_whole_quad4_medium_at(const double xA[3], const doub
     const double u2 = 0.425 * t5;
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
-    const double t10 = t2 - u2;
+    const double t10 = xA[2] - xS[2] - 0.425 * (t1 + t7);
+    const double t11 = t2 - u2;
+    const double t12 = xA[1] - xS[1] - 0.425 * (t2 + t8);
     const double u3 = 0.425 * t6;
-    const double t11 = t3 - u3;
-    const double t12 = xA[0] - xD[0] - u3;
-    const double t13 = t7 * t9 + t8 * t10 + t12 * t11;
-    const double t14 = t7 * t7 + t8 * t8 + t12 * t12;
-    const double t15 = t9 * t9 + (t10 * t10 + t11 * t11);
-    const double t16 = xA[2] - xS[2] - 0.425 * (t1 + t7);
-    const double t17 = xA[1] - xS[1] - 0.425 * (t2 + t8);
-    const double t18 = xA[0] - xS[0] - 0.425 * (t3 + t12);
-    const double t19 = t7 * t16 + t8 * t17 + t12 * t18;
-    const double t20 = t9 * t16 + t10 * t17 + t11 * t18;
-    const double t21 = 1.0 / (t13 * t13 - t15 * t14);
-    const double t22 = (t13 * t19 - t14 * t20) * t21;
-    const double t23 = (t13 * t20 - t15 * t19) * t21;
-    const double t24 = t4 * t9 + (t5 * t10 + t6 * t11);
-    const double t25 = t4 * t7 + t5 * t8 + t6 * t12;
-    const double t26 = t24 * t14 - t25 * t13;
-    const double t27 = t24 * t13 - t15 * t25;
-    const double t28 = t4 * t4 + t5 * t5 + t6 * t6;
+    const double t13 = t3 - u3;
+    const double t14 = xA[0] - xD[0] - u3;
+    const double t15 = xA[0] - xS[0] - 0.425 * (t3 + t14);
+    const double t16 = t7 * t9 + t8 * t11 + t14 * t13;
+    const double t17 = t7 * t7 + t8 * t8 + t14 * t14;
+    const double t18 = t9 * t9 + (t11 * t11 + t13 * t13);
+    const double t19 = 1.0 / (t16 * t16 - t18 * t17);
+    const double t20 = t7 * t10 + t8 * t12 + t14 * t15;
+    const double t21 = t9 * t10 + t11 * t12 + t13 * t15;
+    const double t22 = t4 * t7 + t5 * t8 + t6 * t14;
+    const double t23 = t4 * t9 + (t5 * t11 + t6 * t13);
+    const double t24 = (t16 * t20 - t17 * t21) * t19;
+    const double t25 = (t16 * t21 - t18 * t20) * t19;
+    const double t26 = t23 * t17 - t22 * t16;
+    const double t27 = t4 * t4 + t5 * t5 + t6 * t6;
+    const double t28 = t23 * t16 - t18 * t22;
     double u4 = 0.575;
-    const double t29 = (u4 < t23 ? u4 : t23);
+    const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
     const double t30 = (u5 > t29 ? u5 : t29);
-    const double t31 = (u4 < t22 ? u4 : t22);
+    const double t31 = (u4 < t24 ? u4 : t24);
     const double t32 = (u5 > t31 ? u5 : t31);
-    const double t33 = t30 * t21 * t32;
-    const double t34 = t26 * t33 - t22;
-    const double t35 = t23 + t27 * t33;
-    const double t36 = t25 + t28 * t34;
-    const double t37 = t35 * t36;
-    const double t38 = t24 - t28 * t35;
-    const double t39 = t37 - t24 * t34;
-    const double t40 = t4 * t16 + t5 * t17 + t6 * t18 + t13 - 2.0 * t39;
-    const double t41 = t14 + t34 * (t25 + t36);
-    const double t42 = t15 - t35 * (t24 + t38);
-    const double t43 = t41 * t42;
-    const double t44 = t43 - t40 * t40;
-    const double t45 = t19 + t34 * (t37 + t39);
-    const double t46 = t20 - t35 * (t39 - t34 * t38);
-    const double u6 = 0.02 * t43;
-    const double t47 = (t44 > u6 ? t44 : u6);
-    const double t48 = t44 - t47;
+    const double t33 = t30 * t19 * t32;
+    const double t34 = t26 * t33 - t24;
+    const double t35 = t25 + t28 * t33;
+    const double t36 = t22 + t27 * t34;
+    const double t37 = t23 - t27 * t35;
+    const double t38 = t35 * t36;
+    const double t39 = t38 - t23 * t34;
+    const double t40 = t4 * t10 + t5 * t12 + t6 * t15 + t16 - 2.0 * t39;
+    const double t41 = t17 + t34 * (t22 + t36);
+    const double t42 = t18 - t35 * (t23 + t37);
+    const double t43 = t20 + t34 * (t38 + t39);
+    const double t44 = t21 - t35 * (t39 - t34 * t37);
+    const double t45 = t41 * t42;
+    const double t46 = t45 - t40 * t40;
+    const double u6 = 0.02 * t45;
+    const double t47 = (t46 > u6 ? t46 : u6);
+    const double t48 = t46 - t47;
     const double t49 = 2.0 / t47;
-    const double t50 = (t41 * t46 - t40 * t45 + t34 * t48) * t49 - 0.15;
-    const double t51 = (t42 * t45 - t40 * t46 - t35 * t48) * t49 - 0.15;
+    const double t50 = (t41 * t44 - t40 * t43 + t34 * t48) * t49 - 0.15;
+    const double t51 = (t42 * t43 - t40 * t44 - t35 * t48) * t49 - 0.15;
     double u7 = 1.0;
     const double t52 = (u7 < t50 ? u7 : t50);
     double u8 = -1.0;
@@ -1222,11 +1219,11 @@ static const double footpoint_whole_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.1415846515899386, -0.57597193805264602, 4.3794016492224937e-16, 1.0699051210293922e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0090622168458054635, 1, 9.6875943629001131e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.050699986241684293, -1, 2.1253100615372846e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0090622168458054635, 1, 9.6875943629001084e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.050699986241684293, -1, 2.125310061537283e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.52897052427105407, -1, 3.5753051146445198e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.45865147142823193, 1, 1.6754682445826521e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.52897052427105407, -1, 3.575305114644519e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.45865147142823193, 1, 1.6754682445826523e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -1242,28 +1239,28 @@ FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const do
     const double t6 = xC[0] - xD[0] + t5;
     const double u1 = 0.425 * t3;
     const double t7 = xA[2] - xD[2] - u1;
-    const double u2 = 0.425 * t4;
-    const double t8 = xA[1] - xD[1] - u2;
+    const double t8 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
     const double t9 = t1 - u1;
-    const double t10 = t2 - u2;
+    const double u2 = 0.425 * t4;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.425 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.425 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.425 * (t2 + t8);
-    const double t15 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t16 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t17 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t18 = xA[0] - xS[0] - 0.425 * (t5 + t11);
-    const double t19 = t7 * t13 + t8 * t14 + t11 * t18;
-    const double t20 = t9 * t13 + t10 * t14 + t12 * t18;
-    const double t21 = t3 * t9 + (t4 * t10 + t6 * t12);
-    const double t22 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = (t16 * t20 - t15 * t19) * t22;
-    const double t25 = (t17 * t19 - t15 * t20) * t22;
-    const double t26 = (t23 * t17 - t21 * t15) * t22;
-    const double t27 = (t21 * t16 - t23 * t15) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = xA[0] - xS[0] - 0.425 * (t5 + t13);
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t22 = t9 * t8 + t12 * t11 + t14 * t15;
+    const double t23 = t3 * t9 + (t4 * t12 + t6 * t14);
+    const double t24 = (t17 * t22 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t21 * t16) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     double u4 = 0.575;
     const double t29 = (u4 < t25 ? u4 : t25);
@@ -1277,31 +1274,31 @@ FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const do
     const double t35 = t30 * t32 * t34;
     const double t36 = t24 + t27 * t35;
     const double t37 = t25 + t26 * t35;
-    const double t38 = t23 - t28 * t36;
-    const double t39 = t37 * t38;
-    const double t40 = t21 - t28 * t37;
-    const double t41 = t21 * t36 + t39;
-    const double t42 = t3 * t13 + t4 * t14 + t6 * t18 + t15 - 2.0 * t41;
-    const double t43 = t16 - t36 * (t23 + t38);
-    const double t44 = t17 - t37 * (t21 + t40);
-    const double t45 = t43 * t44;
-    const double t46 = t45 - t42 * t42;
-    const double t47 = t19 - t36 * (t39 + t41);
-    const double t48 = t20 - t37 * (t36 * t40 + t41);
-    const double u7 = 0.02 * t45;
-    const double t49 = (t46 > u7 ? t46 : u7);
-    const double t50 = t46 - t49;
+    const double t38 = t21 - t28 * t36;
+    const double t39 = t23 - t28 * t37;
+    const double t40 = t17 - t36 * (t21 + t38);
+    const double t41 = t18 - t37 * (t23 + t39);
+    const double t42 = t37 * t38;
+    const double t43 = t23 * t36 + t42;
+    const double t44 = t3 * t8 + t4 * t11 + t6 * t15 + t16 - 2.0 * t43;
+    const double t45 = t20 - t36 * (t42 + t43);
+    const double t46 = t22 - t37 * (t36 * t39 + t43);
+    const double t47 = t40 * t41;
+    const double t48 = t47 - t44 * t44;
+    const double u7 = 0.02 * t47;
+    const double t49 = (t48 > u7 ? t48 : u7);
+    const double t50 = t48 - t49;
     const double t51 = 1.0 / t49;
-    const double t52 = (t44 * t47 - t42 * t48 - t37 * t50) * t51;
-    const double t53 = (t43 * t48 - t42 * t47 - t36 * t50) * t51;
+    const double t52 = (t41 * t45 - t44 * t46 - t37 * t50) * t51;
+    const double t53 = (t40 * t46 - t44 * t45 - t36 * t50) * t51;
     const double t54 = 2.0 * (t37 - t52);
     const double t55 = t36 - t53;
     const double t56 = t38 * t54;
-    const double t57 = t40 * t55;
+    const double t57 = t39 * t55;
     const double t58 = t55 * (t57 + t56);
     const double t59 = t54 * (t57 + 0.25 * t56);
-    const double t60 = t51 * (t42 * t58 - t43 * t59);
-    const double t61 = t51 * (t42 * t59 - t44 * t58);
+    const double t60 = t51 * (t44 * t58 - t40 * t59);
+    const double t61 = t51 * (t44 * t59 - t41 * t58);
     double u8 = 0.05;
     const double t62 = (u8 < t60 ? u8 : t60);
     double u9 = -0.05;
@@ -1375,11 +1372,11 @@ static const double footpoint_whole_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157735974754845, -0.57599428165362232, 4.5415318004930421e-16, 1.1345063429130766e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013320262838995173, 1, 1.1072523957255356e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013320262838995173, 1, 1.1072523957255353e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.57106841121336227, -1, 4.4801317230980187e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.49205497091848666, 1, 3.356504350113482e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.57106841121336227, -1, 4.4801317230980195e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.49205497091848666, 1, 3.3565043501134781e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -1395,30 +1392,30 @@ FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double
     const double t6 = xC[0] - xD[0] + t5;
     const double u1 = 0.425 * t3;
     const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
+    const double t8 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
+    const double t9 = t1 - u1;
     const double u2 = 0.425 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.425 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.425 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.425 * (t2 + t9);
-    const double t15 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t16 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t17 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t18 = xA[0] - xS[0] - 0.425 * (t5 + t11);
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t18;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t18;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t23 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t24 = (t16 * t20 - t15 * t19) * t22;
-    const double t25 = (t17 * t19 - t15 * t20) * t22;
-    const double t26 = (t23 * t17 - t21 * t15) * t22;
-    const double t27 = (t21 * t16 - t23 * t15) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = xA[0] - xS[0] - 0.425 * (t5 + t13);
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t22 = t9 * t8 + t12 * t11 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14;
+    const double t24 = (t17 * t22 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t21 * t16) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
+    const double t29 = t16 + (t3 * t8 + t4 * t11 + t6 * t15);
     double u4 = 0.575;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
@@ -1431,44 +1428,44 @@ FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t38 * t39;
-    const double t41 = t21 - t28 * t38;
-    const double t42 = t21 * t37 + t40;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t16 - t37 * (t23 + t39);
-    const double t45 = t17 - t38 * (t21 + t41);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t40 + t42);
-    const double t49 = t20 - t38 * (t37 * t41 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
+    const double t41 = t38 * t39;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t17 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t29 - 2.0 * t42;
+    const double t46 = t20 - t37 * (t41 + t42);
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t45 * t45;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
-    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
+    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t23 - t28 * t56;
-    const double t60 = t58 * t59;
-    const double t61 = t21 - t28 * t58;
-    const double t62 = t21 * t56 + t60;
-    const double t63 = t29 - 2.0 * t62;
-    const double t64 = t16 - t56 * (t23 + t59);
-    const double t65 = t17 - t58 * (t21 + t61);
-    const double t66 = t64 * t65;
-    const double t67 = t66 - t63 * t63;
-    const double t68 = t19 - t56 * (t60 + t62);
-    const double t69 = t20 - t58 * (t56 * t61 + t62);
-    const double u8 = 0.02 * t66;
-    const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = t67 - t70;
+    const double t59 = t21 - t28 * t56;
+    const double t60 = t23 - t28 * t58;
+    const double t61 = t58 * t59;
+    const double t62 = t17 - t56 * (t21 + t59);
+    const double t63 = t23 * t56 + t61;
+    const double t64 = t18 - t58 * (t23 + t60);
+    const double t65 = t29 - 2.0 * t63;
+    const double t66 = t20 - t56 * (t61 + t63);
+    const double t67 = t22 - t58 * (t56 * t60 + t63);
+    const double t68 = t62 * t64;
+    const double t69 = t68 - t65 * t65;
+    const double u8 = 0.02 * t68;
+    const double t70 = (t69 > u8 ? t69 : u8);
+    const double t71 = t69 - t70;
     const double t72 = 2.0 / t70;
-    const double t73 = (t64 * t69 - t63 * t68 - t56 * t71) * t72 - 0.15;
-    const double t74 = (t65 * t68 - t63 * t69 - t58 * t71) * t72 - 0.15;
+    const double t73 = (t62 * t67 - t65 * t66 - t56 * t71) * t72 - 0.15;
+    const double t74 = (t64 * t66 - t65 * t67 - t58 * t71) * t72 - 0.15;
     double u9 = 1.0;
     const double t75 = (u9 < t73 ? u9 : t73);
     double u10 = -1.0;
@@ -1531,8 +1528,8 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fine_n(size_t n, const double *const x
 static const double footpoint_whole_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728733978131, -0.57599434309961206, 4.3784469360790847e-16, 1.0710556831191263e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0064745897452268483, 1, 7.2704872862574554e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728733978131, -0.57599434309961206, 4.3784469360790838e-16, 1.0710556831191261e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0064745897452268483, 1, 7.2704872862575058e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -1556,26 +1553,26 @@ FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const dou
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.425 * (t2 + t8);
     const double u3 = 0.425 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.425 * (t2 + t8);
-    const double t18 = (xA[0] - xS[0]) - 0.425 * (t5 + t11);
-    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
-    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = (t13 * t20 - t14 * t19) * t22;
-    const double t25 = (t15 * t19 - t14 * t20) * t22;
-    const double t26 = (t23 * t15 - t21 * t14) * t22;
-    const double t27 = (t21 * t13 - t23 * t14) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.425 * (t5 + t13);
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 + t8 * t10 + t13 * t14;
+    const double t18 = t9 * t9 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t7 * t11 + t8 * t12 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t9 * t11 + t10 * t12 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t10 + t6 * t14;
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t18 * t20 - t17 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t17) * t19;
+    const double t27 = (t23 * t16 - t21 * t17) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
+    const double t29 = t17 + (t3 * t11 + t4 * t12 + t6 * t15);
     double u4 = 0.575;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
@@ -1588,65 +1585,65 @@ FOOTPOINT_FN void footpoint_whole_quad4_precise_at(const double xA[3], const dou
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t21 - t28 * t38;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
     const double t41 = t38 * t39;
-    const double t42 = t21 * t37 + t41;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t13 - t37 * (t23 + t39);
-    const double t45 = t15 - t38 * (t21 + t40);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t41 + t42);
-    const double t49 = t20 - t38 * (t37 * t40 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t16 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t29 - 2.0 * t42;
+    const double t46 = t20 - t37 * (t41 + t42);
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t45 * t45;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
-    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
+    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t23 - t28 * t56;
-    const double t60 = t21 - t28 * t58;
+    const double t59 = t21 - t28 * t56;
+    const double t60 = t23 - t28 * t58;
     const double t61 = t58 * t59;
-    const double t62 = t21 * t56 + t61;
-    const double t63 = t13 - t56 * (t23 + t59);
-    const double t64 = t15 - t58 * (t21 + t60);
+    const double t62 = t23 * t56 + t61;
+    const double t63 = t16 - t56 * (t21 + t59);
+    const double t64 = t18 - t58 * (t23 + t60);
     const double t65 = t29 - 2.0 * t62;
-    const double t66 = t63 * t64;
-    const double t67 = t66 - t65 * t65;
-    const double t68 = t19 - t56 * (t61 + t62);
-    const double t69 = t20 - t58 * (t56 * t60 + t62);
-    const double u8 = 0.02 * t66;
-    const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = t67 - t70;
+    const double t66 = t20 - t56 * (t61 + t62);
+    const double t67 = t22 - t58 * (t56 * t60 + t62);
+    const double t68 = t63 * t64;
+    const double t69 = t68 - t65 * t65;
+    const double u8 = 0.02 * t68;
+    const double t70 = (t69 > u8 ? t69 : u8);
+    const double t71 = t69 - t70;
     const double t72 = 1.0 / t70;
-    const double t73 = t72 * (t63 * t69 - t65 * t68 - t56 * t71);
-    const double t74 = t72 * (t64 * t68 - t65 * t69 - t58 * t71);
+    const double t73 = t72 * (t63 * t67 - t65 * t66 - t56 * t71);
+    const double t74 = t72 * (t64 * t66 - t65 * t67 - t58 * t71);
     const double t75 = (u4 < t73 ? u4 : t73);
     const double t76 = (u5 > t75 ? u5 : t75);
     const double t77 = (u4 < t74 ? u4 : t74);
     const double t78 = (u5 > t77 ? u5 : t77);
-    const double t79 = t23 - t28 * t76;
-    const double t80 = t21 - t28 * t78;
+    const double t79 = t21 - t28 * t76;
+    const double t80 = t23 - t28 * t78;
     const double t81 = t78 * t79;
-    const double t82 = t21 * t76 + t81;
-    const double t83 = t13 - t76 * (t23 + t79);
-    const double t84 = t15 - t78 * (t21 + t80);
-    const double t85 = t29 - 2.0 * t82;
-    const double t86 = t83 * t84;
-    const double t87 = t86 - t85 * t85;
-    const double t88 = t19 - t76 * (t81 + t82);
-    const double t89 = t20 - t78 * (t76 * t80 + t82);
-    const double u9 = 0.02 * t86;
-    const double t90 = (t87 > u9 ? t87 : u9);
-    const double t91 = t87 - t90;
+    const double t82 = t16 - t76 * (t21 + t79);
+    const double t83 = t23 * t76 + t81;
+    const double t84 = t18 - t78 * (t23 + t80);
+    const double t85 = t29 - 2.0 * t83;
+    const double t86 = t20 - t76 * (t81 + t83);
+    const double t87 = t22 - t78 * (t76 * t80 + t83);
+    const double t88 = t82 * t84;
+    const double t89 = t88 - t85 * t85;
+    const double u9 = 0.02 * t88;
+    const double t90 = (t89 > u9 ? t89 : u9);
+    const double t91 = t89 - t90;
     const double t92 = 2.0 / t90;
-    const double t93 = t92 * (t83 * t89 - t85 * t88 - t76 * t91) - 0.15;
-    const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91) - 0.15;
+    const double t93 = t92 * (t82 * t87 - t85 * t86 - t76 * t91) - 0.15;
+    const double t94 = t92 * (t84 * t86 - t85 * t87 - t78 * t91) - 0.15;
     double u10 = 1.0;
     const double t95 = (u10 < t93 ? u10 : t93);
     double u11 = -1.0;
@@ -1709,12 +1706,12 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_precise_n(size_t n, const double *cons
 static const double footpoint_whole_quad4_precise_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.3784396044773088e-16, 1.0710564125663102e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0063674697994526826, 1, 7.1660659717159721e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.3784396044773083e-16, 1.0710564125663104e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0063674697994526826, 1, 7.1660659717171964e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -0.50980063787505936, -1, 7.4763379647061137e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.45194894663997082, -1, 4.5679671473685964e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.93226862997729265, 1, 2.5814971352827191e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.93226862997729265, 1, 2.5814971352827488e-14, 1.110223024625157e-16},
 };
 #endif
 
@@ -1730,30 +1727,30 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     const double t6 = xC[0] - xD[0] + t5;
     const double u1 = 0.425 * t3;
     const double t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1;
+    const double t8 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
+    const double t9 = t1 - u1;
     const double u2 = 0.425 * t4;
-    const double t9 = xA[1] - xD[1] - u2;
-    const double t10 = t2 - u2;
+    const double t10 = xA[1] - xD[1] - u2;
+    const double t11 = (xA[1] - xS[1]) - 0.425 * (t2 + t10);
+    const double t12 = t2 - u2;
     const double u3 = 0.425 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
-    const double t14 = (xA[1] - xS[1]) - 0.425 * (t2 + t9);
-    const double t15 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t16 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t17 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t18 = xA[0] - xS[0] - 0.425 * (t5 + t11);
-    const double t19 = t7 * t13 + t9 * t14 + t11 * t18;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t18;
-    const double t21 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t16 * t17 - t15 * t15);
-    const double t23 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t24 = (t16 * t20 - t15 * t19) * t22;
-    const double t25 = (t17 * t19 - t15 * t20) * t22;
-    const double t26 = (t23 * t17 - t21 * t15) * t22;
-    const double t27 = (t21 * t16 - t23 * t15) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = xA[0] - xS[0] - 0.425 * (t5 + t13);
+    const double t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t22 = t9 * t8 + t12 * t11 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14;
+    const double t24 = (t17 * t22 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t21 * t16) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t15 + (t3 * t13 + t4 * t14 + t6 * t18);
+    const double t29 = t16 + (t3 * t8 + t4 * t11 + t6 * t15);
     double u4 = 0.575;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
@@ -1766,31 +1763,31 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t38 * t39;
-    const double t41 = t21 - t28 * t38;
-    const double t42 = t21 * t37 + t40;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t16 - t37 * (t23 + t39);
-    const double t45 = t17 - t38 * (t21 + t41);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t40 + t42);
-    const double t49 = t20 - t38 * (t37 * t41 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
+    const double t41 = t38 * t39;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t17 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t20 - t37 * (t41 + t42);
+    const double t46 = t29 - 2.0 * t42;
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t46 * t46;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
-    const double t54 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
+    const double t53 = (t44 * t45 - t46 * t47 - t38 * t51) * t52;
+    const double t54 = (t43 * t47 - t46 * t45 - t37 * t51) * t52;
     const double t55 = 2.0 * (t38 - t53);
     const double t56 = t54 - t37;
     const double t57 = t39 * t55;
-    const double t58 = t41 * t56;
+    const double t58 = t40 * t56;
     const double t59 = t56 * (t57 - t58);
     const double t60 = t55 * (0.25 * t57 - t58);
-    const double t61 = t52 * (t44 * t60 + t43 * t59);
-    const double t62 = t52 * (t45 * t59 + t43 * t60);
+    const double t61 = t52 * (t43 * t60 + t46 * t59);
+    const double t62 = t52 * (t44 * t59 + t46 * t60);
     const double u8 = -t61;
     double u9 = 0.05;
     const double t63 = (u9 < u8 ? u9 : u8);
@@ -1804,31 +1801,31 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     const double t70 = (u5 > t69 ? u5 : t69);
     const double t71 = (u4 < t68 ? u4 : t68);
     const double t72 = (u5 > t71 ? u5 : t71);
-    const double t73 = t23 - t28 * t70;
-    const double t74 = t72 * t73;
-    const double t75 = t21 - t28 * t72;
-    const double t76 = t21 * t70 + t74;
-    const double t77 = t29 - 2.0 * t76;
-    const double t78 = t16 - t70 * (t23 + t73);
-    const double t79 = t17 - t72 * (t21 + t75);
-    const double t80 = t78 * t79;
-    const double t81 = t80 - t77 * t77;
-    const double t82 = t70 * (t74 + t76) - t19;
-    const double t83 = t72 * (t70 * t75 + t76) - t20;
-    const double u11 = 0.02 * t80;
-    const double t84 = (t81 > u11 ? t81 : u11);
-    const double t85 = t84 - t81;
+    const double t73 = t21 - t28 * t70;
+    const double t74 = t23 - t28 * t72;
+    const double t75 = t17 - t70 * (t21 + t73);
+    const double t76 = t18 - t72 * (t23 + t74);
+    const double t77 = t72 * t73;
+    const double t78 = t23 * t70 + t77;
+    const double t79 = t29 - 2.0 * t78;
+    const double t80 = t70 * (t77 + t78) - t20;
+    const double t81 = t72 * (t70 * t74 + t78) - t22;
+    const double t82 = t75 * t76;
+    const double t83 = t82 - t79 * t79;
+    const double u11 = 0.02 * t82;
+    const double t84 = (t83 > u11 ? t83 : u11);
+    const double t85 = t84 - t83;
     const double t86 = 1.0 / t84;
-    const double t87 = (t77 * t83 - t79 * t82 + t72 * t85) * t86;
-    const double t88 = (t77 * t82 - t78 * t83 + t70 * t85) * t86;
+    const double t87 = (t79 * t81 - t76 * t80 + t72 * t85) * t86;
+    const double t88 = (t79 * t80 - t75 * t81 + t70 * t85) * t86;
     const double t89 = 2.0 * (t72 - t87);
     const double t90 = t70 - t88;
     const double t91 = t73 * t89;
-    const double t92 = t75 * t90;
+    const double t92 = t74 * t90;
     const double t93 = t89 * (t92 + 0.25 * t91);
     const double t94 = t90 * (t92 + t91);
-    const double t95 = t86 * (t77 * t93 - t79 * t94);
-    const double t96 = t86 * (t77 * t94 - t78 * t93);
+    const double t95 = t86 * (t79 * t93 - t76 * t94);
+    const double t96 = t86 * (t79 * t94 - t75 * t93);
     const double t97 = (u9 < t95 ? u9 : t95);
     const double t98 = (u10 > t97 ? u10 : t97);
     const double t99 = (u9 < t96 ? u9 : t96);
@@ -1842,11 +1839,11 @@ FOOTPOINT_FN void footpoint_whole_quad4_accurate_at(const double xA[3], const do
     const double t107 = 2.0 * (t72 - t104);
     const double t108 = t70 - t106;
     const double t109 = t73 * t107;
-    const double t110 = t75 * t108;
+    const double t110 = t74 * t108;
     const double t111 = t107 * (t110 + 0.25 * t109);
     const double t112 = t108 * (t110 + t109);
-    const double t113 = t86 * (t77 * t112 - t78 * t111);
-    const double t114 = t86 * (t77 * t111 - t79 * t112);
+    const double t113 = t86 * (t79 * t112 - t75 * t111);
+    const double t114 = t86 * (t79 * t111 - t76 * t112);
     const double t115 = (u9 < t113 ? u9 : t113);
     const double t116 = (u10 > t115 ? u10 : t115);
     const double t117 = (u9 < t114 ? u9 : t114);
@@ -1917,12 +1914,12 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_accurate_n(size_t n, const double *con
 static const double footpoint_whole_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.5356220871861163e-16, 1.1350046221857832e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.006555778262164959, 1, 7.3292422642803241e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.5356220871861144e-16, 1.135004622185783e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.006555778262164959, 1, 7.3292422642801285e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, 0.0084421949118670733, 1, 1.5347918110378776e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, 0.0084421949118670733, 1, 1.5347918110378779e-14, 1.110223024625157e-16},
 };
 #endif
 
@@ -1942,26 +1939,26 @@ FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double
     const double t8 = xA[1] - xD[1] - u2;
     const double t9 = t1 - u1;
     const double t10 = t2 - u2;
+    const double t11 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
+    const double t12 = (xA[1] - xS[1]) - 0.425 * (t2 + t8);
     const double u3 = 0.425 * t6;
-    const double t11 = xA[0] - xD[0] - u3;
-    const double t12 = t5 - u3;
-    const double t13 = t7 * t7 + t8 * t8 + t11 * t11;
-    const double t14 = t7 * t9 + t8 * t10 + t11 * t12;
-    const double t15 = t9 * t9 + t10 * t10 + t12 * t12;
-    const double t16 = (xA[2] - xS[2]) - 0.425 * (t1 + t7);
-    const double t17 = (xA[1] - xS[1]) - 0.425 * (t2 + t8);
-    const double t18 = (xA[0] - xS[0]) - 0.425 * (t5 + t11);
-    const double t19 = t7 * t16 + t8 * t17 + t11 * t18;
-    const double t20 = t9 * t16 + t10 * t17 + t12 * t18;
-    const double t21 = t3 * t9 + t4 * t10 + t6 * t12;
-    const double t22 = 1.0 / (t13 * t15 - t14 * t14);
-    const double t23 = t3 * t7 + t4 * t8 + t6 * t11;
-    const double t24 = (t13 * t20 - t14 * t19) * t22;
-    const double t25 = (t15 * t19 - t14 * t20) * t22;
-    const double t26 = (t23 * t15 - t21 * t14) * t22;
-    const double t27 = (t21 * t13 - t23 * t14) * t22;
+    const double t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3;
+    const double t15 = (xA[0] - xS[0]) - 0.425 * (t5 + t13);
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13;
+    const double t17 = t7 * t9 + t8 * t10 + t13 * t14;
+    const double t18 = t9 * t9 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t7 * t11 + t8 * t12 + t13 * t15;
+    const double t21 = t3 * t7 + t4 * t8 + t6 * t13;
+    const double t22 = t9 * t11 + t10 * t12 + t14 * t15;
+    const double t23 = t3 * t9 + t4 * t10 + t6 * t14;
+    const double t24 = (t16 * t22 - t17 * t20) * t19;
+    const double t25 = (t18 * t20 - t17 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t17) * t19;
+    const double t27 = (t23 * t16 - t21 * t17) * t19;
     const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t14 + (t3 * t16 + t4 * t17 + t6 * t18);
+    const double t29 = t17 + (t3 * t11 + t4 * t12 + t6 * t15);
     double u4 = 0.575;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
@@ -1974,86 +1971,86 @@ FOOTPOINT_FN void footpoint_whole_quad4_full_at(const double xA[3], const double
     const double t36 = t31 * t33 * t35;
     const double t37 = t24 + t27 * t36;
     const double t38 = t25 + t26 * t36;
-    const double t39 = t23 - t28 * t37;
-    const double t40 = t21 - t28 * t38;
+    const double t39 = t21 - t28 * t37;
+    const double t40 = t23 - t28 * t38;
     const double t41 = t38 * t39;
-    const double t42 = t21 * t37 + t41;
-    const double t43 = t29 - 2.0 * t42;
-    const double t44 = t13 - t37 * (t23 + t39);
-    const double t45 = t15 - t38 * (t21 + t40);
-    const double t46 = t44 * t45;
-    const double t47 = t46 - t43 * t43;
-    const double t48 = t19 - t37 * (t41 + t42);
-    const double t49 = t20 - t38 * (t37 * t40 + t42);
-    const double u7 = 0.02 * t46;
-    const double t50 = (t47 > u7 ? t47 : u7);
-    const double t51 = t47 - t50;
+    const double t42 = t23 * t37 + t41;
+    const double t43 = t16 - t37 * (t21 + t39);
+    const double t44 = t18 - t38 * (t23 + t40);
+    const double t45 = t29 - 2.0 * t42;
+    const double t46 = t20 - t37 * (t41 + t42);
+    const double t47 = t22 - t38 * (t37 * t40 + t42);
+    const double t48 = t43 * t44;
+    const double t49 = t48 - t45 * t45;
+    const double u7 = 0.02 * t48;
+    const double t50 = (t49 > u7 ? t49 : u7);
+    const double t51 = t49 - t50;
     const double t52 = 1.0 / t50;
-    const double t53 = (t44 * t49 - t43 * t48 - t37 * t51) * t52;
-    const double t54 = (t45 * t48 - t43 * t49 - t38 * t51) * t52;
+    const double t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
+    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52;
     const double t55 = (u4 < t53 ? u4 : t53);
     const double t56 = (u5 > t55 ? u5 : t55);
     const double t57 = (u4 < t54 ? u4 : t54);
     const double t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t23 - t28 * t56;
-    const double t60 = t21 - t28 * t58;
+    const double t59 = t21 - t28 * t56;
+    const double t60 = t23 - t28 * t58;
     const double t61 = t58 * t59;
-    const double t62 = t21 * t56 + t61;
-    const double t63 = t13 - t56 * (t23 + t59);
-    const double t64 = t15 - t58 * (t21 + t60);
+    const double t62 = t23 * t56 + t61;
+    const double t63 = t16 - t56 * (t21 + t59);
+    const double t64 = t18 - t58 * (t23 + t60);
     const double t65 = t29 - 2.0 * t62;
-    const double t66 = t63 * t64;
-    const double t67 = t66 - t65 * t65;
-    const double t68 = t19 - t56 * (t61 + t62);
-    const double t69 = t20 - t58 * (t56 * t60 + t62);
-    const double u8 = 0.02 * t66;
-    const double t70 = (t67 > u8 ? t67 : u8);
-    const double t71 = t67 - t70;
+    const double t66 = t20 - t56 * (t61 + t62);
+    const double t67 = t22 - t58 * (t56 * t60 + t62);
+    const double t68 = t63 * t64;
+    const double t69 = t68 - t65 * t65;
+    const double u8 = 0.02 * t68;
+    const double t70 = (t69 > u8 ? t69 : u8);
+    const double t71 = t69 - t70;
     const double t72 = 1.0 / t70;
-    const double t73 = t72 * (t63 * t69 - t65 * t68 - t56 * t71);
-    const double t74 = t72 * (t64 * t68 - t65 * t69 - t58 * t71);
+    const double t73 = t72 * (t63 * t67 - t65 * t66 - t56 * t71);
+    const double t74 = t72 * (t64 * t66 - t65 * t67 - t58 * t71);
     const double t75 = (u4 < t73 ? u4 : t73);
     const double t76 = (u5 > t75 ? u5 : t75);
     const double t77 = (u4 < t74 ? u4 : t74);
     const double t78 = (u5 > t77 ? u5 : t77);
-    const double t79 = t23 - t28 * t76;
-    const double t80 = t21 - t28 * t78;
+    const double t79 = t21 - t28 * t76;
+    const double t80 = t23 - t28 * t78;
     const double t81 = t78 * t79;
-    const double t82 = t21 * t76 + t81;
-    const double t83 = t13 - t76 * (t23 + t79);
-    const double t84 = t15 - t78 * (t21 + t80);
+    const double t82 = t23 * t76 + t81;
+    const double t83 = t16 - t76 * (t21 + t79);
+    const double t84 = t18 - t78 * (t23 + t80);
     const double t85 = t29 - 2.0 * t82;
-    const double t86 = t83 * t84;
-    const double t87 = t86 - t85 * t85;
-    const double t88 = t19 - t76 * (t81 + t82);
-    const double t89 = t20 - t78 * (t76 * t80 + t82);
-    const double u9 = 0.02 * t86;
-    const double t90 = (t87 > u9 ? t87 : u9);
-    const double t91 = t87 - t90;
+    const double t86 = t20 - t76 * (t81 + t82);
+    const double t87 = t22 - t78 * (t76 * t80 + t82);
+    const double t88 = t83 * t84;
+    const double t89 = t88 - t85 * t85;
+    const double u9 = 0.02 * t88;
+    const double t90 = (t89 > u9 ? t89 : u9);
+    const double t91 = t89 - t90;
     const double t92 = 1.0 / t90;
-    const double t93 = t92 * (t83 * t89 - t85 * t88 - t76 * t91);
-    const double t94 = t92 * (t84 * t88 - t85 * t89 - t78 * t91);
+    const double t93 = t92 * (t83 * t87 - t85 * t86 - t76 * t91);
+    const double t94 = t92 * (t84 * t86 - t85 * t87 - t78 * t91);
     const double t95 = (u4 < t93 ? u4 : t93);
     const double t96 = (u5 > t95 ? u5 : t95);
     const double t97 = (u4 < t94 ? u4 : t94);
     const double t98 = (u5 > t97 ? u5 : t97);
-    const double t99 = t23 - t28 * t96;
-    const double t100 = t21 - t28 * t98;
+    const double t99 = t21 - t28 * t96;
+    const double t100 = t23 - t28 * t98;
     const double t101 = t98 * t99;
-    const double t102 = t21 * t96 + t101;
-    const double t103 = t13 - t96 * (t23 + t99);
-    const double t104 = t15 - t98 * (t21 + t100);
-    const double t105 = t29 - 2.0 * t102;
-    const double t106 = t103 * t104;
-    const double t107 = t106 - t105 * t105;
-    const double t108 = t19 - t96 * (t101 + t102);
-    const double t109 = t20 - t98 * (t96 * t100 + t102);
-    const double u10 = 0.02 * t106;
-    const double t110 = (t107 > u10 ? t107 : u10);
-    const double t111 = t107 - t110;
+    const double t102 = t16 - t96 * (t21 + t99);
+    const double t103 = t23 * t96 + t101;
+    const double t104 = t18 - t98 * (t23 + t100);
+    const double t105 = t29 - 2.0 * t103;
+    const double t106 = t20 - t96 * (t101 + t103);
+    const double t107 = t22 - t98 * (t96 * t100 + t103);
+    const double t108 = t102 * t104;
+    const double t109 = t108 - t105 * t105;
+    const double u10 = 0.02 * t108;
+    const double t110 = (t109 > u10 ? t109 : u10);
+    const double t111 = t109 - t110;
     const double t112 = 2.0 / t110;
-    const double t113 = t112 * (t103 * t109 - t105 * t108 - t96 * t111) - 0.15;
-    const double t114 = t112 * (t104 * t108 - t105 * t109 - t98 * t111) - 0.15;
+    const double t113 = t112 * (t102 * t107 - t105 * t106 - t96 * t111) - 0.15;
+    const double t114 = t112 * (t104 * t106 - t105 * t107 - t98 * t111) - 0.15;
     double u11 = 1.0;
     const double t115 = (u11 < t113 ? u11 : t113);
     double u12 = -1.0;
@@ -2116,7 +2113,7 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_full_n(size_t n, const double *const x
 static const double footpoint_whole_quad4_full_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.3784396043896876e-16, 1.0710564126096147e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 4.3784396043896856e-16, 1.0710564126096147e-15},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.006366782994250534, 1, 7.5343945527090427e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
@@ -2138,68 +2135,68 @@ FOOTPOINT_FN void footpoint_whole_quad4_program1_at(const double xA[3], const do
     const double u1 = 0.5 * t3;
     const double t7 = t1 + u1;
     const double t8 = xA[2] - xD[2] + u1;
+    const double t9 = (xA[2] - xS[2]) - 0.5 * (t1 + t8);
     const double u2 = 0.5 * t4;
-    const double t9 = t2 + u2;
-    const double t10 = xA[1] - xD[1] + u2;
+    const double t10 = t2 + u2;
+    const double t11 = xA[1] - xD[1] + u2;
+    const double t12 = (xA[1] - xS[1]) - 0.5 * (t2 + t11);
     const double u3 = 0.5 * t6;
-    const double t11 = t5 + u3;
-    const double t12 = xA[0] - xD[0] + u3;
-    const double t13 = (xA[2] - xS[2]) - 0.5 * (t1 + t8);
-    const double t14 = (xA[1] - xS[1]) - 0.5 * (t2 + t10);
-    const double t15 = t7 * t8 + t9 * t10 + t11 * t12;
-    const double t16 = t8 * t8 + t10 * t10 + t12 * t12;
-    const double t17 = t7 * t7 + t9 * t9 + t11 * t11;
-    const double t18 = xA[0] - xS[0] - 0.5 * (t5 + t12);
-    const double t19 = t3 * t7 + t4 * t9 + t6 * t11;
-    const double t20 = t8 * t13 + t10 * t14 + t12 * t18;
-    const double t21 = t7 * t13 + t9 * t14 + t11 * t18;
-    const double t22 = t3 * t8 + t4 * t10 + t6 * t12;
-    const double t23 = 1.0 / (t17 * t16 - t15 * t15);
-    const double t24 = (t16 * t21 - t15 * t20) * t23;
-    const double t25 = (t17 * t20 - t15 * t21) * (t19 * t16 - t22 * t15) * t23;
-    const double t26 = 1.0 - t23 * ((t22 * t17 - t19 * t15) * t24 + t25);
+    const double t13 = t5 + u3;
+    const double t14 = xA[0] - xD[0] + u3;
+    const double t15 = xA[0] - xS[0] - 0.5 * (t5 + t14);
+    const double t16 = t7 * t8 + t10 * t11 + t13 * t14;
+    const double t17 = t8 * t8 + t11 * t11 + t14 * t14;
+    const double t18 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double t19 = 1.0 / (t18 * t17 - t16 * t16);
+    const double t20 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t21 = t7 * t9 + t10 * t12 + t13 * t15;
+    const double t22 = t8 * t9 + t11 * t12 + t14 * t15;
+    const double t23 = t3 * t8 + t4 * t11 + t6 * t14;
+    const double t24 = (t17 * t21 - t16 * t22) * t19;
+    const double t25 = (t18 * t22 - t16 * t21) * (t20 * t17 - t23 * t16) * t19;
+    const double t26 = 1.0 - t19 * ((t23 * t18 - t20 * t16) * t24 + t25);
     const double t27 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t28 = t15 - (t3 * t13 + t4 * t14 + t6 * t18);
+    const double t28 = t16 - (t3 * t9 + t4 * t12 + t6 * t15);
     double u4 = 0.6;
     const double t29 = (u4 > t26 ? u4 : t26);
-    const double t30 = t24 - t23 * t24 * t25 * t29;
+    const double t30 = t24 - t19 * t24 * t25 * t29;
     double u5 = 0.5;
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.5;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t22 + t27 * t32;
-    const double t34 = t16 + t32 * (t22 + t33);
-    const double t35 = t19 * t32;
-    const double t36 = (t20 - t32 * (t28 + t35)) / t34;
+    const double t33 = t23 + t27 * t32;
+    const double t34 = t17 + t32 * (t23 + t33);
+    const double t35 = t20 * t32;
+    const double t36 = (t22 - t32 * (t28 + t35)) / t34;
     const double t37 = t33 * t36;
-    const double t38 = 2.0 * t19 + t27 * t36;
-    const double t39 = t35 + t37;
-    const double t40 = t28 + 2.0 * t39;
-    const double t41 = t34 * (t17 + t36 * t38);
-    const double t42 = t41 - t40 * t40;
-    const double u7 = 0.02 * t41;
+    const double t38 = t35 + t37;
+    const double t39 = 2.0 * t20 + t27 * t36;
+    const double t40 = t34 * (t18 + t36 * t39);
+    const double t41 = t28 + 2.0 * t38;
+    const double t42 = t40 - t41 * t41;
+    const double u7 = 0.02 * t40;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t34 * (t21 + t36 * (t37 + t32 * t38)) - t40 * (t20 + t32 * (t37 + t39)) - t32 * (t42 - t43);
+    const double t44 = t34 * (t21 + t36 * (t37 + t32 * t39)) - t41 * (t22 + t32 * (t37 + t38)) - t32 * (t42 - t43);
     const double t45 = t44 / t43;
-    const double t46 = t22 + t27 * t45;
-    const double t47 = t16 + t45 * (t22 + t46);
-    const double t48 = t19 * t45;
-    const double t49 = (t20 - t45 * (t28 + t48)) / t47;
+    const double t46 = t23 + t27 * t45;
+    const double t47 = t17 + t45 * (t23 + t46);
+    const double t48 = t20 * t45;
+    const double t49 = (t22 - t45 * (t28 + t48)) / t47;
     const double t50 = t46 * t49;
-    const double t51 = t19 + t27 * t49;
+    const double t51 = t20 + t27 * t49;
     const double t52 = t48 + t50;
-    const double t53 = t28 + 2.0 * t52;
-    const double t54 = t17 + t49 * (t19 + t51);
-    const double t55 = t47 * t54;
-    const double t56 = t55 - t53 * t53;
-    const double t57 = t20 + t45 * (t50 + t52);
-    const double t58 = t21 + t49 * (t52 + t45 * t51);
-    const double u8 = 0.02 * t55;
-    const double t59 = (t56 > u8 ? t56 : u8);
-    const double t60 = t56 - t59;
+    const double t53 = t18 + t49 * (t20 + t51);
+    const double t54 = t28 + 2.0 * t52;
+    const double t55 = t22 + t45 * (t50 + t52);
+    const double t56 = t21 + t49 * (t52 + t45 * t51);
+    const double t57 = t47 * t53;
+    const double t58 = t57 - t54 * t54;
+    const double u8 = 0.02 * t57;
+    const double t59 = (t58 > u8 ? t58 : u8);
+    const double t60 = t58 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
-    const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
+    const double t62 = (t47 * t56 - t54 * t55 - t45 * t60) * t61;
+    const double t63 = (t55 * t53 - t54 * t56 - t49 * t60) * t61;
     const double t64 = (u5 < t62 ? u5 : t62);
     const double t65 = (!(t64 <= u6) ? t64 : u6);
     const double t66 = (u5 < t63 ? u5 : t63);
@@ -2260,11 +2257,11 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program1_n(size_t n, const double *con
 static const double footpoint_whole_quad4_program1_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -0.74161414569311823, 1.110223024625157e-16, 2.6618935207361761e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728726410573, -0.57599434309654429, 6.9390421872731436e-16, 1.3115647219993714e-15},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728726410573, -0.57599434309654429, 6.9390421872731426e-16, 1.3115647219993716e-15},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013622292463233363, 1, 7.5566527446615287e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -1, 0.64054938239415204, 1.110223024625157e-16, 9.6862629099366545e-15},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -1, 0.64054938239415204, 1.110223024625157e-16, 9.6862629099366561e-15},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 0.3613690737509298, -1, 3.0766015788537045e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.51996204410251945, -1, 2.0769902323041529e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.51996204410251945, -1, 2.0769902323041533e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.47462110267570234, 1, 2.3436096221092436e-15, 1.110223024625157e-16},
 };
 #endif
@@ -2283,88 +2280,88 @@ FOOTPOINT_FN void footpoint_whole_quad4_program2_at(const double xA[3], const do
     const double t7 = xA[0] - xD[0] - u1;
     const double u2 = 0.5 * t5;
     const double t8 = xA[1] - xD[1] - u2;
+    const double t9 = (xS[1] - xA[1]) - 0.5 * (t2 - t8);
+    const double t10 = t2 + u2;
     const double u3 = 0.5 * t6;
-    const double t9 = xD[2] - xA[2] + u3;
-    const double t10 = t3 + u3;
-    const double t11 = t2 + u2;
-    const double t12 = (xS[1] - xA[1]) - 0.5 * (t2 - t8);
-    const double t13 = t1 + u1;
-    const double t14 = xA[0] - xS[0] + 0.5 * (t1 - t7);
-    const double t15 = (xS[2] - xA[2]) - 0.5 * (t3 + t9);
-    const double t16 = t8 * t11 - t9 * t10 + t7 * t13;
-    const double t17 = t9 * t9 + t8 * t8 + t7 * t7;
-    const double t18 = t10 * t10 + t11 * t11 + t13 * t13;
-    const double t19 = t9 * t15 + (t7 * t14 - t8 * t12);
-    const double t20 = t10 * t15 + t11 * t12 - t13 * t14;
-    const double t21 = t6 * t10 + t5 * t11 + t4 * t13;
-    const double t22 = t5 * t8 - t6 * t9 + t4 * t7;
-    const double t23 = 1.0 / (t17 * t18 - t16 * t16);
-    const double t24 = t23 * (t17 * t20 + t16 * t19);
-    const double t25 = (t22 * t16 - t21 * t17) * t23 * (t16 * t20 + t18 * t19);
-    const double t26 = t23 * (t25 + (t22 * t18 - t21 * t16) * t24) + 1.0;
+    const double t11 = xD[2] - xA[2] + u3;
+    const double t12 = (xS[2] - xA[2]) - 0.5 * (t3 + t11);
+    const double t13 = t3 + u3;
+    const double t14 = t1 + u1;
+    const double t15 = xA[0] - xS[0] + 0.5 * (t1 - t7);
+    const double t16 = t8 * t10 - t11 * t13 + t7 * t14;
+    const double t17 = t11 * t11 + t8 * t8 + t7 * t7;
+    const double t18 = t13 * t13 + t10 * t10 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t11 * t12 + (t7 * t15 - t8 * t9);
+    const double t21 = t5 * t8 - t6 * t11 + t4 * t7;
+    const double t22 = t13 * t12 + t10 * t9 - t14 * t15;
+    const double t23 = t6 * t13 + t5 * t10 + t4 * t14;
+    const double t24 = t19 * (t17 * t22 + t16 * t20);
+    const double t25 = (t21 * t16 - t23 * t17) * t19 * (t16 * t22 + t18 * t20);
+    const double t26 = t19 * (t25 + (t21 * t18 - t23 * t16) * t24) + 1.0;
     const double t27 = t6 * t6 + t5 * t5 + t4 * t4;
-    const double t28 = (t4 * t14 - t6 * t15) - (t5 * t12 + t16);
+    const double t28 = (t4 * t15 - t6 * t12) - (t5 * t9 + t16);
     double u4 = 0.6;
     const double t29 = (u4 > t26 ? u4 : t26);
-    const double t30 = t24 * (t23 * t25 * t29 + 1.0);
+    const double t30 = t24 * (t19 * t25 * t29 + 1.0);
     double u5 = 0.5;
     const double t31 = (u5 < t30 ? u5 : t30);
     double u6 = -0.5;
     const double t32 = (u6 > t31 ? u6 : t31);
-    const double t33 = t22 - t27 * t32;
-    const double t34 = t17 - t32 * (t22 + t33);
-    const double t35 = t21 * t32;
-    const double t36 = (t19 - t32 * (t28 + t35)) / t34;
+    const double t33 = t21 - t27 * t32;
+    const double t34 = t17 - t32 * (t21 + t33);
+    const double t35 = t23 * t32;
+    const double t36 = (t20 - t32 * (t28 + t35)) / t34;
     const double t37 = t33 * t36;
-    const double t38 = t21 + t27 * t36;
-    const double t39 = t37 - t35;
-    const double t40 = t28 - 2.0 * t39;
-    const double t41 = t34 * (t18 + t36 * (t21 + t38));
-    const double t42 = t41 - t40 * t40;
-    const double u7 = 0.02 * t41;
+    const double t38 = t37 - t35;
+    const double t39 = t23 + t27 * t36;
+    const double t40 = t34 * (t18 + t36 * (t23 + t39));
+    const double t41 = t28 - 2.0 * t38;
+    const double t42 = t40 - t41 * t41;
+    const double u7 = 0.02 * t40;
     const double t43 = (t42 > u7 ? t42 : u7);
-    const double t44 = t34 * (t20 - t36 * (t39 - t32 * t38)) - t40 * (t19 - t32 * (t37 + t39)) - t32 * (t42 - t43);
+    const double t44 = t34 * (t22 - t36 * (t38 - t32 * t39)) - t41 * (t20 - t32 * (t37 + t38)) - t32 * (t42 - t43);
     const double t45 = t44 / t43;
-    const double t46 = t22 - t27 * t45;
-    const double t47 = t17 - t45 * (t22 + t46);
-    const double t48 = t21 * t45;
-    const double t49 = (t19 - t45 * (t28 + t48)) / t47;
+    const double t46 = t21 - t27 * t45;
+    const double t47 = t17 - t45 * (t21 + t46);
+    const double t48 = t23 * t45;
+    const double t49 = (t20 - t45 * (t28 + t48)) / t47;
     const double t50 = t46 * t49;
-    const double t51 = t21 + t27 * t49;
-    const double t52 = t50 - t48;
-    const double t53 = t28 - 2.0 * t52;
-    const double t54 = t18 + t49 * (t21 + t51);
-    const double t55 = t47 * t54;
-    const double t56 = t55 - t53 * t53;
-    const double t57 = t19 - t45 * (t50 + t52);
-    const double t58 = t20 - t49 * (t52 - t45 * t51);
-    const double u8 = 0.02 * t55;
-    const double t59 = (t56 > u8 ? t56 : u8);
-    const double t60 = t56 - t59;
+    const double t51 = t50 - t48;
+    const double t52 = t23 + t27 * t49;
+    const double t53 = t18 + t49 * (t23 + t52);
+    const double t54 = t28 - 2.0 * t51;
+    const double t55 = t20 - t45 * (t50 + t51);
+    const double t56 = t22 - t49 * (t51 - t45 * t52);
+    const double t57 = t47 * t53;
+    const double t58 = t57 - t54 * t54;
+    const double u8 = 0.02 * t57;
+    const double t59 = (t58 > u8 ? t58 : u8);
+    const double t60 = t58 - t59;
     const double t61 = 1.0 / t59;
-    const double t62 = (t47 * t58 - t53 * t57 - t45 * t60) * t61;
-    const double t63 = (t57 * t54 - t53 * t58 - t49 * t60) * t61;
+    const double t62 = (t47 * t56 - t54 * t55 - t45 * t60) * t61;
+    const double t63 = (t55 * t53 - t54 * t56 - t49 * t60) * t61;
     const double t64 = (u5 < t62 ? u5 : t62);
     const double t65 = (u6 > t64 ? u6 : t64);
     const double t66 = (u5 < t63 ? u5 : t63);
     const double t67 = (u6 > t66 ? u6 : t66);
-    const double t68 = t22 - t27 * t65;
-    const double t69 = t67 * t68;
-    const double t70 = t21 + t27 * t67;
-    const double t71 = t69 - t21 * t65;
-    const double t72 = t28 - 2.0 * t71;
-    const double t73 = t17 - t65 * (t22 + t68);
-    const double t74 = t18 + t67 * (t21 + t70);
-    const double t75 = t74 * t73;
-    const double t76 = t75 - t72 * t72;
-    const double t77 = t19 - t65 * (t69 + t71);
-    const double t78 = t20 - t67 * (t71 - t65 * t70);
-    const double u9 = 0.02 * t75;
-    const double t79 = (t76 > u9 ? t76 : u9);
-    const double t80 = t76 - t79;
+    const double t68 = t21 - t27 * t65;
+    const double t69 = t23 + t27 * t67;
+    const double t70 = t67 * t68;
+    const double t71 = t17 - t65 * (t21 + t68);
+    const double t72 = t70 - t23 * t65;
+    const double t73 = t18 + t67 * (t23 + t69);
+    const double t74 = t28 - 2.0 * t72;
+    const double t75 = t20 - t65 * (t70 + t72);
+    const double t76 = t22 - t67 * (t72 - t65 * t69);
+    const double t77 = t73 * t71;
+    const double t78 = t77 - t74 * t74;
+    const double u9 = 0.02 * t77;
+    const double t79 = (t78 > u9 ? t78 : u9);
+    const double t80 = t78 - t79;
     const double t81 = 1.0 / t79;
-    const double t82 = (t73 * t78 - t72 * t77 - t65 * t80) * t81;
-    const double t83 = (t74 * t77 - t72 * t78 - t67 * t80) * t81;
+    const double t82 = (t71 * t76 - t74 * t75 - t65 * t80) * t81;
+    const double t83 = (t73 * t75 - t74 * t76 - t67 * t80) * t81;
     const double t84 = (u5 < t82 ? u5 : t82);
     const double t85 = (!(t84 <= u6) ? t84 : u6);
     const double t86 = (u5 < t83 ? u5 : t83);
@@ -2425,12 +2422,12 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program2_n(size_t n, const double *con
 static const double footpoint_whole_quad4_program2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 6.9475502443237403e-16, 1.3192021298209148e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0065843162354193791, 1, 5.0613584794624869e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 6.9475502443237314e-16, 1.3192021298209148e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0065843162354193791, 1, 5.0613584794632805e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, 0.032404726202030401, 1, 8.7794097462538594e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, 0.032404726202030401, 1, 8.7794097462575749e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -2448,24 +2445,24 @@ FOOTPOINT_FN void footpoint_whole_quad4_program3_at(const double xA[3], const do
     const double t8 = xA[1] - xD[1] + t5;
     const double t9 = t2 + t5;
     const double t10 = 0.5 * (xD[0] - xC[0] - t3);
-    const double t11 = xA[0] - xD[0] + t10;
-    const double t12 = t3 + t10;
-    const double t13 = t6 * t7 + t8 * t9 + t11 * t12;
-    const double t14 = t6 * t6 + t8 * t8 + t11 * t11;
-    const double t15 = t7 * t7 + t9 * t9 + t12 * t12;
-    const double t16 = t1 - 2.0 * (xA[2] - xS[2]) + t6;
-    const double t17 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
-    const double t18 = t3 - 2.0 * (xA[0] - xS[0]) + t11;
-    const double t19 = t4 * t7 + t5 * t9 + t10 * t12;
-    const double t20 = t6 * t16 + t8 * t17 + t11 * t18;
-    const double t21 = t7 * t16 + t9 * t17 + t12 * t18;
-    const double t22 = t4 * t6 + t5 * t8 + t10 * t11;
-    const double t23 = 1.0 / (t14 * t15 - t13 * t13);
-    const double t24 = (t14 * t21 - t13 * t20) * t23;
-    const double t25 = (t19 * t14 - t22 * t13) * t23 * (t15 * t20 - t13 * t21) * t23;
-    const double t26 = (t22 * t15 - t19 * t13) * t23 * t24 + 1.0 + t25;
+    const double t11 = t1 - 2.0 * (xA[2] - xS[2]) + t6;
+    const double t12 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
+    const double t13 = xA[0] - xD[0] + t10;
+    const double t14 = t3 + t10;
+    const double t15 = t3 - 2.0 * (xA[0] - xS[0]) + t13;
+    const double t16 = t6 * t7 + t8 * t9 + t13 * t14;
+    const double t17 = t6 * t6 + t8 * t8 + t13 * t13;
+    const double t18 = t7 * t7 + t9 * t9 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t4 * t7 + t5 * t9 + t10 * t14;
+    const double t21 = t7 * t11 + t9 * t12 + t14 * t15;
+    const double t22 = t6 * t11 + t8 * t12 + t13 * t15;
+    const double t23 = t4 * t6 + t5 * t8 + t10 * t13;
+    const double t24 = (t17 * t21 - t16 * t22) * t19;
+    const double t25 = (t20 * t17 - t23 * t16) * t19 * (t18 * t22 - t16 * t21) * t19;
+    const double t26 = (t23 * t18 - t20 * t16) * t19 * t24 + 1.0 + t25;
     const double t27 = t4 * t4 + t5 * t5 + t10 * t10;
-    const double t28 = t13 + (t4 * t16 + t5 * t17 + t10 * t18);
+    const double t28 = t16 + (t4 * t11 + t5 * t12 + t10 * t15);
     double u1 = 0.6;
     const double t29 = (u1 > t26 ? u1 : t26);
     const double t30 = t24 * (t25 * t29 + 1.0);
@@ -2475,74 +2472,74 @@ FOOTPOINT_FN void footpoint_whole_quad4_program3_at(const double xA[3], const do
     double u4 = -0.5;
     const double t32 = (u4 > t31 ? u4 : t31);
     const double t33 = 2.0 * t32;
-    const double t34 = t22 + t27 * t33;
-    const double t35 = t19 * t32;
-    const double t36 = t14 + (t22 + t34) * t33;
-    const double u5 = 2.0 * t35;
-    const double t37 = (t20 + (t28 + u5) * t33) / t36;
-    const double t38 = t34 * t37;
-    const double t39 = t19 - t27 * t37;
-    const double t40 = t38 - u5;
-    const double t41 = t28 - 2.0 * t40;
-    const double t42 = t36 * (t15 - t37 * (t19 + t39));
-    const double t43 = t42 - t41 * t41;
-    const double u6 = 0.02 * t42;
+    const double t34 = t20 * t32;
+    const double t35 = t23 + t27 * t33;
+    const double t36 = t17 + (t23 + t35) * t33;
+    const double u5 = 2.0 * t34;
+    const double t37 = (t22 + (t28 + u5) * t33) / t36;
+    const double t38 = t35 * t37;
+    const double t39 = t38 - u5;
+    const double t40 = t20 - t27 * t37;
+    const double t41 = t36 * (t18 - t37 * (t20 + t40));
+    const double t42 = t28 - 2.0 * t39;
+    const double t43 = t41 - t42 * t42;
+    const double u6 = 0.02 * t41;
     const double t44 = (t43 > u6 ? t43 : u6);
-    const double t45 = t36 * (t21 - t37 * (t40 - t39 * t33)) - t41 * (t20 + (t38 + t40) * t33) + (t43 - t44) * t33;
+    const double t45 = t36 * (t21 - t37 * (t39 - t40 * t33)) - t42 * (t22 + (t38 + t39) * t33) + (t43 - t44) * t33;
     const double t46 = t45 / t44;
-    const double t47 = t22 - t27 * t46;
-    const double t48 = t14 - t46 * (t22 + t47);
-    const double t49 = t19 * t46;
-    const double t50 = (t20 - t46 * (t28 - t49)) / t48;
+    const double t47 = t23 - t27 * t46;
+    const double t48 = t17 - t46 * (t23 + t47);
+    const double t49 = t20 * t46;
+    const double t50 = (t22 - t46 * (t28 - t49)) / t48;
     const double t51 = t47 * t50;
-    const double t52 = t19 - t27 * t50;
-    const double t53 = t49 + t51;
-    const double t54 = t28 - 2.0 * t53;
-    const double t55 = t15 - t50 * (t19 + t52);
-    const double t56 = t48 * t55;
-    const double t57 = t56 - t54 * t54;
-    const double t58 = t20 - t46 * (t51 + t53);
-    const double t59 = t21 - t50 * (t53 + t46 * t52);
-    const double u7 = 0.02 * t56;
-    const double t60 = (t57 > u7 ? t57 : u7);
-    const double t61 = t57 - t60;
+    const double t52 = t49 + t51;
+    const double t53 = t20 - t27 * t50;
+    const double t54 = t18 - t50 * (t20 + t53);
+    const double t55 = t28 - 2.0 * t52;
+    const double t56 = t22 - t46 * (t51 + t52);
+    const double t57 = t21 - t50 * (t52 + t46 * t53);
+    const double t58 = t48 * t54;
+    const double t59 = t58 - t55 * t55;
+    const double u7 = 0.02 * t58;
+    const double t60 = (t59 > u7 ? t59 : u7);
+    const double t61 = t59 - t60;
     const double t62 = 1.0 / t60;
-    const double t63 = (t48 * t59 - t54 * t58 - t46 * t61) * t62;
-    const double t64 = (t58 * t55 - t54 * t59 - t50 * t61) * t62;
-    const double t65 = t22 - t27 * t63;
-    const double t66 = t64 * t65;
-    const double t67 = t19 - t27 * t64;
-    const double t68 = t19 * t63 + t66;
-    const double t69 = t28 - 2.0 * t68;
-    const double t70 = t14 - t63 * (t22 + t65);
-    const double t71 = t15 - t64 * (t19 + t67);
-    const double t72 = t71 * t70;
-    const double t73 = t72 - t69 * t69;
-    const double t74 = t20 - t63 * (t66 + t68);
-    const double t75 = t21 - t64 * (t63 * t67 + t68);
-    const double u8 = 0.02 * t72;
-    const double t76 = (t73 > u8 ? t73 : u8);
-    const double t77 = t73 - t76;
+    const double t63 = (t48 * t57 - t55 * t56 - t46 * t61) * t62;
+    const double t64 = (t56 * t54 - t55 * t57 - t50 * t61) * t62;
+    const double t65 = t23 - t27 * t63;
+    const double t66 = t20 - t27 * t64;
+    const double t67 = t64 * t65;
+    const double t68 = t20 * t63 + t67;
+    const double t69 = t17 - t63 * (t23 + t65);
+    const double t70 = t18 - t64 * (t20 + t66);
+    const double t71 = t28 - 2.0 * t68;
+    const double t72 = t22 - t63 * (t67 + t68);
+    const double t73 = t21 - t64 * (t63 * t66 + t68);
+    const double t74 = t70 * t69;
+    const double t75 = t74 - t71 * t71;
+    const double u8 = 0.02 * t74;
+    const double t76 = (t75 > u8 ? t75 : u8);
+    const double t77 = t75 - t76;
     const double t78 = 1.0 / t76;
-    const double t79 = (t70 * t75 - t69 * t74 - t63 * t77) * t78;
-    const double t80 = (t71 * t74 - t69 * t75 - t64 * t77) * t78;
-    const double t81 = t22 - t27 * t79;
-    const double t82 = t80 * t81;
-    const double t83 = t19 - t27 * t80;
-    const double t84 = t19 * t79 + t82;
-    const double t85 = t28 - 2.0 * t84;
-    const double t86 = t14 - t79 * (t22 + t81);
-    const double t87 = t15 - t80 * (t19 + t83);
-    const double t88 = t87 * t86;
-    const double t89 = t88 - t85 * t85;
-    const double t90 = t20 - t79 * (t82 + t84);
-    const double t91 = t21 - t80 * (t79 * t83 + t84);
-    const double u9 = 0.02 * t88;
-    const double t92 = (t89 > u9 ? t89 : u9);
-    const double t93 = t89 - t92;
+    const double t79 = (t69 * t73 - t71 * t72 - t63 * t77) * t78;
+    const double t80 = (t70 * t72 - t71 * t73 - t64 * t77) * t78;
+    const double t81 = t23 - t27 * t79;
+    const double t82 = t20 - t27 * t80;
+    const double t83 = t80 * t81;
+    const double t84 = t17 - t79 * (t23 + t81);
+    const double t85 = t20 * t79 + t83;
+    const double t86 = t18 - t80 * (t20 + t82);
+    const double t87 = t28 - 2.0 * t85;
+    const double t88 = t22 - t79 * (t83 + t85);
+    const double t89 = t21 - t80 * (t79 * t82 + t85);
+    const double t90 = t86 * t84;
+    const double t91 = t90 - t87 * t87;
+    const double u9 = 0.02 * t90;
+    const double t92 = (t91 > u9 ? t91 : u9);
+    const double t93 = t91 - t92;
     const double t94 = -0.5 / t92;
-    const double t95 = (t86 * t91 - t85 * t90 - t79 * t93) * t94;
-    const double t96 = (t87 * t90 - t85 * t91 - t80 * t93) * t94;
+    const double t95 = (t84 * t89 - t87 * t88 - t79 * t93) * t94;
+    const double t96 = (t86 * t88 - t87 * t89 - t80 * t93) * t94;
     const double t97 = (u3 < t95 ? u3 : t95);
     const double t98 = (!(t97 <= u4) ? t97 : u4);
     const double t99 = (u3 < t96 ? u3 : t96);
@@ -2603,12 +2600,12 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_program3_n(size_t n, const double *con
 static const double footpoint_whole_quad4_program3_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 6.1483271816331692e-16, 1.3255771177674835e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.01362292129306903, 1, 3.832436366244056e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728724387258, -0.57599434315983811, 6.1483271816331466e-16, 1.3255771177674819e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.01362292129306903, 1, 3.8324363661368391e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.51996714475046335, -1, 2.2646944236565266e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.47447892358988769, 1, 3.0102375990300204e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.51996714475046335, -1, 2.2646944236563361e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.47447892358988769, 1, 3.0102375989277655e-15, 1.110223024625157e-16},
 };
 #endif
 
