@@ -15,7 +15,7 @@
 
 enum {
     MOST_COUNTED = 20000, /* edges of sums; beyond, no terms are shared */
-    SLACK = 20,           /* cycles, five operations: about as long */
+    SLACK = 16,           /* cycles, four operations: about as long */
     WINDOW = 200          /* nodes that are looked at for one place */
 };
 

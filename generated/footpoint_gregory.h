@@ -69,7 +69,7 @@
  *     ynD in [-0.47, 0.55], znD in [0.71, 1.00], xS in [-1.27, 1.87], yS in [-0.08, 2.80],
  *     zS in [-0.56, 0.61]; all requires > 0
  *   poles: t24 * t23 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 8.9e-14)
- *   poles: t119 * t116 - t115 * t115: proved free of zeros, |...| >= 0.0032 (rounding error <= 2.6e+07)
+ *   poles: t117 * t116 - t115 * t115: proved free of zeros, |...| >= 0.0032 (rounding error <= 2.6e+07)
  *   rounding error of xi: no bound found, 3.3e-14 worst of 9111 points
  *   rounding error of eta: no bound found, 3.3e-14 worst of 9111 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -117,12 +117,12 @@
  *   poles: t22 * t23 - t21 * t21: proved free of zeros, |...| >= 0.049 (rounding error <= 1.4e-13)
  *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
  *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
- *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
- *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
- *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
+ *   poles: t56 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t56 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t61 - t55 * t55: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
+ *   poles: t61 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
+ *   poles: t62 - t54 * t54: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
+ *   poles: t62 - t60 * t60: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
  *   poles: t191: proved free of zeros, |t191| >= 9.9e-07 (rounding error <= 0.042)
  *   poles: t192: proved free of zeros, |t192| >= 9.9e-07 (rounding error <= 0.041)
  *   poles: t193: proved free of zeros, |t193| >= 9.9e-07 (rounding error <= 0.042)
@@ -151,12 +151,12 @@
  *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.6e-13)
  *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
  *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
- *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
- *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
- *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
+ *   poles: t56 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t56 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t61 - t55 * t55: proved free of zeros, |...| >= 0.064 (rounding error <= 2.6e-14)
+ *   poles: t61 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
+ *   poles: t62 - t54 * t54: proved free of zeros, |...| >= 0.88 (rounding error <= 2.6e-16)
+ *   poles: t62 - t60 * t60: proved free of zeros, |...| >= 0.87 (rounding error <= 2.6e-16)
  *   poles: t215: proved free of zeros, |t215| >= 9.9e-07 (rounding error <= 0.085)
  *   poles: t216: proved free of zeros, |t216| >= 9.9e-07 (rounding error <= 0.083)
  *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 0.085)
@@ -185,12 +185,12 @@
  *   poles: t23 * t24 - t22 * t22: proved free of zeros, |...| >= 0.049 (rounding error <= 1.8e-13)
  *   poles: t46 - t40 * t40: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
  *   poles: t46 - t41 * t41: proved free of zeros, |...| >= 0.052 (rounding error <= 1.2e-14)
- *   poles: t58 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t58 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
- *   poles: t63 - t57 * t57: proved free of zeros, |...| >= 0.064 (rounding error <= 2.7e-14)
- *   poles: t63 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
- *   poles: t64 - t55 * t55: proved free of zeros, |...| >= 0.88 (rounding error <= 2.7e-16)
- *   poles: t64 - t61 * t61: proved free of zeros, |...| >= 0.87 (rounding error <= 2.7e-16)
+ *   poles: t56 - t47 * t47: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t56 - t48 * t48: proved free of zeros, |...| >= 0.043 (rounding error <= 6.3e-15)
+ *   poles: t61 - t55 * t55: proved free of zeros, |...| >= 0.064 (rounding error <= 2.7e-14)
+ *   poles: t61 - t53 * t53: proved free of zeros, |...| >= 0.063 (rounding error <= 2.8e-14)
+ *   poles: t62 - t54 * t54: proved free of zeros, |...| >= 0.88 (rounding error <= 2.7e-16)
+ *   poles: t62 - t60 * t60: proved free of zeros, |...| >= 0.87 (rounding error <= 2.7e-16)
  *   poles: t215: proved free of zeros, |t215| >= 9.9e-07 (rounding error <= 0.16)
  *   poles: t216: proved free of zeros, |t216| >= 9.9e-07 (rounding error <= 0.15)
  *   poles: t217: proved free of zeros, |t217| >= 9.9e-07 (rounding error <= 0.16)
@@ -726,37 +726,37 @@ FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double x
     const double t92 = t69 * t87 + t42 * t90;
     const double t93 = t44 * t78 - t71 * t77;
     const double t94 = t71 * t84 + t46 * t91;
-    const double t95 = t72 * t87 + t77 * t89;
-    const double t96 = t45 * t74 - t75 * t85;
-    const double t97 = t47 * t90 - t75 * t88;
-    const double t98 = t79 * t81 + t40 * t78;
+    const double t95 = t45 * t74 - t75 * t85;
+    const double t96 = t47 * t90 - t75 * t88;
+    const double t97 = t79 * t81 + t40 * t78;
+    const double t98 = t72 * t87 + t77 * t89;
     const double t99 = t79 * t83 - t41 * t91;
     const double t100 = t73 * t72 + t81 * t70;
-    const double t101 = t70 * t83 - t85 * t76;
-    const double t102 = t9 + t5 * t61;
-    const double t103 = t10 + t6 * t61;
-    const double t104 = t84 * t89 - t76 * t88;
-    const double t105 = t16 - t11 * t61;
-    const double t106 = t102 + 6.0 * (nC[2] * t80 - nB[2] * t96 - nD[2] * t92 + nA[2] * t97);
-    const double t107 = t1 + t5 * t62 - 6.0 * (nD[2] * t93 - nC[2] * t98 + nB[2] * t99 + nA[2] * t94);
-    const double t108 = t103 + 6.0 * (nC[1] * t80 - nB[1] * t96 - nD[1] * t92 + nA[1] * t97);
-    const double t109 = t105 + 6.0 * (nC[0] * t80 - nB[0] * t96 - nD[0] * t92 + nA[0] * t97);
-    const double t110 = t3 + t6 * t62 - 6.0 * (nD[1] * t93 - nC[1] * t98 + nB[1] * t99 + nA[1] * t94);
-    const double t111 = t7 - t11 * t62 - 6.0 * (nD[0] * t93 - nC[0] * t98 + nB[0] * t99 + nA[0] * t94);
-    const double t112 = t17 - t1 * t61 - t62 * t102 - 2.0 * (nC[2] * t100 - nD[2] * t95 - nB[2] * t101 + nA[2] *
-        t104);
-    const double t113 = t18 - t3 * t61 - t62 * t103 - 2.0 * (nC[1] * t100 - nD[1] * t95 - nB[1] * t101 + nA[1] *
-        t104);
-    const double t114 = t21 - t7 * t61 - t62 * t105 - 2.0 * (nC[0] * t100 - nD[0] * t95 - nB[0] * t101 + nA[0] *
-        t104);
+    const double t101 = t9 + t5 * t61;
+    const double t102 = t10 + t6 * t61;
+    const double t103 = t70 * t83 - t85 * t76;
+    const double t104 = t16 - t11 * t61;
+    const double t105 = t84 * t89 - t76 * t88;
+    const double t106 = t101 + 6.0 * (nC[2] * t80 - nB[2] * t95 - nD[2] * t92 + nA[2] * t96);
+    const double t107 = t1 + t5 * t62 - 6.0 * (nD[2] * t93 - nC[2] * t97 + nB[2] * t99 + nA[2] * t94);
+    const double t108 = t102 + 6.0 * (nC[1] * t80 - nB[1] * t95 - nD[1] * t92 + nA[1] * t96);
+    const double t109 = t104 + 6.0 * (nC[0] * t80 - nB[0] * t95 - nD[0] * t92 + nA[0] * t96);
+    const double t110 = t3 + t6 * t62 - 6.0 * (nD[1] * t93 - nC[1] * t97 + nB[1] * t99 + nA[1] * t94);
+    const double t111 = t7 - t11 * t62 - 6.0 * (nD[0] * t93 - nC[0] * t97 + nB[0] * t99 + nA[0] * t94);
+    const double t112 = t17 - t1 * t61 - t62 * t101 - 2.0 * (nC[2] * t100 - nD[2] * t98 - nB[2] * t103 + nA[2] *
+        t105);
+    const double t113 = t18 - t3 * t61 - t62 * t102 - 2.0 * (nC[1] * t100 - nD[1] * t98 - nB[1] * t103 + nA[1] *
+        t105);
+    const double t114 = t21 - t7 * t61 - t62 * t104 - 2.0 * (nC[0] * t100 - nD[0] * t98 - nB[0] * t103 + nA[0] *
+        t105);
     const double t115 = t106 * t107 + t108 * t110 + t109 * t111;
     const double t116 = t106 * t106 + t108 * t108 + t109 * t109;
-    const double t117 = t112 * t106 + t113 * t108 + t114 * t109;
-    const double t118 = t112 * t107 + t113 * t110 + t114 * t111;
-    const double t119 = t107 * t107 + t110 * t110 + t111 * t111;
-    const double t120 = 1.0 / (t119 * t116 - t115 * t115);
-    const double t121 = t58 + (t116 * t118 - t115 * t117) * t120;
-    const double t122 = t60 + (t119 * t117 - t115 * t118) * t120;
+    const double t117 = t107 * t107 + t110 * t110 + t111 * t111;
+    const double t118 = t112 * t106 + t113 * t108 + t114 * t109;
+    const double t119 = t112 * t107 + t113 * t110 + t114 * t111;
+    const double t120 = 1.0 / (t117 * t116 - t115 * t115);
+    const double t121 = t58 + (t116 * t119 - t115 * t118) * t120;
+    const double t122 = t60 + (t117 * t118 - t115 * t119) * t120;
     const double u6 = 2.0 * t121;
     double u7 = 1.0;
     const double t123 = (u7 < u6 ? u7 : u6);
@@ -812,11 +812,11 @@ static const double footpoint_gregory_smooth_points[][31] = {
     {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.0010265810967062671, 1, 6.8662963273676461e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.15067419471044116, 1, 1.6481377092433915e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.0044541689710726135, 1.110223024625157e-16, 2.8922151531445546e-15},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.15067419471044116, 1, 1.6481377092433921e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, -0.0044541689710726135, 1.110223024625157e-16, 2.8922151531445542e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.12647021097314257, 1, 2.8164410467734799e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.19378950795820535, 1.110223024625157e-16, 2.7389703601809221e-14},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28462270394866851, 1, 2.0797139048952737e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.19378950795820535, 1.110223024625157e-16, 2.738970360180919e-14},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28462270394866851, 1, 2.0797139048952741e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -881,27 +881,27 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t51 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
     const double t52 = nC[2] * t17 + nC[1] * t18 + nC[0] * t21;
     const double t53 = nB[2] * t17 + nB[1] * t18 + nB[0] * t21;
-    const double t54 = 0.75 * t31 * t36;
-    const double t55 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
-    const double t56 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t54 = nD[2] * t9 + nD[1] * t10 + nD[0] * t16;
+    const double t55 = nA[2] * t9 + nA[1] * t10 + nA[0] * t16;
+    const double t56 = 0.75 * t31 * t36;
     const double t57 = t50 + t51;
     const double t58 = t52 + t53;
     const double t59 = nC[2] * t9 + nC[1] * t10 + nC[0] * t16 + nD[2] * t17 + nD[1] * t18 + nD[0] * t21;
-    const double t60 = t55 + t56;
+    const double t60 = t54 + t55;
     const double t61 = (t1 * t17 + t3 * t18 + t7 * t21) * (t24 * t57 - t25 * t58) * t31 * t37;
     const double t62 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
     const double t63 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
     const double t64 = nD[2] * t2 - nA[2] * t1 - nA[1] * t3 - nA[0] * t7 + nD[1] * t4 + nD[0] * t8;
-    const double t65 = (t1 * t9 + t3 * t10 + t7 * t16) * t24 * t27 * (t25 * t60 + t26 * t57) * t54;
-    const double t66 = 0.25 * (t59 - t64) - 0.5 * (t55 + t50) - t65;
+    const double t65 = (t1 * t9 + t3 * t10 + t7 * t16) * t24 * t27 * (t25 * t60 + t26 * t57) * t56;
+    const double t66 = 0.25 * (t59 - t64) - 0.5 * (t54 + t50) - t65;
     const double t67 = nC[2] * t2 - nB[2] * t1 - nB[1] * t3 - nB[0] * t7 + nC[1] * t4 + nC[0] * t8;
     const double t68 = 0.5 * (t52 - t51) - 0.25 * (t59 + t67) + 0.75 * t61;
     const double t69 = t62 + t63;
-    const double t70 = (t17 * t2 + t18 * t4 + t21 * t8) * t26 * t25 * (t24 * t69 - t27 * t58) * t54;
+    const double t70 = (t17 * t2 + t18 * t4 + t21 * t8) * t26 * t25 * (t24 * t69 - t27 * t58) * t56;
     const double t71 = nA[2] * t17 + nA[1] * t18 + nA[0] * t21 + nB[2] * t9 + nB[1] * t10 + nB[0] * t16;
     const double t72 = 0.5 * (t53 - t62) + 0.25 * (t67 - t71) + t70;
-    const double t73 = (t9 * t2 + t10 * t4 + t16 * t8) * t29 * (t27 * t60 + t26 * t69) * t54;
-    const double t74 = 0.25 * (t64 + t71) - 0.5 * (t56 + t63) - t73;
+    const double t73 = (t9 * t2 + t10 * t4 + t16 * t8) * t29 * (t27 * t60 + t26 * t69) * t56;
+    const double t74 = 0.25 * (t64 + t71) - 0.5 * (t55 + t63) - t73;
     double u4 = 0.5;
     const double t75 = (u4 < t47 ? u4 : t47);
     double u5 = -0.5;
@@ -933,7 +933,7 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t101 = t93 + 0.5;
     const double t102 = t50 * t91 + t66 * t97;
     const double t103 = t88 - (1.0 / 3.0);
-    const double t104 = t55 * t98;
+    const double t104 = t54 * t98;
     const double t105 = t99 * t95;
     const double t106 = t95 * t98;
     const double t107 = t89 - (2.0 / 3.0);
@@ -941,8 +941,8 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t109 = t51 * t92 + t68 * t96;
     const double t110 = t90 * t91;
     const double t111 = t103 * t90;
-    const double t112 = t55 * t101;
-    const double t113 = t56 * t101;
+    const double t112 = t54 * t101;
+    const double t113 = t55 * t101;
     const double t114 = t51 * t91 + t68 * t97;
     const double t115 = t104 * t96 + t105 * t100;
     const double t116 = t52 * t98;
@@ -955,7 +955,7 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t123 = t62 * t91 + t72 * t111;
     const double t124 = t116 * t96 - t117 * t109;
     const double t125 = t53 * t98;
-    const double t126 = t56 * t98;
+    const double t126 = t55 * t98;
     const double t127 = t63 * t108 + t74 * t110;
     const double t128 = t9 - t5 * t89;
     const double t129 = t96 * t112 + t106 * t100;
@@ -969,44 +969,44 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t137 = t126 * t110 + t105 * t127;
     const double t138 = t120 * t110 - t121 * t118;
     const double t139 = t111 * t113 + t106 * t132;
-    const double t140 = t85 * t96;
-    const double t141 = t110 * t113 + t106 * t127;
+    const double t140 = t110 * t113 + t106 * t127;
+    const double t141 = t85 * t96;
     const double t142 = t2 - t5 * t88 - 6.0 * (nD[2] * t115 - nC[2] * t124 - nB[2] * t133 + nA[2] * t137);
     const double t143 = t4 - t6 * t88 - 6.0 * (nD[1] * t115 - nC[1] * t124 - nB[1] * t133 + nA[1] * t137);
     const double t144 = t8 - t11 * t88 - 6.0 * (nD[0] * t115 - nC[0] * t124 - nB[0] * t133 + nA[0] * t137);
     const double t145 = t128 - 6.0 * (nD[2] * t122 - nC[2] * t131 - nB[2] * t136 + nA[2] * t139);
     const double t146 = t130 - 6.0 * (nD[1] * t122 - nC[1] * t131 - nB[1] * t136 + nA[1] * t139);
     const double t147 = t135 - 6.0 * (nD[0] * t122 - nC[0] * t131 - nB[0] * t136 + nA[0] * t139);
-    const double t148 = t85 * t110;
-    const double t149 = t32 - t2 * t89 - t88 * t128 + 2.0 * (nD[2] * t129 - nC[2] * t134 - nB[2] * t138 + nA[2] *
-        t141);
-    const double t150 = t33 - t4 * t89 - t88 * t130 + 2.0 * (nD[1] * t129 - nC[1] * t134 - nB[1] * t138 + nA[1] *
-        t141);
-    const double t151 = t34 - t8 * t89 - t88 * t135 + 2.0 * (nD[0] * t129 - nC[0] * t134 - nB[0] * t138 + nA[0] *
-        t141);
-    const double t152 = nD[2] * t149 + nD[1] * t150 + nD[0] * t151;
-    const double t153 = nC[2] * t149 + nC[1] * t150 + nC[0] * t151;
-    const double t154 = nB[2] * t149 + nB[1] * t150 + nB[0] * t151;
-    const double t155 = nA[2] * t149 + nA[1] * t150 + nA[0] * t151;
+    const double t148 = t32 - t2 * t89 - t88 * t128 + 2.0 * (nD[2] * t129 - nC[2] * t134 - nB[2] * t138 + nA[2] *
+        t140);
+    const double t149 = t33 - t4 * t89 - t88 * t130 + 2.0 * (nD[1] * t129 - nC[1] * t134 - nB[1] * t138 + nA[1] *
+        t140);
+    const double t150 = t34 - t8 * t89 - t88 * t135 + 2.0 * (nD[0] * t129 - nC[0] * t134 - nB[0] * t138 + nA[0] *
+        t140);
+    const double t151 = t85 * t110;
+    const double t152 = nD[2] * t148 + nD[1] * t149 + nD[0] * t150;
+    const double t153 = nC[2] * t148 + nC[1] * t149 + nC[0] * t150;
+    const double t154 = nB[2] * t148 + nB[1] * t149 + nB[0] * t150;
+    const double t155 = nA[2] * t148 + nA[1] * t149 + nA[0] * t150;
     const double t156 = t145 * t145 + t146 * t146 + t147 * t147 + 12.0 * ((t106 * (t50 * t87 + t66 * t103) + t103 *
         t112) * t152 - (t103 * t119 - t121 * (t51 * t87 + t68 * t103)) * t153 - (t94 * t120 - t121 * (t62 * t87 +
         t72 * t94)) * t154 + (t106 * (t63 * t87 + t74 * t94) + t94 * t113) * t155);
-    const double t157 = t145 * t142 + t146 * t143 + t147 * t144 + t5 * t149 + t6 * t150 + t11 * t151 + 18.0 * ((t97
+    const double t157 = t145 * t142 + t146 * t143 + t147 * t144 + t5 * t148 + t6 * t149 + t11 * t150 + 18.0 * ((t97
         * t104 + t105 * t102) * t152 - (t97 * t116 - t117 * t114) * t153 - (t111 * t125 - t117 * t123) * t154 +
         (t111 * t126 + t105 * t132) * t155);
-    const double t158 = t142 * t142 + t143 * t143 + t144 * t144 + 12.0 * ((t55 * t140 + t107 * t100) * t152 - (t52 *
-        t140 - t99 * t109) * t153 - (t53 * t148 - t99 * t118) * t154 + (t56 * t148 + t107 * t127) * t155);
-    const double t159 = t142 * t149 + t143 * t150 + t144 * t151;
-    const double t160 = t145 * t149 + t146 * t150 + t147 * t151;
+    const double t158 = t142 * t142 + t143 * t143 + t144 * t144 + 12.0 * ((t54 * t141 + t107 * t100) * t152 - (t52 *
+        t141 - t99 * t109) * t153 - (t53 * t151 - t99 * t118) * t154 + (t55 * t151 + t107 * t127) * t155);
+    const double t159 = t142 * t148 + t143 * t149 + t144 * t150;
+    const double t160 = t145 * t148 + t146 * t149 + t147 * t150;
     const double t161 = t156 * t158;
-    const double t162 = t159 * t156 - t160 * t157;
-    const double t163 = t160 * t158 - t159 * t157;
-    const double t164 = t161 - t157 * t157;
+    const double t162 = t161 - t157 * t157;
+    const double t163 = t159 * t156 - t160 * t157;
+    const double t164 = t160 * t158 - t159 * t157;
     const double u6 = 0.02 * t161;
-    const double t165 = (t164 > u6 ? t164 : u6);
+    const double t165 = (t162 > u6 ? t162 : u6);
     const double t166 = 1.0 / t165;
-    const double t167 = t85 + t162 * t166;
-    const double t168 = t87 + t163 * t166;
+    const double t167 = t85 + t163 * t166;
+    const double t168 = t87 + t164 * t166;
     const double u7 = 2.0 * t167;
     double u8 = 1.0;
     const double t169 = (u8 < u7 ? u8 : u7);
@@ -1059,14 +1059,14 @@ FOOTPOINT_LOOP void footpoint_gregory_corrected_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_corrected_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.77178557862136943, 0.73935032332923478, 1.9129963466446559e-15, 9.4182307573989133e-15},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.77178557862136943, 0.73935032332923478, 1.9129963466446555e-15, 9.4182307573989164e-15},
     {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.019201854509944515, 0.98553544881167354, 6.6466585529162183e-16, 1.9526315503647058e-15},
-    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.47161139585019385, 1, 5.2848511980924922e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.068779565307178187, 1, 2.2596143483479885e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.18880992052812895, 1.110223024625157e-16, 4.0174881522842707e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.64269228827064795, 1, 4.3640164087845508e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.66034219696570817, 1.110223024625157e-16, 1.6978822913224942e-14},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.14076578734257675, 1, 3.1154389809157048e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -0.47161139585019385, 1, 5.2848511980924938e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.068779565307178187, 1, 2.2596143483479932e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.18880992052812895, 1.110223024625157e-16, 4.0174881522842722e-15},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.64269228827064795, 1, 4.3640164087845516e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.66034219696570817, 1.110223024625157e-16, 1.6978822913225011e-14},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.14076578734257675, 1, 3.1154389809157087e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -1131,47 +1131,47 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t51 = t9 * t4 - t10 * t2;
     const double t52 = t51 - (t4 * t5 - t2 * t6);
     const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t54 = 1.0 / (t46 - t40 * t40);
-    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t56 = 1.0 / (t46 - t41 * t41);
-    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t54 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t55 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t56 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t57 = 1.0 / (t46 - t40 * t40);
+    const double t58 = 1.0 / (t46 - t41 * t41);
     const double t59 = t9 * t6 - t10 * t5;
-    const double t60 = 1.0 / (t58 - t47 * t47);
-    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t62 = 1.0 / (t58 - t48 * t48);
-    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t65 = 1.0 / (t63 - t57 * t57);
-    const double t66 = 1.0 / (t63 - t53 * t53);
-    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t60 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t61 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t62 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t63 = 1.0 / (t56 - t47 * t47);
+    const double t64 = 1.0 / (t56 - t48 * t48);
+    const double t65 = 1.0 / (t61 - t55 * t55);
+    const double t66 = 1.0 / (t61 - t53 * t53);
+    const double t67 = 1.0 / (t62 - t54 * t54);
     const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
     const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
     const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
     const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
-    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t72 = 1.0 / (t62 - t60 * t60);
     const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
-    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
-    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
-    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
-    const double t77 = t73 * t54;
-    const double t78 = t68 * t54;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t54;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t55;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t60;
+    const double t77 = t73 * t57;
+    const double t78 = t68 * t57;
     const double t79 = t73 * t66;
     const double t80 = t68 * t66;
-    const double t81 = t74 * t56;
-    const double t82 = t69 * t56;
+    const double t81 = t74 * t58;
+    const double t82 = t69 * t58;
     const double t83 = t74 * t67;
     const double t84 = t69 * t67;
     const double t85 = t81 - t77;
     const double t86 = nB[1] * t78 + nC[1] * t82;
     const double t87 = nB[0] * t78 + nC[0] * t82;
     const double t88 = nB[2] * t78 + nC[2] * t82;
-    const double t89 = t75 * t60;
-    const double t90 = t70 * t60;
+    const double t89 = t75 * t63;
+    const double t90 = t70 * t63;
     const double t91 = t75 * t65;
     const double t92 = t70 * t65;
-    const double t93 = t76 * t62;
-    const double t94 = t71 * t62;
+    const double t93 = t76 * t64;
+    const double t94 = t71 * t64;
     const double t95 = t76 * t72;
     const double t96 = t71 * t72;
     const double t97 = t1 - t2;
@@ -1201,21 +1201,21 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t121 = t97 + t37 * t85 + t39 * t86 - t38 * t87 + 2.0 * (nC[2] * t103 - nB[2] * t105);
     const double t122 = t53 * t91;
     const double t123 = 3.0 * (t79 - t91) + 2.0;
-    const double t124 = t57 * t79;
+    const double t124 = t55 * t79;
     const double t125 = 3.0 * (t95 - t83) - 2.0;
-    const double t126 = t55 * t95;
-    const double t127 = t61 * t83;
+    const double t126 = t54 * t95;
+    const double t127 = t60 * t83;
     const double t128 = t100 + t38 * t85 + t37 * t87 - t39 * t88 + 2.0 * (nC[1] * t103 - nB[1] * t105);
     const double t129 = t111 + t39 * t85 + t38 * t88 - t37 * t86 + 2.0 * (nC[0] * t103 - nB[0] * t105);
     const double t130 = t97 + t9 * t98 - t10 * t99 + t16 * t102 + 2.0 * (nD[2] * t112 - nA[2] * t113);
     const double t131 = t48 * t114;
     const double t132 = t47 * t114;
-    const double t133 = t61 * t125;
-    const double t134 = t55 * t125;
+    const double t133 = t60 * t125;
+    const double t134 = t54 * t125;
     const double t135 = t100 + t10 * t98 - t16 * t101 + t9 * t99 + 2.0 * (nD[1] * t112 - nA[1] * t113);
     const double t136 = t111 + t16 * t98 - t9 * t102 + t10 * t101 + 2.0 * (nD[0] * t112 - nA[0] * t113);
     const double t137 = t1 * t106 - t108 - t3 * t107 + t7 * t110 + 2.0 * (nC[2] * t122 + nD[2] * t124);
-    const double t138 = t57 * t123;
+    const double t138 = t55 * t123;
     const double t139 = t53 * t123;
     const double t140 = t3 * t106 - t119 - t7 * t109 + t1 * t107 + 2.0 * (nC[1] * t122 + nD[1] * t124);
     const double t141 = t7 * t106 - t120 - t1 * t110 + t3 * t109 + 2.0 * (nC[0] * t122 + nD[0] * t124);
@@ -1289,30 +1289,30 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t206 = t163 * t202;
     const double t207 = t203 - 1.0;
     const double t208 = t204 - 1.0;
-    const double t209 = t40 + t143 * t205;
-    const double t210 = t53 + t139 * t205;
-    const double t211 = t161 * t205 + t162 * t206;
-    const double t212 = t160 * t207;
-    const double t213 = t48 + t131 * t212;
-    const double t214 = t61 + t133 * t212;
-    const double t215 = t160 * t208;
-    const double t216 = t47 + t132 * t215;
-    const double t217 = t138 * t215 - t57;
-    const double t218 = t41 + t144 * t206;
-    const double t219 = t134 * t206 - t55;
-    const double t220 = t160 * t206 - t163 * t212;
-    const double t221 = t162 * t212 + t161 * t215;
-    const double t222 = t160 * t205 - t163 * t215;
-    const double t223 = t169 * t170 * t211;
-    const double t224 = t172 * t170 * t221;
-    const double t225 = t174 * t175 * t222;
-    const double t226 = t161 * t213 + t160 * t214;
-    const double t227 = t176 * t175 * t220;
-    const double t228 = t160 * t217 - t162 * t216;
+    const double t209 = t161 * t205 + t162 * t206;
+    const double t210 = t160 * t207;
+    const double t211 = t48 + t131 * t210;
+    const double t212 = t60 + t133 * t210;
+    const double t213 = t160 * t208;
+    const double t214 = t47 + t132 * t213;
+    const double t215 = t138 * t213 - t55;
+    const double t216 = t40 + t143 * t205;
+    const double t217 = t53 + t139 * t205;
+    const double t218 = t160 * t206 - t163 * t210;
+    const double t219 = t162 * t210 + t161 * t213;
+    const double t220 = t160 * t205 - t163 * t213;
+    const double t221 = t41 + t144 * t206;
+    const double t222 = t134 * t206 - t54;
+    const double t223 = t169 * t170 * t209;
+    const double t224 = t172 * t170 * t219;
+    const double t225 = t174 * t175 * t220;
+    const double t226 = t161 * t211 + t160 * t212;
+    const double t227 = t176 * t175 * t218;
+    const double t228 = t160 * t215 - t162 * t214;
     const double t229 = t177 * t177 * t226;
-    const double t230 = t163 * t210 - t162 * t209;
+    const double t230 = t163 * t217 - t162 * t216;
     const double t231 = t178 * t178 * t228;
-    const double t232 = t161 * t218 + t163 * t219;
+    const double t232 = t161 * t221 + t163 * t222;
     const double t233 = t179 * t179 * t230;
     const double t234 = t180 * t180 * t232;
     const double t235 = t2 * t160 - t19 - t161 * t168 - t121 * t223 - t130 * t224 - t137 * t225 + t142 * t227 -
@@ -1337,85 +1337,85 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t251 = t47 * t249;
     const double t252 = nC[2] * t235 + nC[1] * t236 + nC[0] * t237;
     const double t253 = t201 * t247 + t199 * t244 + t182 * t195 * t252;
-    const double t254 = t40 * t252;
-    const double t255 = t142 * t235 + t145 * t236 + t146 * t237;
+    const double t254 = t142 * t235 + t145 * t236 + t146 * t237;
+    const double t255 = t40 * t252;
     const double t256 = nB[2] * t235 + nB[1] * t236 + nB[0] * t237;
-    const double t257 = t202 * t247 - t200 * t255 + t183 * t196 * t256;
+    const double t257 = t202 * t247 - t200 * t254 + t183 * t196 * t256;
     const double t258 = t41 * t256;
-    const double t259 = t184 * t222 + t175 * (t160 * t239 - t215 - t205 - t163 * t246);
-    const double t260 = t184 * t220 - t175 * (t212 + t163 * t240 + t206 - t160 * t248);
+    const double t259 = t184 * t220 + t175 * (t160 * t239 - t213 - t205 - t163 * t246);
+    const double t260 = t184 * t218 - t175 * (t210 + t163 * t240 + t206 - t160 * t248);
     const double t261 = t174 * t259;
     const double t262 = t176 * t260;
-    const double t263 = t186 * t211 - t170 * (t162 * t243 - t161 * t242 + t205 - t206);
-    const double t264 = t186 * t221 + t170 * (t162 * t238 + t212 - t161 * t241 - t215);
+    const double t263 = t186 * t209 - t170 * (t162 * t243 - t161 * t242 + t205 - t206);
+    const double t264 = t186 * t219 + t170 * (t162 * t238 + t210 - t161 * t241 - t213);
     const double t265 = t172 * t264;
     const double t266 = t169 * t263;
-    const double t267 = t160 * t170 * (2.0 * t211 - t160 * (t161 * t239 + t162 * t248));
-    const double t268 = t161 * t175 * (2.0 * t222 - t161 * (t160 * t242 + t163 * t241));
+    const double t267 = t160 * t170 * (2.0 * t209 - t160 * (t161 * t239 + t162 * t248));
+    const double t268 = t161 * t175 * (2.0 * t220 - t161 * (t160 * t242 + t163 * t241));
     const double t269 = nA[2] * t235 + nA[1] * t236 + nA[0] * t237;
-    const double t270 = t203 * t255 - t207 * t245 + t185 * t197 * t269;
+    const double t270 = t203 * t254 - t207 * t245 + t185 * t197 * t269;
     const double t271 = t48 * t269;
-    const double u7 = 2.0 * t228;
-    const double t272 = t163 * t170 * (2.0 * t221 + t163 * (t162 * t240 + t161 * t246));
-    const double t273 = t162 * t175 * (2.0 * t220 - t162 * (t163 * t238 + t160 * t243));
-    const double u8 = 2.0 * t226;
-    const double t274 = t162 * t177 * (u8 + t163 * (t185 * t240 - t214));
-    const double t275 = t163 * t177 * (u8 + t162 * (t185 * t238 - t213));
-    const double t276 = t162 * t250 - t57 * t249;
-    const double t277 = t161 * t178 * (u7 - t163 * (t181 * t246 + t217));
+    const double t272 = t163 * t170 * (2.0 * t219 + t163 * (t162 * t240 + t161 * t246));
+    const double t273 = t162 * t175 * (2.0 * t218 - t162 * (t163 * t238 + t160 * t243));
+    const double u7 = 2.0 * t226;
+    const double t274 = t162 * t250 - t55 * t249;
+    const double t275 = t162 * t177 * (u7 + t163 * (t185 * t240 - t212));
+    const double u8 = 2.0 * t228;
+    const double t276 = t163 * t177 * (u7 + t162 * (t185 * t238 - t211));
+    const double t277 = t53 * t252 + t162 * t253;
+    const double t278 = t161 * t178 * (u8 - t163 * (t181 * t246 + t215));
     const double u9 = 2.0 * t230;
-    const double t278 = t163 * t178 * (u7 - t161 * (t181 * t241 - t216));
-    const double t279 = t53 * t252 + t162 * t253;
-    const double t280 = t161 * t179 * (u9 - t160 * (t182 * t239 + t210));
+    const double t279 = t163 * t178 * (u8 - t161 * (t181 * t241 - t214));
+    const double t280 = t161 * t257 - t54 * t256;
+    const double t281 = t160 * t274 - t162 * t251;
+    const double t282 = t281 - (t160 * t250 - t251) * t187;
+    const double t283 = t281 - t274 * t188;
+    const double t284 = t161 * t179 * (u9 - t160 * (t182 * t239 + t217));
     const double u10 = 2.0 * t232;
-    const double t281 = t160 * t179 * (u9 - t161 * (t182 * t242 - t209));
-    const double t282 = t161 * t257 - t55 * t256;
-    const double t283 = t160 * t276 - t162 * t251;
-    const double t284 = t283 - (t160 * t250 - t251) * t187;
-    const double t285 = t283 - t276 * t188;
-    const double t286 = t162 * t180 * (t160 * (t183 * t248 + t219) - u10);
-    const double t287 = t160 * t180 * (u10 - t162 * (t183 * t243 + t218));
-    const double t288 = t163 * t279 - t162 * t254;
-    const double t289 = t288 - (t163 * t253 - t254) * t187;
-    const double t290 = t288 - t279 * t190;
-    const double t291 = t161 * t258 + t163 * t282;
-    const double t292 = (t258 + t163 * t257) * t189 - t291;
-    const double t293 = t282 * t190 - t291;
-    const double t294 = t161 * t270 - t61 * t269;
-    const double t295 = t160 * t294 - t161 * t271;
-    const double t296 = t295 - (t160 * t270 - t271) * t189;
-    const double t297 = t295 - t294 * t188;
-    const double t298 = 2.0 * (t178 * (0.5 * (t178 * t250 + t284 + t285) + t283) - t179 * (0.5 * (t179 * t253 + t289
-        + t290) + t288) - t180 * (0.5 * (t292 - t180 * t257 + t293) - t291) + t177 * (0.5 * (t177 * t270 + t296 +
-        t297) + t295)) - t5 * t235 - t6 * t236 - t11 * t237;
-    const double t299 = t5 * t161 - t2 - t137 * t261 + t142 * t262 + t121 * t267 - t130 * t272 - nA[2] * t274 -
-        nD[2] * t277 + nC[2] * t280 - nB[2] * t286;
-    const double t300 = t168 - t130 * t265 - t121 * t266 + t137 * t268 + t142 * t273 - nA[2] * t275 + nD[2] * t278 +
-        nC[2] * t281 - nB[2] * t287;
-    const double t301 = t6 * t161 - t4 - t140 * t261 + t145 * t262 + t128 * t267 - t135 * t272 - nA[1] * t274 -
-        nD[1] * t277 + nC[1] * t280 - nB[1] * t286;
-    const double t302 = t171 - t135 * t265 - t128 * t266 + t140 * t268 + t145 * t273 - nA[1] * t275 + nD[1] * t278 +
-        nC[1] * t281 - nB[1] * t287;
-    const double t303 = t11 * t161 - t8 - t141 * t261 + t146 * t262 + t129 * t267 - t136 * t272 - nA[0] * t274 -
-        nD[0] * t277 + nC[0] * t280 - nB[0] * t286;
-    const double t304 = t173 - t136 * t265 - t129 * t266 + t141 * t268 + t146 * t273 - nA[0] * t275 + nD[0] * t278 +
-        nC[0] * t281 - nB[0] * t287;
-    const double t305 = t300 * t300 + t302 * t302 + t304 * t304 + 2.0 * (t169 * (t292 - t289) + t172 * (t296 -
-        t284));
+    const double t285 = t160 * t179 * (u9 - t161 * (t182 * t242 - t216));
+    const double t286 = t163 * t277 - t162 * t255;
+    const double t287 = t286 - (t163 * t253 - t255) * t187;
+    const double t288 = t286 - t277 * t190;
+    const double t289 = t161 * t258 + t163 * t280;
+    const double t290 = (t258 + t163 * t257) * t189 - t289;
+    const double t291 = t280 * t190 - t289;
+    const double t292 = t161 * t270 - t60 * t269;
+    const double t293 = t160 * t292 - t161 * t271;
+    const double t294 = t162 * t180 * (t160 * (t183 * t248 + t222) - u10);
+    const double t295 = t293 - (t160 * t270 - t271) * t189;
+    const double t296 = t160 * t180 * (u10 - t162 * (t183 * t243 + t221));
+    const double t297 = t293 - t292 * t188;
+    const double t298 = 2.0 * (t178 * (0.5 * (t178 * t250 + t282 + t283) + t281) - t179 * (0.5 * (t179 * t253 + t287
+        + t288) + t286) - t180 * (0.5 * (t290 - t180 * t257 + t291) - t289) + t177 * (0.5 * (t177 * t270 + t295 +
+        t297) + t293)) - t5 * t235 - t6 * t236 - t11 * t237;
+    const double t299 = t5 * t161 - t2 - t137 * t261 + t142 * t262 + t121 * t267 - t130 * t272 - nA[2] * t275 -
+        nD[2] * t278 + nC[2] * t284 - nB[2] * t294;
+    const double t300 = t168 - t130 * t265 - t121 * t266 + t137 * t268 + t142 * t273 - nA[2] * t276 + nD[2] * t279 +
+        nC[2] * t285 - nB[2] * t296;
+    const double t301 = t6 * t161 - t4 - t140 * t261 + t145 * t262 + t128 * t267 - t135 * t272 - nA[1] * t275 -
+        nD[1] * t278 + nC[1] * t284 - nB[1] * t294;
+    const double t302 = t171 - t135 * t265 - t128 * t266 + t140 * t268 + t145 * t273 - nA[1] * t276 + nD[1] * t279 +
+        nC[1] * t285 - nB[1] * t296;
+    const double t303 = t11 * t161 - t8 - t141 * t261 + t146 * t262 + t129 * t267 - t136 * t272 - nA[0] * t275 -
+        nD[0] * t278 + nC[0] * t284 - nB[0] * t294;
+    const double t304 = t173 - t136 * t265 - t129 * t266 + t141 * t268 + t146 * t273 - nA[0] * t276 + nD[0] * t279 +
+        nC[0] * t285 - nB[0] * t296;
+    const double t305 = t300 * t300 + t302 * t302 + t304 * t304 + 2.0 * (t169 * (t290 - t287) + t172 * (t295 -
+        t282));
     const double t306 = t300 * t299 + t302 * t301 + t304 * t303 + t298;
-    const double t307 = t299 * t299 + t301 * t301 + t303 * t303 + 2.0 * (t176 * (t293 + t297) - t174 * (t285 +
-        t290));
+    const double t307 = t299 * t299 + t301 * t301 + t303 * t303 + 2.0 * (t176 * (t291 + t297) - t174 * (t283 +
+        t288));
     const double t308 = t235 * t299 + t236 * t301 + t237 * t303;
     const double t309 = t235 * t300 + t236 * t302 + t237 * t304;
     const double t310 = t305 * t307;
-    const double t311 = t308 * t305 - t309 * t306;
-    const double t312 = t309 * t307 - t308 * t306;
-    const double t313 = t310 - t306 * t306;
+    const double t311 = t310 - t306 * t306;
+    const double t312 = t308 * t305 - t309 * t306;
+    const double t313 = t309 * t307 - t308 * t306;
     const double u11 = 0.1 * t310;
-    const double t314 = (t313 > u11 ? t313 : u11);
+    const double t314 = (t311 > u11 ? t311 : u11);
     const double t315 = 1.0 / t314;
-    const double t316 = t157 + t311 * t315;
-    const double t317 = t159 + t312 * t315;
+    const double t316 = t157 + t312 * t315;
+    const double t317 = t159 + t313 * t315;
     const double u12 = 2.0 * t316;
     double u13 = 1.0;
     const double t318 = (u13 < u12 ? u13 : u12);
@@ -1468,14 +1468,14 @@ FOOTPOINT_LOOP void footpoint_gregory_precise_n(size_t n, const double *const x[
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_precise_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.70330359587385927, 0.46971091170412205, 3.4747068811831808e-11, 1.2044951898378366e-10},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.027144457095993335, 0.94975910880679404, 7.8005586139381798e-16, 2.3955488751753214e-15},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.70330359587385927, 0.46971091170412205, 3.4747068811831795e-11, 1.2044951898378366e-10},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.027144457095993335, 0.94975910880679404, 7.8005586139381867e-16, 2.3955488751753214e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.079030542168508675, 1, 2.6812638019188748e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.22783058626132363, 1.110223024625157e-16, 5.096948236514271e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.66249276328628925, 1, 6.1463550496365797e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.99551725512771694, 1.110223024625157e-16, 4.2187935535726676e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.10569439629978081, 1, 7.4309157210540432e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.079030542168508675, 1, 2.6812638019188779e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.22783058626132363, 1.110223024625157e-16, 5.0969482365142718e-15},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.66249276328628925, 1, 6.1463550496365939e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.99551725512771694, 1.110223024625157e-16, 4.2187935535726787e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.10569439629978081, 1, 7.4309157210540527e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -1540,47 +1540,47 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t51 = t9 * t4 - t10 * t2;
     const double t52 = t51 - (t4 * t5 - t2 * t6);
     const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t54 = 1.0 / (t46 - t40 * t40);
-    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t56 = 1.0 / (t46 - t41 * t41);
-    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t54 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t55 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t56 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t57 = 1.0 / (t46 - t40 * t40);
+    const double t58 = 1.0 / (t46 - t41 * t41);
     const double t59 = t9 * t6 - t10 * t5;
-    const double t60 = 1.0 / (t58 - t47 * t47);
-    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t62 = 1.0 / (t58 - t48 * t48);
-    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t65 = 1.0 / (t63 - t57 * t57);
-    const double t66 = 1.0 / (t63 - t53 * t53);
-    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t60 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t61 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t62 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t63 = 1.0 / (t56 - t47 * t47);
+    const double t64 = 1.0 / (t56 - t48 * t48);
+    const double t65 = 1.0 / (t61 - t55 * t55);
+    const double t66 = 1.0 / (t61 - t53 * t53);
+    const double t67 = 1.0 / (t62 - t54 * t54);
     const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
     const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
     const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
     const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
-    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t72 = 1.0 / (t62 - t60 * t60);
     const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
-    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
-    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
-    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
-    const double t77 = t73 * t54;
-    const double t78 = t68 * t54;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t54;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t55;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t60;
+    const double t77 = t73 * t57;
+    const double t78 = t68 * t57;
     const double t79 = t73 * t66;
     const double t80 = t68 * t66;
-    const double t81 = t74 * t56;
-    const double t82 = t69 * t56;
+    const double t81 = t74 * t58;
+    const double t82 = t69 * t58;
     const double t83 = t74 * t67;
     const double t84 = t69 * t67;
     const double t85 = t81 - t77;
     const double t86 = nB[1] * t78 + nC[1] * t82;
     const double t87 = nB[0] * t78 + nC[0] * t82;
     const double t88 = nB[2] * t78 + nC[2] * t82;
-    const double t89 = t75 * t60;
-    const double t90 = t70 * t60;
+    const double t89 = t75 * t63;
+    const double t90 = t70 * t63;
     const double t91 = t75 * t65;
     const double t92 = t70 * t65;
-    const double t93 = t76 * t62;
-    const double t94 = t71 * t62;
+    const double t93 = t76 * t64;
+    const double t94 = t71 * t64;
     const double t95 = t76 * t72;
     const double t96 = t71 * t72;
     const double t97 = t2 - t1;
@@ -1606,24 +1606,24 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t117 = nA[0] * t84 + nB[0] * t96;
     const double t118 = nA[2] * t84 + nB[2] * t96;
     const double t119 = t95 - (2.0 / 3.0) - t83;
-    const double t120 = t55 * t95;
-    const double t121 = t61 * t83;
+    const double t120 = t54 * t95;
+    const double t121 = t60 * t83;
     const double t122 = t38 + t10;
     const double t123 = t39 + t16;
     const double t124 = t97 - t37 * t85 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t103 - nB[2] * t105);
     const double t125 = t53 * t91;
     const double t126 = t79 + (2.0 / 3.0) - t91;
-    const double t127 = t57 * t79;
+    const double t127 = t55 * t79;
     const double t128 = t48 * t113;
     const double t129 = t47 * t113;
-    const double t130 = t61 * t119;
-    const double t131 = t55 * t119;
+    const double t130 = t60 * t119;
+    const double t131 = t54 * t119;
     const double t132 = t100 - t38 * t85 - t37 * t87 + t39 * t88 - 2.0 * (nC[1] * t103 - nB[1] * t105);
     const double t133 = t111 - t39 * t85 - t38 * t88 + t37 * t86 - 2.0 * (nC[0] * t103 - nB[0] * t105);
     const double t134 = t97 - t9 * t98 + t10 * t99 - t16 * t102 - 2.0 * (nD[2] * t112 - nA[2] * t114);
     const double t135 = 3.0 * t128;
     const double t136 = 3.0 * t130;
-    const double t137 = t57 * t126;
+    const double t137 = t55 * t126;
     const double t138 = t53 * t126;
     const double t139 = t100 - t10 * t98 + t16 * t101 - t9 * t99 - 2.0 * (nD[1] * t112 - nA[1] * t114);
     const double t140 = t111 - t16 * t98 + t9 * t102 - t10 * t101 - 2.0 * (nD[0] * t112 - nA[0] * t114);
@@ -1733,11 +1733,11 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t236 = t176 * t177 * t232;
     const double t237 = t181 * t230 - t181 * t226;
     const double t238 = t48 + t235 * t135;
-    const double t239 = t61 + t235 * t136;
+    const double t239 = t60 + t235 * t136;
     const double t240 = t168 * t231;
     const double t241 = t176 * t179 * t234;
     const double t242 = t47 + t240 * t142;
-    const double t243 = t57 - t240 * t143;
+    const double t243 = t55 - t240 * t143;
     const double t244 = t171 * t225;
     const double t245 = t178 * t177 * t237;
     const double t246 = t169 * t238 + t168 * t239;
@@ -1746,7 +1746,7 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t249 = t171 * t226;
     const double t250 = t168 * t243 - t170 * t242;
     const double t251 = t41 - t249 * t153;
-    const double t252 = t55 + t249 * t154;
+    const double t252 = t54 + t249 * t154;
     const double t253 = t177 * t246;
     const double t254 = t171 * t248 - t170 * t247;
     const double t255 = t176 * t250;
@@ -1776,10 +1776,10 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t276 = t226 * t226;
     const double t277 = t181 * (t244 - t240 + t168 * t263 + t171 * t272) - t200 * t234;
     const double t278 = t207 * t277;
-    const double t279 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
-    const double t280 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
-    const double t281 = t148 * t259 + t151 * t260 + t152 * t261;
-    const double t282 = t226 * t274 + t224 * t281 + t220 * t280 * t199;
+    const double t279 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t280 = t148 * t259 + t151 * t260 + t152 * t261;
+    const double t281 = t226 * t274 + t224 * t280 + t220 * t279 * t199;
+    const double t282 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
     const double t283 = t200 * t237 + t181 * (t235 - t171 * t264 - t249 - t168 * t276);
     const double t284 = t209 * t283;
     const double t285 = t170 * (t246 + (t239 - t264 * t196) * t204);
@@ -1787,69 +1787,69 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t287 = t201 * t229 + t202 * (t249 - t169 * t266 - t170 * t267 - t244);
     const double t288 = t208 * t286;
     const double t289 = t210 * t287;
-    const double t290 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
-    const double t291 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
-    const double t292 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
-    const double t293 = t227 * t281 - t230 * t270 - t221 * t292 * t196;
+    const double t290 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t291 = t227 * t280 - t230 * t270 - t221 * t290 * t196;
+    const double t292 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
+    const double t293 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
     const double t294 = t177 * t169 * (t232 - (t170 * t264 - t169 * t272) * t204);
     const double t295 = t171 * (t246 + (t238 - t262 * t196) * t206);
-    const double t296 = t169 * (t250 + (t272 * t197 + t243) * t204);
-    const double t297 = t171 * (t250 - (t265 * t197 + t242) * t203);
-    const double t298 = t47 * t269;
-    const double t299 = t57 * t269 - t170 * t271;
-    const double t300 = t169 * (t254 + (t248 - t263 * t198) * t205);
-    const double t301 = t168 * (t254 - (t266 * t198 + t247) * t203);
-    const double t302 = t40 * t273;
-    const double t303 = t53 * t273 - t170 * t275;
-    const double t304 = t170 * (t256 + (t276 * t199 + t252) * t205);
-    const double t305 = t168 * (t256 + (t251 - t267 * t199) * t206);
-    const double t306 = t41 * t280;
-    const double t307 = t55 * t280 + t169 * t282;
-    const double t308 = t168 * t299 - t170 * t298;
-    const double t309 = t308 - (t298 + t168 * t271) * t211;
-    const double t310 = t299 * t212 + t308;
-    const double t311 = t171 * t303 - t170 * t302;
-    const double t312 = t311 - (t302 + t171 * t275) * t211;
-    const double t313 = t303 * t214 + t311;
-    const double t314 = t169 * t306 + t171 * t307;
-    const double t315 = (t306 + t171 * t282) * t213 + t314;
-    const double t316 = t307 * t214 + t314;
-    const double t317 = t48 * t292;
-    const double t318 = t61 * t292 + t169 * t293;
+    const double t296 = t47 * t269;
+    const double t297 = t55 * t269 - t170 * t271;
+    const double t298 = t169 * (t250 + (t272 * t197 + t243) * t204);
+    const double t299 = t171 * (t250 - (t265 * t197 + t242) * t203);
+    const double t300 = t40 * t273;
+    const double t301 = t53 * t273 - t170 * t275;
+    const double t302 = t169 * (t254 + (t248 - t263 * t198) * t205);
+    const double t303 = t168 * (t254 - (t266 * t198 + t247) * t203);
+    const double t304 = t41 * t279;
+    const double t305 = t54 * t279 + t169 * t281;
+    const double t306 = t168 * t297 - t170 * t296;
+    const double t307 = t170 * (t256 + (t276 * t199 + t252) * t205);
+    const double t308 = t306 - (t296 + t168 * t271) * t211;
+    const double t309 = t297 * t212 + t306;
+    const double t310 = t168 * (t256 + (t251 - t267 * t199) * t206);
+    const double t311 = t171 * t301 - t170 * t300;
+    const double t312 = t311 - (t300 + t171 * t275) * t211;
+    const double t313 = t301 * t214 + t311;
+    const double t314 = t169 * t304 + t171 * t305;
+    const double t315 = (t304 + t171 * t281) * t213 + t314;
+    const double t316 = t305 * t214 + t314;
+    const double t317 = t48 * t290;
+    const double t318 = t60 * t290 + t169 * t291;
     const double t319 = t169 * t317 + t168 * t318;
-    const double t320 = (t317 + t168 * t293) * t213 + t319;
+    const double t320 = (t317 + t168 * t291) * t213 + t319;
     const double t321 = t318 * t212 + t319;
-    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t308 - 0.5 * (t176 * t271 - t309 -
-        t310)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t282 + t315 + t316) +
-        t314) + t177 * (0.5 * (t177 * t293 + t320 + t321) + t319);
-    const double t323 = t210 * (t315 - t312) + t208 * (t320 - t309);
-    const double t324 = t209 * (t316 + t321) - t207 * (t310 + t313);
-    const double t325 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t290 - t134 * t294
-        - t186 * t296 - t189 * t300 + t192 * t304);
-    const double t326 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t279 - t148 * t291 + t184 * t295 - t186 *
-        t297 - t189 * t301 + t192 * t305);
-    const double t327 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t290 - t139 * t294
-        - t187 * t296 - t190 * t300 + t193 * t304);
-    const double t328 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t279 - t151 * t291 + t185 * t295 - t187 *
-        t297 - t190 * t301 + t193 * t305);
-    const double t329 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t290 - t140 * t294
-        - t191 * t296 - t194 * t300 + t195 * t304);
-    const double t330 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t279 - t152 * t291 + t188 * t295 - t191 *
-        t297 - t194 * t301 + t195 * t305);
+    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t306 - 0.5 * (t176 * t271 - t308 -
+        t309)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t281 + t315 + t316) +
+        t314) + t177 * (0.5 * (t177 * t291 + t320 + t321) + t319);
+    const double t323 = t210 * (t315 - t312) + t208 * (t320 - t308);
+    const double t324 = t209 * (t316 + t321) - t207 * (t309 + t313);
+    const double t325 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t292 - t134 * t294
+        - t186 * t298 - t189 * t302 + t192 * t307);
+    const double t326 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t282 - t148 * t293 + t184 * t295 - t186 *
+        t299 - t189 * t303 + t192 * t310);
+    const double t327 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t292 - t139 * t294
+        - t187 * t298 - t190 * t302 + t193 * t307);
+    const double t328 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t282 - t151 * t293 + t185 * t295 - t187 *
+        t299 - t190 * t303 + t193 * t310);
+    const double t329 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t292 - t140 * t294
+        - t191 * t298 - t194 * t302 + t195 * t307);
+    const double t330 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t282 - t152 * t293 + t188 * t295 - t191 *
+        t299 - t194 * t303 + t195 * t310);
     const double t331 = t326 * t326 + t328 * t328 + t330 * t330 + 2.0 * t323;
     const double t332 = t326 * t325 + t328 * t327 + t330 * t329 + 2.0 * t322;
     const double t333 = t325 * t325 + t327 * t327 + t329 * t329 + 2.0 * t324;
     const double t334 = t259 * t325 + t260 * t327 + t261 * t329;
     const double t335 = t259 * t326 + t260 * t328 + t261 * t330;
     const double t336 = t331 * t333;
-    const double t337 = t334 * t331 - t335 * t332;
-    const double t338 = t335 * t333 - t334 * t332;
-    const double t339 = t336 - t332 * t332;
+    const double t337 = t336 - t332 * t332;
+    const double t338 = t334 * t331 - t335 * t332;
+    const double t339 = t335 * t333 - t334 * t332;
     const double u12 = 0.1 * t336;
-    const double t340 = (t339 > u12 ? t339 : u12);
+    const double t340 = (t337 > u12 ? t337 : u12);
     const double t341 = 1.0 / t340;
-    const double t342 = t165 + t337 * t341;
-    const double t343 = t167 + t338 * t341;
+    const double t342 = t165 + t338 * t341;
+    const double t343 = t167 + t339 * t341;
     const double t344 = (u5 < t342 ? u5 : t342);
     const double t345 = (u6 > t344 ? u6 : t344);
     const double t346 = (u5 < t343 ? u5 : t343);
@@ -1864,13 +1864,13 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t355 = t349 - t351;
     const double t356 = 3.0 * (t128 * t349 + t130 * t348);
     const double t357 = 3.0 * (t137 * t348 + t129 * t350);
-    const double t358 = 3.0 * (t138 * t351 - t144 * t350);
-    const double t359 = t348 * t350;
-    const double t360 = t349 * t348;
-    const double t361 = t348 * t351;
-    const double t362 = 3.0 * (t131 * t351 - t145 * t349);
-    const double t363 = t349 * t351;
-    const double t364 = t350 * t351;
+    const double t358 = t348 * t350;
+    const double t359 = t349 * t348;
+    const double t360 = t348 * t351;
+    const double t361 = 3.0 * (t138 * t351 - t144 * t350);
+    const double t362 = t349 * t351;
+    const double t363 = t350 * t351;
+    const double t364 = 3.0 * (t131 * t351 - t145 * t349);
     const double t365 = t348 + t351;
     const double t366 = t349 + t350;
     const double t367 = t349 * t350;
@@ -1880,19 +1880,19 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t371 = 0.5 * t350;
     const double t372 = t9 - t5 * t348;
     const double t373 = t10 - t6 * t348;
-    const double t374 = nA[2] * t364;
-    const double t375 = nA[1] * t364;
+    const double t374 = nA[2] * t363;
+    const double t375 = nA[1] * t363;
     const double t376 = t16 - t11 * t348;
-    const double t377 = nA[0] * t364;
-    const double t378 = nD[2] * t363;
-    const double t379 = nD[1] * t363;
-    const double t380 = nC[2] * t360;
-    const double t381 = nC[1] * t360;
-    const double t382 = nD[0] * t363;
-    const double t383 = nB[2] * t359;
-    const double t384 = nB[1] * t359;
-    const double t385 = nC[0] * t360;
-    const double t386 = nB[0] * t359;
+    const double t377 = nA[0] * t363;
+    const double t378 = nD[2] * t362;
+    const double t379 = nD[1] * t362;
+    const double t380 = nC[2] * t359;
+    const double t381 = nC[1] * t359;
+    const double t382 = nD[0] * t362;
+    const double t383 = nB[2] * t358;
+    const double t384 = nB[1] * t358;
+    const double t385 = nC[0] * t359;
+    const double t386 = nB[0] * t358;
     const double u13 = -t352;
     const double t387 = (u11 > u13 ? u11 : u13);
     const double t388 = (u11 > t355 ? u11 : t355);
@@ -1910,86 +1910,86 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t400 = t393 * t393;
     const double t401 = t348 * t397;
     const double t402 = t48 + t401 * t135;
-    const double t403 = t61 + t401 * t136;
+    const double t403 = t60 + t401 * t136;
     const double t404 = t348 * t399;
     const double t405 = t351 * t395;
     const double t406 = t395 * t395;
     const double t407 = t397 * t397;
     const double t408 = t394 * t394;
-    const double t409 = t47 + t404 * t142;
-    const double t410 = t57 - t404 * t143;
-    const double t411 = t394 + 1.0;
-    const double t412 = t399 * t399;
-    const double t413 = t40 - t405 * t149;
-    const double t414 = t53 - t405 * t150;
-    const double t415 = t359 * t397 - t360 * t399;
-    const double t416 = t361 * t399 - t361 * t395;
-    const double t417 = t351 * t411;
-    const double t418 = t411 * t411;
-    const double t419 = t41 - t417 * t153;
-    const double t420 = t55 + t417 * t154;
-    const double t421 = t360 * t351 * (t416 + (t351 * t400 - t348 * t396) * t368);
-    const double t422 = t348 * t410 - t350 * t409;
-    const double t423 = t364 * t411 - t363 * t395;
-    const double t424 = t361 * t397 - t361 * t411;
-    const double t425 = t349 * t402 + t348 * t403;
-    const double t426 = t350 * (t425 + (t403 - t407 * t356) * t369);
-    const double t427 = t360 * t350 * (t423 + (t350 * t418 - t349 * t406) * t370);
-    const double t428 = t351 * t414 - t350 * t413;
-    const double t429 = t364 * t348 * (t424 - (t351 * t398 - t348 * t408) * t371);
-    const double t430 = t364 * t349 * (t415 - (t350 * t407 - t349 * t412) * t369);
-    const double t431 = t351 * (t425 + (t402 - t398 * t356) * t371);
-    const double t432 = t361 * (t405 - t404 + t348 * t406 + t351 * t412) - t365 * t416;
-    const double t433 = t349 * t349 * t432;
-    const double t434 = t365 * t424 + t361 * (t401 - t351 * t407 - t417 - t348 * t418);
-    const double t435 = t350 * t350 * t434;
-    const double t436 = t366 * t415 + t367 * (t401 - t350 * t398 - t349 * t400 - t404);
-    const double t437 = t351 * t351 * t436;
-    const double t438 = t349 * t419 + t351 * t420;
-    const double t439 = t351 * (t422 - (t400 * t357 + t409) * t368);
-    const double t440 = t366 * t423 + t367 * (t417 - t349 * t396 - t350 * t408 - t405);
-    const double t441 = t348 * t348 * t440;
-    const double t442 = t349 * (t422 + (t412 * t357 + t410) * t369);
-    const double t443 = t349 * (t428 + (t414 - t406 * t358) * t370);
-    const double t444 = t350 * (t438 + (t418 * t362 + t420) * t370);
-    const double t445 = t348 * (t428 - (t396 * t358 + t413) * t368);
-    const double t446 = t348 * (t438 + (t419 - t408 * t362) * t371);
-    const double t447 = t359 * t360 * t423;
-    const double t448 = t363 * t364 * t415;
-    const double t449 = t363 * t360 * t416;
-    const double t450 = t359 * t364 * t424;
-    const double t451 = t364 * t425;
-    const double t452 = t2 - t5 * t349 + t141 * t433 + t148 * t435 - 2.0 * (t374 * t426 + t124 * t427 - t134 * t430
-        - t378 * t442 - t380 * t443 + t383 * t444);
-    const double t453 = t4 - t6 * t349 + t146 * t433 + t151 * t435 - 2.0 * (t375 * t426 + t132 * t427 - t139 * t430
-        - t379 * t442 - t381 * t443 + t384 * t444);
-    const double t454 = t8 - t11 * t349 + t147 * t433 + t152 * t435 - 2.0 * (t377 * t426 + t133 * t427 - t140 * t430
-        - t382 * t442 - t385 * t443 + t386 * t444);
-    const double t455 = t372 + t134 * t437 - t124 * t441 - 2.0 * (t141 * t421 - t148 * t429 + t374 * t431 - t378 *
-        t439 - t380 * t445 + t383 * t446);
-    const double t456 = t373 + t139 * t437 - t132 * t441 - 2.0 * (t146 * t421 - t151 * t429 + t375 * t431 - t379 *
-        t439 - t381 * t445 + t384 * t446);
-    const double t457 = t363 * t422;
-    const double t458 = t376 + t140 * t437 - t133 * t441 - 2.0 * (t147 * t421 - t152 * t429 + t377 * t431 - t382 *
-        t439 - t385 * t445 + t386 * t446);
-    const double t459 = t360 * t428;
-    const double t460 = t359 * t438;
-    const double t461 = t323 + 0.5 * (t455 * t455 + t456 * t456 + t458 * t458);
-    const double t462 = t322 + 0.5 * (t455 * t452 + t456 * t453 + t458 * t454);
-    const double t463 = t17 - t2 * t348 - t349 * t372 + t124 * t447 - t134 * t448 + t141 * t449 - t148 * t450 + t374
-        * t451 - t378 * t457 - t380 * t459 + t383 * t460;
-    const double t464 = t18 - t4 * t348 - t349 * t373 + t132 * t447 - t139 * t448 + t146 * t449 - t151 * t450 + t375
-        * t451 - t379 * t457 - t381 * t459 + t384 * t460;
-    const double t465 = t324 + 0.5 * (t452 * t452 + t453 * t453 + t454 * t454);
+    const double t409 = t394 + 1.0;
+    const double t410 = t399 * t399;
+    const double t411 = t47 + t404 * t142;
+    const double t412 = t55 - t404 * t143;
+    const double t413 = t358 * t397 - t359 * t399;
+    const double t414 = t360 * t399 - t360 * t395;
+    const double t415 = t351 * t409;
+    const double t416 = t409 * t409;
+    const double t417 = t40 - t405 * t149;
+    const double t418 = t53 - t405 * t150;
+    const double t419 = t359 * t351 * (t414 + (t351 * t400 - t348 * t396) * t368);
+    const double t420 = t363 * t409 - t362 * t395;
+    const double t421 = t360 * t397 - t360 * t409;
+    const double t422 = t349 * t402 + t348 * t403;
+    const double t423 = t350 * (t422 + (t403 - t407 * t356) * t369);
+    const double t424 = t348 * t412 - t350 * t411;
+    const double t425 = t41 - t415 * t153;
+    const double t426 = t54 + t415 * t154;
+    const double t427 = t359 * t350 * (t420 + (t350 * t416 - t349 * t406) * t370);
+    const double t428 = t363 * t348 * (t421 - (t351 * t398 - t348 * t408) * t371);
+    const double t429 = t360 * (t405 - t404 + t348 * t406 + t351 * t410) - t365 * t414;
+    const double t430 = t349 * t349 * t429;
+    const double t431 = t365 * t421 + t360 * (t401 - t351 * t407 - t415 - t348 * t416);
+    const double t432 = t350 * t350 * t431;
+    const double t433 = t366 * t413 + t367 * (t401 - t350 * t398 - t349 * t400 - t404);
+    const double t434 = t351 * t351 * t433;
+    const double t435 = t351 * t418 - t350 * t417;
+    const double t436 = t366 * t420 + t367 * (t415 - t349 * t396 - t350 * t408 - t405);
+    const double t437 = t348 * t348 * t436;
+    const double t438 = t363 * t349 * (t413 - (t350 * t407 - t349 * t410) * t369);
+    const double t439 = t351 * (t422 + (t402 - t398 * t356) * t371);
+    const double t440 = t351 * (t424 - (t400 * t357 + t411) * t368);
+    const double t441 = t349 * t425 + t351 * t426;
+    const double t442 = t349 * (t424 + (t410 * t357 + t412) * t369);
+    const double t443 = t349 * (t435 + (t418 - t406 * t361) * t370);
+    const double t444 = t348 * (t435 - (t396 * t361 + t417) * t368);
+    const double t445 = t350 * (t441 + (t416 * t364 + t426) * t370);
+    const double t446 = t348 * (t441 + (t425 - t408 * t364) * t371);
+    const double t447 = t358 * t359 * t420;
+    const double t448 = t362 * t363 * t413;
+    const double t449 = t362 * t359 * t414;
+    const double t450 = t358 * t363 * t421;
+    const double t451 = t2 - t5 * t349 + t141 * t430 + t148 * t432 - 2.0 * (t374 * t423 + t124 * t427 - t134 * t438
+        - t378 * t442 - t380 * t443 + t383 * t445);
+    const double t452 = t4 - t6 * t349 + t146 * t430 + t151 * t432 - 2.0 * (t375 * t423 + t132 * t427 - t139 * t438
+        - t379 * t442 - t381 * t443 + t384 * t445);
+    const double t453 = t8 - t11 * t349 + t147 * t430 + t152 * t432 - 2.0 * (t377 * t423 + t133 * t427 - t140 * t438
+        - t382 * t442 - t385 * t443 + t386 * t445);
+    const double t454 = t372 + t134 * t434 - t124 * t437 - 2.0 * (t141 * t419 - t148 * t428 + t374 * t439 - t378 *
+        t440 - t380 * t444 + t383 * t446);
+    const double t455 = t373 + t139 * t434 - t132 * t437 - 2.0 * (t146 * t419 - t151 * t428 + t375 * t439 - t379 *
+        t440 - t381 * t444 + t384 * t446);
+    const double t456 = t363 * t422;
+    const double t457 = t376 + t140 * t434 - t133 * t437 - 2.0 * (t147 * t419 - t152 * t428 + t377 * t439 - t382 *
+        t440 - t385 * t444 + t386 * t446);
+    const double t458 = t362 * t424;
+    const double t459 = t359 * t435;
+    const double t460 = t358 * t441;
+    const double t461 = t323 + 0.5 * (t454 * t454 + t455 * t455 + t457 * t457);
+    const double t462 = t322 + 0.5 * (t454 * t451 + t455 * t452 + t457 * t453);
+    const double t463 = t324 + 0.5 * (t451 * t451 + t452 * t452 + t453 * t453);
+    const double t464 = t17 - t2 * t348 - t349 * t372 + t124 * t447 - t134 * t448 + t141 * t449 - t148 * t450 + t374
+        * t456 - t378 * t458 - t380 * t459 + t383 * t460;
+    const double t465 = t18 - t4 * t348 - t349 * t373 + t132 * t447 - t139 * t448 + t146 * t449 - t151 * t450 + t375
+        * t456 - t379 * t458 - t381 * t459 + t384 * t460;
     const double t466 = t21 - t8 * t348 - t349 * t376 + t133 * t447 - t140 * t448 + t147 * t449 - t152 * t450 + t377
-        * t451 - t382 * t457 - t385 * t459 + t386 * t460;
-    const double t467 = t463 * t452 + t464 * t453 + t466 * t454;
-    const double t468 = t463 * t455 + t464 * t456 + t466 * t458;
-    const double t469 = t461 * t465;
-    const double t470 = t469 - t462 * t462;
-    const double t471 = t467 * t461 - t468 * t462;
-    const double t472 = t468 * t465 - t467 * t462;
-    const double u14 = 0.4 * t469;
+        * t456 - t382 * t458 - t385 * t459 + t386 * t460;
+    const double t467 = t461 * t463;
+    const double t468 = t464 * t451 + t465 * t452 + t466 * t453;
+    const double t469 = t464 * t454 + t465 * t455 + t466 * t457;
+    const double t470 = t467 - t462 * t462;
+    const double t471 = t468 * t461 - t469 * t462;
+    const double t472 = t469 * t463 - t468 * t462;
+    const double u14 = 0.4 * t467;
     const double u15 = 4.0 * t470;
     const double t473 = (u15 > u14 ? u15 : u14);
     const double t474 = 2.0 / t473;
@@ -2047,14 +2047,14 @@ FOOTPOINT_LOOP void footpoint_gregory_exact_n(size_t n, const double *const x[27
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_exact_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.68280763932319577, 0.77053496507781161, 1.7578086155000754e-11, 2.4692176979784417e-11},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.024934341335560974, 0.9591506839384879, 7.1684406164922662e-16, 2.1476657918173147e-15},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.68280763932319577, 0.77053496507781161, 1.7578086155000757e-11, 2.4692176979784437e-11},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.024934341335560974, 0.9591506839384879, 7.1684406164922701e-16, 2.1476657918173143e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.10509445631892129, 1, 2.043541825664111e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.1604942280819662, 1.110223024625157e-16, 3.537535195776942e-15},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.10509445631892129, 1, 2.0435418256641169e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.1604942280819662, 1.110223024625157e-16, 3.5375351957769436e-15},
     {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.58299556370142447, 1, 4.3061614231803766e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28329654015038458, 1, 4.4193075332340198e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.28329654015038458, 1, 4.41930753323403e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -2119,47 +2119,47 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t51 = t9 * t4 - t10 * t2;
     const double t52 = t51 - (t4 * t5 - t2 * t6);
     const double t53 = nC[2] * t1 + nC[1] * t3 + nC[0] * t7;
-    const double t54 = 1.0 / (t46 - t40 * t40);
-    const double t55 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
-    const double t56 = 1.0 / (t46 - t41 * t41);
-    const double t57 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
-    const double t58 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t54 = nB[2] * t2 + nB[1] * t4 + nB[0] * t8;
+    const double t55 = nD[2] * t1 + nD[1] * t3 + nD[0] * t7;
+    const double t56 = t9 * t9 + t10 * t10 + t16 * t16;
+    const double t57 = 1.0 / (t46 - t40 * t40);
+    const double t58 = 1.0 / (t46 - t41 * t41);
     const double t59 = t9 * t6 - t10 * t5;
-    const double t60 = 1.0 / (t58 - t47 * t47);
-    const double t61 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
-    const double t62 = 1.0 / (t58 - t48 * t48);
-    const double t63 = t1 * t1 + t3 * t3 + t7 * t7;
-    const double t64 = t2 * t2 + t4 * t4 + t8 * t8;
-    const double t65 = 1.0 / (t63 - t57 * t57);
-    const double t66 = 1.0 / (t63 - t53 * t53);
-    const double t67 = 1.0 / (t64 - t55 * t55);
+    const double t60 = nA[2] * t2 + nA[1] * t4 + nA[0] * t8;
+    const double t61 = t1 * t1 + t3 * t3 + t7 * t7;
+    const double t62 = t2 * t2 + t4 * t4 + t8 * t8;
+    const double t63 = 1.0 / (t56 - t47 * t47);
+    const double t64 = 1.0 / (t56 - t48 * t48);
+    const double t65 = 1.0 / (t61 - t55 * t55);
+    const double t66 = 1.0 / (t61 - t53 * t53);
+    const double t67 = 1.0 / (t62 - t54 * t54);
     const double t68 = nC[2] * (t43 - t49) + nC[1] * (t45 - t50) + nC[0] * (t52 - t59);
     const double t69 = nB[2] * t43 + nB[1] * t45 + nB[0] * t52;
     const double t70 = nD[2] * (t42 - t49) + nD[1] * (t44 - t50) + nD[0] * (t51 - t59);
     const double t71 = nA[2] * t42 + nA[1] * t44 + nA[0] * t51;
-    const double t72 = 1.0 / (t64 - t61 * t61);
+    const double t72 = 1.0 / (t62 - t60 * t60);
     const double t73 = t1 * t37 + t3 * t38 + t7 * t39 - t40 * t53;
-    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t55;
-    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t57;
-    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t61;
-    const double t77 = t73 * t54;
-    const double t78 = t68 * t54;
+    const double t74 = t37 * t2 + t38 * t4 + t39 * t8 - t41 * t54;
+    const double t75 = t1 * t9 + t3 * t10 + t7 * t16 - t47 * t55;
+    const double t76 = t9 * t2 + t10 * t4 + t16 * t8 - t48 * t60;
+    const double t77 = t73 * t57;
+    const double t78 = t68 * t57;
     const double t79 = t73 * t66;
     const double t80 = t68 * t66;
-    const double t81 = t74 * t56;
-    const double t82 = t69 * t56;
+    const double t81 = t74 * t58;
+    const double t82 = t69 * t58;
     const double t83 = t74 * t67;
     const double t84 = t69 * t67;
     const double t85 = t81 - t77;
     const double t86 = nB[1] * t78 + nC[1] * t82;
     const double t87 = nB[0] * t78 + nC[0] * t82;
     const double t88 = nB[2] * t78 + nC[2] * t82;
-    const double t89 = t75 * t60;
-    const double t90 = t70 * t60;
+    const double t89 = t75 * t63;
+    const double t90 = t70 * t63;
     const double t91 = t75 * t65;
     const double t92 = t70 * t65;
-    const double t93 = t76 * t62;
-    const double t94 = t71 * t62;
+    const double t93 = t76 * t64;
+    const double t94 = t71 * t64;
     const double t95 = t76 * t72;
     const double t96 = t71 * t72;
     const double t97 = t2 - t1;
@@ -2185,24 +2185,24 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t117 = nA[0] * t84 + nB[0] * t96;
     const double t118 = nA[2] * t84 + nB[2] * t96;
     const double t119 = t95 - (2.0 / 3.0) - t83;
-    const double t120 = t55 * t95;
-    const double t121 = t61 * t83;
+    const double t120 = t54 * t95;
+    const double t121 = t60 * t83;
     const double t122 = t38 + t10;
     const double t123 = t39 + t16;
     const double t124 = t97 - t37 * t85 - t39 * t86 + t38 * t87 - 2.0 * (nC[2] * t103 - nB[2] * t105);
     const double t125 = t53 * t91;
     const double t126 = t79 + (2.0 / 3.0) - t91;
-    const double t127 = t57 * t79;
+    const double t127 = t55 * t79;
     const double t128 = t48 * t113;
     const double t129 = t47 * t113;
-    const double t130 = t61 * t119;
-    const double t131 = t55 * t119;
+    const double t130 = t60 * t119;
+    const double t131 = t54 * t119;
     const double t132 = t100 - t38 * t85 - t37 * t87 + t39 * t88 - 2.0 * (nC[1] * t103 - nB[1] * t105);
     const double t133 = t111 - t39 * t85 - t38 * t88 + t37 * t86 - 2.0 * (nC[0] * t103 - nB[0] * t105);
     const double t134 = t97 - t9 * t98 + t10 * t99 - t16 * t102 - 2.0 * (nD[2] * t112 - nA[2] * t114);
     const double t135 = 3.0 * t128;
     const double t136 = 3.0 * t130;
-    const double t137 = t57 * t126;
+    const double t137 = t55 * t126;
     const double t138 = t53 * t126;
     const double t139 = t100 - t10 * t98 + t16 * t101 - t9 * t99 - 2.0 * (nD[1] * t112 - nA[1] * t114);
     const double t140 = t111 - t16 * t98 + t9 * t102 - t10 * t101 - 2.0 * (nD[0] * t112 - nA[0] * t114);
@@ -2312,11 +2312,11 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t236 = t176 * t177 * t232;
     const double t237 = t181 * t230 - t181 * t226;
     const double t238 = t48 + t235 * t135;
-    const double t239 = t61 + t235 * t136;
+    const double t239 = t60 + t235 * t136;
     const double t240 = t168 * t231;
     const double t241 = t176 * t179 * t234;
     const double t242 = t47 + t240 * t142;
-    const double t243 = t57 - t240 * t143;
+    const double t243 = t55 - t240 * t143;
     const double t244 = t171 * t225;
     const double t245 = t178 * t177 * t237;
     const double t246 = t169 * t238 + t168 * t239;
@@ -2325,7 +2325,7 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t249 = t171 * t226;
     const double t250 = t168 * t243 - t170 * t242;
     const double t251 = t41 - t249 * t153;
-    const double t252 = t55 + t249 * t154;
+    const double t252 = t54 + t249 * t154;
     const double t253 = t177 * t246;
     const double t254 = t171 * t248 - t170 * t247;
     const double t255 = t176 * t250;
@@ -2355,10 +2355,10 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t276 = t226 * t226;
     const double t277 = t181 * (t244 - t240 + t168 * t263 + t171 * t272) - t200 * t234;
     const double t278 = t207 * t277;
-    const double t279 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
-    const double t280 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
-    const double t281 = t148 * t259 + t151 * t260 + t152 * t261;
-    const double t282 = t226 * t274 + t224 * t281 + t220 * t280 * t199;
+    const double t279 = nB[2] * t259 + nB[1] * t260 + nB[0] * t261;
+    const double t280 = t148 * t259 + t151 * t260 + t152 * t261;
+    const double t281 = t226 * t274 + t224 * t280 + t220 * t279 * t199;
+    const double t282 = t179 * t171 * (t234 + (t171 * t265 - t168 * t266) * t203);
     const double t283 = t200 * t237 + t181 * (t235 - t171 * t264 - t249 - t168 * t276);
     const double t284 = t209 * t283;
     const double t285 = t170 * (t246 + (t239 - t264 * t196) * t204);
@@ -2366,69 +2366,69 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t287 = t201 * t229 + t202 * (t249 - t169 * t266 - t170 * t267 - t244);
     const double t288 = t208 * t286;
     const double t289 = t210 * t287;
-    const double t290 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
-    const double t291 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
-    const double t292 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
-    const double t293 = t227 * t281 - t230 * t270 - t221 * t292 * t196;
+    const double t290 = nA[2] * t259 + nA[1] * t260 + nA[0] * t261;
+    const double t291 = t227 * t280 - t230 * t270 - t221 * t290 * t196;
+    const double t292 = t179 * t170 * (t229 + (t170 * t276 - t169 * t263) * t205);
+    const double t293 = t177 * t168 * (t237 - (t171 * t262 - t168 * t267) * t206);
     const double t294 = t177 * t169 * (t232 - (t170 * t264 - t169 * t272) * t204);
     const double t295 = t171 * (t246 + (t238 - t262 * t196) * t206);
-    const double t296 = t169 * (t250 + (t272 * t197 + t243) * t204);
-    const double t297 = t171 * (t250 - (t265 * t197 + t242) * t203);
-    const double t298 = t47 * t269;
-    const double t299 = t57 * t269 - t170 * t271;
-    const double t300 = t169 * (t254 + (t248 - t263 * t198) * t205);
-    const double t301 = t168 * (t254 - (t266 * t198 + t247) * t203);
-    const double t302 = t40 * t273;
-    const double t303 = t53 * t273 - t170 * t275;
-    const double t304 = t170 * (t256 + (t276 * t199 + t252) * t205);
-    const double t305 = t168 * (t256 + (t251 - t267 * t199) * t206);
-    const double t306 = t41 * t280;
-    const double t307 = t55 * t280 + t169 * t282;
-    const double t308 = t168 * t299 - t170 * t298;
-    const double t309 = t308 - (t298 + t168 * t271) * t211;
-    const double t310 = t299 * t212 + t308;
-    const double t311 = t171 * t303 - t170 * t302;
-    const double t312 = t311 - (t302 + t171 * t275) * t211;
-    const double t313 = t303 * t214 + t311;
-    const double t314 = t169 * t306 + t171 * t307;
-    const double t315 = (t306 + t171 * t282) * t213 + t314;
-    const double t316 = t307 * t214 + t314;
-    const double t317 = t48 * t292;
-    const double t318 = t61 * t292 + t169 * t293;
+    const double t296 = t47 * t269;
+    const double t297 = t55 * t269 - t170 * t271;
+    const double t298 = t169 * (t250 + (t272 * t197 + t243) * t204);
+    const double t299 = t171 * (t250 - (t265 * t197 + t242) * t203);
+    const double t300 = t40 * t273;
+    const double t301 = t53 * t273 - t170 * t275;
+    const double t302 = t169 * (t254 + (t248 - t263 * t198) * t205);
+    const double t303 = t168 * (t254 - (t266 * t198 + t247) * t203);
+    const double t304 = t41 * t279;
+    const double t305 = t54 * t279 + t169 * t281;
+    const double t306 = t168 * t297 - t170 * t296;
+    const double t307 = t170 * (t256 + (t276 * t199 + t252) * t205);
+    const double t308 = t306 - (t296 + t168 * t271) * t211;
+    const double t309 = t297 * t212 + t306;
+    const double t310 = t168 * (t256 + (t251 - t267 * t199) * t206);
+    const double t311 = t171 * t301 - t170 * t300;
+    const double t312 = t311 - (t300 + t171 * t275) * t211;
+    const double t313 = t301 * t214 + t311;
+    const double t314 = t169 * t304 + t171 * t305;
+    const double t315 = (t304 + t171 * t281) * t213 + t314;
+    const double t316 = t305 * t214 + t314;
+    const double t317 = t48 * t290;
+    const double t318 = t60 * t290 + t169 * t291;
     const double t319 = t169 * t317 + t168 * t318;
-    const double t320 = (t317 + t168 * t293) * t213 + t319;
+    const double t320 = (t317 + t168 * t291) * t213 + t319;
     const double t321 = t318 * t212 + t319;
-    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t308 - 0.5 * (t176 * t271 - t309 -
-        t310)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t282 + t315 + t316) +
-        t314) + t177 * (0.5 * (t177 * t293 + t320 + t321) + t319);
-    const double t323 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t290 - t134 * t294
-        - t186 * t296 - t189 * t300 + t192 * t304);
-    const double t324 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t279 - t148 * t291 + t184 * t295 - t186 *
-        t297 - t189 * t301 + t192 * t305);
-    const double t325 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t290 - t139 * t294
-        - t187 * t296 - t190 * t300 + t193 * t304);
-    const double t326 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t279 - t151 * t291 + t185 * t295 - t187 *
-        t297 - t190 * t301 + t193 * t305);
-    const double t327 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t290 - t140 * t294
-        - t191 * t296 - t194 * t300 + t195 * t304);
-    const double t328 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t279 - t152 * t291 + t188 * t295 - t191 *
-        t297 - t194 * t301 + t195 * t305);
+    const double t322 = 0.5 * (t5 * t259 + t6 * t260 + t11 * t261) - t176 * (t306 - 0.5 * (t176 * t271 - t308 -
+        t309)) - t179 * (t311 - 0.5 * (t179 * t275 - t312 - t313)) + t178 * (0.5 * (t178 * t281 + t315 + t316) +
+        t314) + t177 * (0.5 * (t177 * t291 + t320 + t321) + t319);
+    const double t323 = t2 - t5 * t169 + t141 * t278 + t148 * t284 - 2.0 * (t184 * t285 + t124 * t292 - t134 * t294
+        - t186 * t298 - t189 * t302 + t192 * t307);
+    const double t324 = t180 + t134 * t288 - t124 * t289 - 2.0 * (t141 * t282 - t148 * t293 + t184 * t295 - t186 *
+        t299 - t189 * t303 + t192 * t310);
+    const double t325 = t4 - t6 * t169 + t146 * t278 + t151 * t284 - 2.0 * (t185 * t285 + t132 * t292 - t139 * t294
+        - t187 * t298 - t190 * t302 + t193 * t307);
+    const double t326 = t182 + t139 * t288 - t132 * t289 - 2.0 * (t146 * t282 - t151 * t293 + t185 * t295 - t187 *
+        t299 - t190 * t303 + t193 * t310);
+    const double t327 = t8 - t11 * t169 + t147 * t278 + t152 * t284 - 2.0 * (t188 * t285 + t133 * t292 - t140 * t294
+        - t191 * t298 - t194 * t302 + t195 * t307);
+    const double t328 = t183 + t140 * t288 - t133 * t289 - 2.0 * (t147 * t282 - t152 * t293 + t188 * t295 - t191 *
+        t299 - t194 * t303 + t195 * t310);
     const double t329 = t324 * t324 + t326 * t326 + t328 * t328 + 2.0 * (t210 * (t315 - t312) + t208 * (t320 -
-        t309));
+        t308));
     const double t330 = t324 * t323 + t326 * t325 + t328 * t327 + 2.0 * t322;
-    const double t331 = t323 * t323 + t325 * t325 + t327 * t327 + 2.0 * (t209 * (t316 + t321) - t207 * (t310 +
+    const double t331 = t323 * t323 + t325 * t325 + t327 * t327 + 2.0 * (t209 * (t316 + t321) - t207 * (t309 +
         t313));
     const double t332 = t259 * t323 + t260 * t325 + t261 * t327;
     const double t333 = t259 * t324 + t260 * t326 + t261 * t328;
     const double t334 = t329 * t331;
-    const double t335 = t332 * t329 - t333 * t330;
-    const double t336 = t333 * t331 - t332 * t330;
-    const double t337 = t334 - t330 * t330;
+    const double t335 = t334 - t330 * t330;
+    const double t336 = t332 * t329 - t333 * t330;
+    const double t337 = t333 * t331 - t332 * t330;
     const double u12 = 0.1 * t334;
-    const double t338 = (t337 > u12 ? t337 : u12);
+    const double t338 = (t335 > u12 ? t335 : u12);
     const double t339 = 1.0 / t338;
-    const double t340 = t165 + t335 * t339;
-    const double t341 = t167 + t336 * t339;
+    const double t340 = t165 + t336 * t339;
+    const double t341 = t167 + t337 * t339;
     const double t342 = (u5 < t340 ? u5 : t340);
     const double t343 = (u6 > t342 ? u6 : t342);
     const double t344 = (u5 < t341 ? u5 : t341);
@@ -2505,11 +2505,11 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t414 = t354 * t355 * t410;
     const double t415 = t359 * t408 - t359 * t404;
     const double t416 = t48 + t413 * t135;
-    const double t417 = t61 + t413 * t136;
+    const double t417 = t60 + t413 * t136;
     const double t418 = t346 * t409;
     const double t419 = t354 * t357 * t412;
     const double t420 = t47 + t418 * t142;
-    const double t421 = t57 - t418 * t143;
+    const double t421 = t55 - t418 * t143;
     const double t422 = t349 * t403;
     const double t423 = t356 * t355 * t415;
     const double t424 = t347 * t416 + t346 * t417;
@@ -2518,7 +2518,7 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t427 = t349 * t404;
     const double t428 = t346 * t421 - t348 * t420;
     const double t429 = t41 - t427 * t153;
-    const double t430 = t55 + t427 * t154;
+    const double t430 = t54 + t427 * t154;
     const double t431 = t355 * t424;
     const double t432 = t349 * t426 - t348 * t425;
     const double t433 = t354 * t428;
@@ -2548,10 +2548,10 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t454 = t404 * t404;
     const double t455 = t359 * (t422 - t418 + t346 * t441 + t349 * t450) - t378 * t412;
     const double t456 = t385 * t455;
-    const double t457 = t357 * t349 * (t412 + (t349 * t443 - t346 * t444) * t381);
-    const double t458 = nB[2] * t437 + nB[1] * t438 + nB[0] * t439;
-    const double t459 = t148 * t437 + t151 * t438 + t152 * t439;
-    const double t460 = t404 * t452 + t402 * t459 + t398 * t458 * t377;
+    const double t457 = nB[2] * t437 + nB[1] * t438 + nB[0] * t439;
+    const double t458 = t148 * t437 + t151 * t438 + t152 * t439;
+    const double t459 = t404 * t452 + t402 * t458 + t398 * t457 * t377;
+    const double t460 = t357 * t349 * (t412 + (t349 * t443 - t346 * t444) * t381);
     const double t461 = t378 * t415 + t359 * (t413 - t349 * t442 - t427 - t346 * t454);
     const double t462 = t387 * t461;
     const double t463 = t348 * (t424 + (t417 - t442 * t374) * t382);
@@ -2559,69 +2559,69 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t465 = t379 * t407 + t380 * (t427 - t347 * t444 - t348 * t445 - t422);
     const double t466 = t386 * t464;
     const double t467 = t388 * t465;
-    const double t468 = t357 * t348 * (t407 + (t348 * t454 - t347 * t441) * t383);
-    const double t469 = t355 * t346 * (t415 - (t349 * t440 - t346 * t445) * t384);
-    const double t470 = nA[2] * t437 + nA[1] * t438 + nA[0] * t439;
-    const double t471 = t405 * t459 - t408 * t448 - t399 * t470 * t374;
+    const double t468 = nA[2] * t437 + nA[1] * t438 + nA[0] * t439;
+    const double t469 = t405 * t458 - t408 * t448 - t399 * t468 * t374;
+    const double t470 = t357 * t348 * (t407 + (t348 * t454 - t347 * t441) * t383);
+    const double t471 = t355 * t346 * (t415 - (t349 * t440 - t346 * t445) * t384);
     const double t472 = t355 * t347 * (t410 - (t348 * t442 - t347 * t450) * t382);
     const double t473 = t349 * (t424 + (t416 - t440 * t374) * t384);
-    const double t474 = t347 * (t428 + (t450 * t375 + t421) * t382);
-    const double t475 = t349 * (t428 - (t443 * t375 + t420) * t381);
-    const double t476 = t47 * t447;
-    const double t477 = t57 * t447 - t348 * t449;
-    const double t478 = t347 * (t432 + (t426 - t441 * t376) * t383);
-    const double t479 = t346 * (t432 - (t444 * t376 + t425) * t381);
-    const double t480 = t40 * t451;
-    const double t481 = t53 * t451 - t348 * t453;
-    const double t482 = t348 * (t434 + (t454 * t377 + t430) * t383);
-    const double t483 = t346 * (t434 + (t429 - t445 * t377) * t384);
-    const double t484 = t41 * t458;
-    const double t485 = t55 * t458 + t347 * t460;
-    const double t486 = t346 * t477 - t348 * t476;
-    const double t487 = t486 - (t476 + t346 * t449) * t389;
-    const double t488 = t477 * t390 + t486;
-    const double t489 = t349 * t481 - t348 * t480;
-    const double t490 = t489 - (t480 + t349 * t453) * t389;
-    const double t491 = t481 * t392 + t489;
-    const double t492 = t347 * t484 + t349 * t485;
-    const double t493 = (t484 + t349 * t460) * t391 + t492;
-    const double t494 = t485 * t392 + t492;
-    const double t495 = t48 * t470;
-    const double t496 = t61 * t470 + t347 * t471;
+    const double t474 = t47 * t447;
+    const double t475 = t55 * t447 - t348 * t449;
+    const double t476 = t347 * (t428 + (t450 * t375 + t421) * t382);
+    const double t477 = t349 * (t428 - (t443 * t375 + t420) * t381);
+    const double t478 = t40 * t451;
+    const double t479 = t53 * t451 - t348 * t453;
+    const double t480 = t347 * (t432 + (t426 - t441 * t376) * t383);
+    const double t481 = t346 * (t432 - (t444 * t376 + t425) * t381);
+    const double t482 = t41 * t457;
+    const double t483 = t54 * t457 + t347 * t459;
+    const double t484 = t346 * t475 - t348 * t474;
+    const double t485 = t348 * (t434 + (t454 * t377 + t430) * t383);
+    const double t486 = t484 - (t474 + t346 * t449) * t389;
+    const double t487 = t475 * t390 + t484;
+    const double t488 = t346 * (t434 + (t429 - t445 * t377) * t384);
+    const double t489 = t349 * t479 - t348 * t478;
+    const double t490 = t489 - (t478 + t349 * t453) * t389;
+    const double t491 = t479 * t392 + t489;
+    const double t492 = t347 * t482 + t349 * t483;
+    const double t493 = (t482 + t349 * t459) * t391 + t492;
+    const double t494 = t483 * t392 + t492;
+    const double t495 = t48 * t468;
+    const double t496 = t60 * t468 + t347 * t469;
     const double t497 = t347 * t495 + t346 * t496;
-    const double t498 = (t495 + t346 * t471) * t391 + t497;
+    const double t498 = (t495 + t346 * t469) * t391 + t497;
     const double t499 = t496 * t390 + t497;
-    const double t500 = 0.5 * (t5 * t437 + t6 * t438 + t11 * t439) - t354 * (t486 - 0.5 * (t354 * t449 - t487 -
-        t488)) - t357 * (t489 - 0.5 * (t357 * t453 - t490 - t491)) + t356 * (0.5 * (t356 * t460 + t493 + t494) +
-        t492) + t355 * (0.5 * (t355 * t471 + t498 + t499) + t497);
-    const double t501 = t388 * (t493 - t490) + t386 * (t498 - t487);
-    const double t502 = t387 * (t494 + t499) - t385 * (t488 + t491);
-    const double t503 = t2 - t5 * t347 + t141 * t456 + t148 * t462 - 2.0 * (t362 * t463 + t124 * t468 - t134 * t472
-        - t364 * t474 - t367 * t478 + t370 * t482);
-    const double t504 = t358 + t134 * t466 - t124 * t467 - 2.0 * (t141 * t457 - t148 * t469 + t362 * t473 - t364 *
-        t475 - t367 * t479 + t370 * t483);
-    const double t505 = t4 - t6 * t347 + t146 * t456 + t151 * t462 - 2.0 * (t363 * t463 + t132 * t468 - t139 * t472
-        - t365 * t474 - t368 * t478 + t371 * t482);
-    const double t506 = t360 + t139 * t466 - t132 * t467 - 2.0 * (t146 * t457 - t151 * t469 + t363 * t473 - t365 *
-        t475 - t368 * t479 + t371 * t483);
-    const double t507 = t8 - t11 * t347 + t147 * t456 + t152 * t462 - 2.0 * (t366 * t463 + t133 * t468 - t140 * t472
-        - t369 * t474 - t372 * t478 + t373 * t482);
-    const double t508 = t361 + t140 * t466 - t133 * t467 - 2.0 * (t147 * t457 - t152 * t469 + t366 * t473 - t369 *
-        t475 - t372 * t479 + t373 * t483);
+    const double t500 = 0.5 * (t5 * t437 + t6 * t438 + t11 * t439) - t354 * (t484 - 0.5 * (t354 * t449 - t486 -
+        t487)) - t357 * (t489 - 0.5 * (t357 * t453 - t490 - t491)) + t356 * (0.5 * (t356 * t459 + t493 + t494) +
+        t492) + t355 * (0.5 * (t355 * t469 + t498 + t499) + t497);
+    const double t501 = t388 * (t493 - t490) + t386 * (t498 - t486);
+    const double t502 = t387 * (t494 + t499) - t385 * (t487 + t491);
+    const double t503 = t2 - t5 * t347 + t141 * t456 + t148 * t462 - 2.0 * (t362 * t463 + t124 * t470 - t134 * t472
+        - t364 * t476 - t367 * t480 + t370 * t485);
+    const double t504 = t358 + t134 * t466 - t124 * t467 - 2.0 * (t141 * t460 - t148 * t471 + t362 * t473 - t364 *
+        t477 - t367 * t481 + t370 * t488);
+    const double t505 = t4 - t6 * t347 + t146 * t456 + t151 * t462 - 2.0 * (t363 * t463 + t132 * t470 - t139 * t472
+        - t365 * t476 - t368 * t480 + t371 * t485);
+    const double t506 = t360 + t139 * t466 - t132 * t467 - 2.0 * (t146 * t460 - t151 * t471 + t363 * t473 - t365 *
+        t477 - t368 * t481 + t371 * t488);
+    const double t507 = t8 - t11 * t347 + t147 * t456 + t152 * t462 - 2.0 * (t366 * t463 + t133 * t470 - t140 * t472
+        - t369 * t476 - t372 * t480 + t373 * t485);
+    const double t508 = t361 + t140 * t466 - t133 * t467 - 2.0 * (t147 * t460 - t152 * t471 + t366 * t473 - t369 *
+        t477 - t372 * t481 + t373 * t488);
     const double t509 = t504 * t504 + t506 * t506 + t508 * t508 + 2.0 * t501;
     const double t510 = t504 * t503 + t506 * t505 + t508 * t507 + 2.0 * t500;
     const double t511 = t503 * t503 + t505 * t505 + t507 * t507 + 2.0 * t502;
     const double t512 = t437 * t503 + t438 * t505 + t439 * t507;
     const double t513 = t437 * t504 + t438 * t506 + t439 * t508;
     const double t514 = t509 * t511;
-    const double t515 = t512 * t509 - t513 * t510;
-    const double t516 = t513 * t511 - t512 * t510;
-    const double t517 = t514 - t510 * t510;
+    const double t515 = t514 - t510 * t510;
+    const double t516 = t512 * t509 - t513 * t510;
+    const double t517 = t513 * t511 - t512 * t510;
     const double u14 = 0.1 * t514;
-    const double t518 = (t517 > u14 ? t517 : u14);
+    const double t518 = (t515 > u14 ? t515 : u14);
     const double t519 = 1.0 / t518;
-    const double t520 = t343 + t515 * t519;
-    const double t521 = t345 + t516 * t519;
+    const double t520 = t343 + t516 * t519;
+    const double t521 = t345 + t517 * t519;
     const double t522 = (u5 < t520 ? u5 : t520);
     const double t523 = (u6 > t522 ? u6 : t522);
     const double t524 = (u5 < t521 ? u5 : t521);
@@ -2636,13 +2636,13 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t533 = t527 - t529;
     const double t534 = 3.0 * (t128 * t527 + t130 * t526);
     const double t535 = 3.0 * (t137 * t526 + t129 * t528);
-    const double t536 = 3.0 * (t138 * t529 - t144 * t528);
-    const double t537 = t526 * t528;
-    const double t538 = t527 * t526;
-    const double t539 = t526 * t529;
-    const double t540 = 3.0 * (t131 * t529 - t145 * t527);
-    const double t541 = t527 * t529;
-    const double t542 = t528 * t529;
+    const double t536 = t526 * t528;
+    const double t537 = t527 * t526;
+    const double t538 = t526 * t529;
+    const double t539 = 3.0 * (t138 * t529 - t144 * t528);
+    const double t540 = t527 * t529;
+    const double t541 = t528 * t529;
+    const double t542 = 3.0 * (t131 * t529 - t145 * t527);
     const double t543 = t526 + t529;
     const double t544 = t527 + t528;
     const double t545 = t527 * t528;
@@ -2652,19 +2652,19 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t549 = 0.5 * t528;
     const double t550 = t9 - t5 * t526;
     const double t551 = t10 - t6 * t526;
-    const double t552 = nA[2] * t542;
-    const double t553 = nA[1] * t542;
+    const double t552 = nA[2] * t541;
+    const double t553 = nA[1] * t541;
     const double t554 = t16 - t11 * t526;
-    const double t555 = nA[0] * t542;
-    const double t556 = nD[2] * t541;
-    const double t557 = nD[1] * t541;
-    const double t558 = nC[2] * t538;
-    const double t559 = nC[1] * t538;
-    const double t560 = nD[0] * t541;
-    const double t561 = nB[2] * t537;
-    const double t562 = nB[1] * t537;
-    const double t563 = nC[0] * t538;
-    const double t564 = nB[0] * t537;
+    const double t555 = nA[0] * t541;
+    const double t556 = nD[2] * t540;
+    const double t557 = nD[1] * t540;
+    const double t558 = nC[2] * t537;
+    const double t559 = nC[1] * t537;
+    const double t560 = nD[0] * t540;
+    const double t561 = nB[2] * t536;
+    const double t562 = nB[1] * t536;
+    const double t563 = nC[0] * t537;
+    const double t564 = nB[0] * t536;
     const double u15 = -t530;
     const double t565 = (u11 > u15 ? u11 : u15);
     const double t566 = (u11 > t533 ? u11 : t533);
@@ -2682,86 +2682,86 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t578 = t571 * t571;
     const double t579 = t526 * t575;
     const double t580 = t48 + t579 * t135;
-    const double t581 = t61 + t579 * t136;
+    const double t581 = t60 + t579 * t136;
     const double t582 = t526 * t577;
     const double t583 = t529 * t573;
     const double t584 = t573 * t573;
     const double t585 = t575 * t575;
     const double t586 = t572 * t572;
-    const double t587 = t47 + t582 * t142;
-    const double t588 = t57 - t582 * t143;
-    const double t589 = t572 + 1.0;
-    const double t590 = t577 * t577;
-    const double t591 = t40 - t583 * t149;
-    const double t592 = t53 - t583 * t150;
-    const double t593 = t537 * t575 - t538 * t577;
-    const double t594 = t539 * t577 - t539 * t573;
-    const double t595 = t529 * t589;
-    const double t596 = t589 * t589;
-    const double t597 = t41 - t595 * t153;
-    const double t598 = t55 + t595 * t154;
-    const double t599 = t538 * t529 * (t594 + (t529 * t578 - t526 * t574) * t546);
-    const double t600 = t526 * t588 - t528 * t587;
-    const double t601 = t542 * t589 - t541 * t573;
-    const double t602 = t539 * t575 - t539 * t589;
-    const double t603 = t527 * t580 + t526 * t581;
-    const double t604 = t528 * (t603 + (t581 - t585 * t534) * t547);
-    const double t605 = t538 * t528 * (t601 + (t528 * t596 - t527 * t584) * t548);
-    const double t606 = t529 * t592 - t528 * t591;
-    const double t607 = t542 * t526 * (t602 - (t529 * t576 - t526 * t586) * t549);
-    const double t608 = t542 * t527 * (t593 - (t528 * t585 - t527 * t590) * t547);
-    const double t609 = t529 * (t603 + (t580 - t576 * t534) * t549);
-    const double t610 = t539 * (t583 - t582 + t526 * t584 + t529 * t590) - t543 * t594;
-    const double t611 = t527 * t527 * t610;
-    const double t612 = t543 * t602 + t539 * (t579 - t529 * t585 - t595 - t526 * t596);
-    const double t613 = t528 * t528 * t612;
-    const double t614 = t544 * t593 + t545 * (t579 - t528 * t576 - t527 * t578 - t582);
-    const double t615 = t529 * t529 * t614;
-    const double t616 = t527 * t597 + t529 * t598;
-    const double t617 = t529 * (t600 - (t578 * t535 + t587) * t546);
-    const double t618 = t544 * t601 + t545 * (t595 - t527 * t574 - t528 * t586 - t583);
-    const double t619 = t526 * t526 * t618;
-    const double t620 = t527 * (t600 + (t590 * t535 + t588) * t547);
-    const double t621 = t527 * (t606 + (t592 - t584 * t536) * t548);
-    const double t622 = t528 * (t616 + (t596 * t540 + t598) * t548);
-    const double t623 = t526 * (t606 - (t574 * t536 + t591) * t546);
-    const double t624 = t526 * (t616 + (t597 - t586 * t540) * t549);
-    const double t625 = t537 * t538 * t601;
-    const double t626 = t541 * t542 * t593;
-    const double t627 = t541 * t538 * t594;
-    const double t628 = t537 * t542 * t602;
-    const double t629 = t542 * t603;
-    const double t630 = t2 - t5 * t527 + t141 * t611 + t148 * t613 - 2.0 * (t552 * t604 + t124 * t605 - t134 * t608
-        - t556 * t620 - t558 * t621 + t561 * t622);
-    const double t631 = t4 - t6 * t527 + t146 * t611 + t151 * t613 - 2.0 * (t553 * t604 + t132 * t605 - t139 * t608
-        - t557 * t620 - t559 * t621 + t562 * t622);
-    const double t632 = t8 - t11 * t527 + t147 * t611 + t152 * t613 - 2.0 * (t555 * t604 + t133 * t605 - t140 * t608
-        - t560 * t620 - t563 * t621 + t564 * t622);
-    const double t633 = t550 + t134 * t615 - t124 * t619 - 2.0 * (t141 * t599 - t148 * t607 + t552 * t609 - t556 *
-        t617 - t558 * t623 + t561 * t624);
-    const double t634 = t551 + t139 * t615 - t132 * t619 - 2.0 * (t146 * t599 - t151 * t607 + t553 * t609 - t557 *
-        t617 - t559 * t623 + t562 * t624);
-    const double t635 = t541 * t600;
-    const double t636 = t554 + t140 * t615 - t133 * t619 - 2.0 * (t147 * t599 - t152 * t607 + t555 * t609 - t560 *
-        t617 - t563 * t623 + t564 * t624);
-    const double t637 = t538 * t606;
-    const double t638 = t537 * t616;
-    const double t639 = t501 + 0.5 * (t633 * t633 + t634 * t634 + t636 * t636);
-    const double t640 = t500 + 0.5 * (t633 * t630 + t634 * t631 + t636 * t632);
-    const double t641 = t17 - t2 * t526 - t527 * t550 + t124 * t625 - t134 * t626 + t141 * t627 - t148 * t628 + t552
-        * t629 - t556 * t635 - t558 * t637 + t561 * t638;
-    const double t642 = t18 - t4 * t526 - t527 * t551 + t132 * t625 - t139 * t626 + t146 * t627 - t151 * t628 + t553
-        * t629 - t557 * t635 - t559 * t637 + t562 * t638;
-    const double t643 = t502 + 0.5 * (t630 * t630 + t631 * t631 + t632 * t632);
+    const double t587 = t572 + 1.0;
+    const double t588 = t577 * t577;
+    const double t589 = t47 + t582 * t142;
+    const double t590 = t55 - t582 * t143;
+    const double t591 = t536 * t575 - t537 * t577;
+    const double t592 = t538 * t577 - t538 * t573;
+    const double t593 = t529 * t587;
+    const double t594 = t587 * t587;
+    const double t595 = t40 - t583 * t149;
+    const double t596 = t53 - t583 * t150;
+    const double t597 = t537 * t529 * (t592 + (t529 * t578 - t526 * t574) * t546);
+    const double t598 = t541 * t587 - t540 * t573;
+    const double t599 = t538 * t575 - t538 * t587;
+    const double t600 = t527 * t580 + t526 * t581;
+    const double t601 = t528 * (t600 + (t581 - t585 * t534) * t547);
+    const double t602 = t526 * t590 - t528 * t589;
+    const double t603 = t41 - t593 * t153;
+    const double t604 = t54 + t593 * t154;
+    const double t605 = t537 * t528 * (t598 + (t528 * t594 - t527 * t584) * t548);
+    const double t606 = t541 * t526 * (t599 - (t529 * t576 - t526 * t586) * t549);
+    const double t607 = t538 * (t583 - t582 + t526 * t584 + t529 * t588) - t543 * t592;
+    const double t608 = t527 * t527 * t607;
+    const double t609 = t543 * t599 + t538 * (t579 - t529 * t585 - t593 - t526 * t594);
+    const double t610 = t528 * t528 * t609;
+    const double t611 = t544 * t591 + t545 * (t579 - t528 * t576 - t527 * t578 - t582);
+    const double t612 = t529 * t529 * t611;
+    const double t613 = t529 * t596 - t528 * t595;
+    const double t614 = t544 * t598 + t545 * (t593 - t527 * t574 - t528 * t586 - t583);
+    const double t615 = t526 * t526 * t614;
+    const double t616 = t541 * t527 * (t591 - (t528 * t585 - t527 * t588) * t547);
+    const double t617 = t529 * (t600 + (t580 - t576 * t534) * t549);
+    const double t618 = t529 * (t602 - (t578 * t535 + t589) * t546);
+    const double t619 = t527 * t603 + t529 * t604;
+    const double t620 = t527 * (t602 + (t588 * t535 + t590) * t547);
+    const double t621 = t527 * (t613 + (t596 - t584 * t539) * t548);
+    const double t622 = t526 * (t613 - (t574 * t539 + t595) * t546);
+    const double t623 = t528 * (t619 + (t594 * t542 + t604) * t548);
+    const double t624 = t526 * (t619 + (t603 - t586 * t542) * t549);
+    const double t625 = t536 * t537 * t598;
+    const double t626 = t540 * t541 * t591;
+    const double t627 = t540 * t537 * t592;
+    const double t628 = t536 * t541 * t599;
+    const double t629 = t2 - t5 * t527 + t141 * t608 + t148 * t610 - 2.0 * (t552 * t601 + t124 * t605 - t134 * t616
+        - t556 * t620 - t558 * t621 + t561 * t623);
+    const double t630 = t4 - t6 * t527 + t146 * t608 + t151 * t610 - 2.0 * (t553 * t601 + t132 * t605 - t139 * t616
+        - t557 * t620 - t559 * t621 + t562 * t623);
+    const double t631 = t8 - t11 * t527 + t147 * t608 + t152 * t610 - 2.0 * (t555 * t601 + t133 * t605 - t140 * t616
+        - t560 * t620 - t563 * t621 + t564 * t623);
+    const double t632 = t550 + t134 * t612 - t124 * t615 - 2.0 * (t141 * t597 - t148 * t606 + t552 * t617 - t556 *
+        t618 - t558 * t622 + t561 * t624);
+    const double t633 = t551 + t139 * t612 - t132 * t615 - 2.0 * (t146 * t597 - t151 * t606 + t553 * t617 - t557 *
+        t618 - t559 * t622 + t562 * t624);
+    const double t634 = t541 * t600;
+    const double t635 = t554 + t140 * t612 - t133 * t615 - 2.0 * (t147 * t597 - t152 * t606 + t555 * t617 - t560 *
+        t618 - t563 * t622 + t564 * t624);
+    const double t636 = t540 * t602;
+    const double t637 = t537 * t613;
+    const double t638 = t536 * t619;
+    const double t639 = t501 + 0.5 * (t632 * t632 + t633 * t633 + t635 * t635);
+    const double t640 = t500 + 0.5 * (t632 * t629 + t633 * t630 + t635 * t631);
+    const double t641 = t502 + 0.5 * (t629 * t629 + t630 * t630 + t631 * t631);
+    const double t642 = t17 - t2 * t526 - t527 * t550 + t124 * t625 - t134 * t626 + t141 * t627 - t148 * t628 + t552
+        * t634 - t556 * t636 - t558 * t637 + t561 * t638;
+    const double t643 = t18 - t4 * t526 - t527 * t551 + t132 * t625 - t139 * t626 + t146 * t627 - t151 * t628 + t553
+        * t634 - t557 * t636 - t559 * t637 + t562 * t638;
     const double t644 = t21 - t8 * t526 - t527 * t554 + t133 * t625 - t140 * t626 + t147 * t627 - t152 * t628 + t555
-        * t629 - t560 * t635 - t563 * t637 + t564 * t638;
-    const double t645 = t641 * t630 + t642 * t631 + t644 * t632;
-    const double t646 = t641 * t633 + t642 * t634 + t644 * t636;
-    const double t647 = t639 * t643;
-    const double t648 = t647 - t640 * t640;
-    const double t649 = t645 * t639 - t646 * t640;
-    const double t650 = t646 * t643 - t645 * t640;
-    const double u16 = 0.4 * t647;
+        * t634 - t560 * t636 - t563 * t637 + t564 * t638;
+    const double t645 = t639 * t641;
+    const double t646 = t642 * t629 + t643 * t630 + t644 * t631;
+    const double t647 = t642 * t632 + t643 * t633 + t644 * t635;
+    const double t648 = t645 - t640 * t640;
+    const double t649 = t646 * t639 - t647 * t640;
+    const double t650 = t647 * t641 - t646 * t640;
+    const double u16 = 0.4 * t645;
     const double u17 = 4.0 * t648;
     const double t651 = (u17 > u16 ? u17 : u16);
     const double t652 = 2.0 / t651;
@@ -2819,14 +2819,14 @@ FOOTPOINT_LOOP void footpoint_gregory_full_n(size_t n, const double *const x[27]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_gregory_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.66414163759873224, 0.68822155738341251, 6.026016382682478e-12, 1.2574580242480894e-11},
-    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.025165952705014302, 0.95807291349858859, 7.0537915408545451e-16, 2.1182600303747214e-15},
+    {0, 0, 0, 1, 0, 0, 1.171875, 2.796875, 0.015625, 0.625, 0.953125, 0, -0.109375, -0.28515625, 0.8125, 0.11328125, -0.05078125, 0.73828125, 0.046875, -0.08984375, 0.888671875, -0.48828125, 0.140625, 0.82421875, -0.46875, 1.484375, 0.3984375, -0.66414163759873224, 0.68822155738341251, 6.0260163826825435e-12, 1.2574580242480903e-11},
+    {0, 0, 0, 1, 0, 0, 1.953125, 0.921875, 0.4453125, -0.84375, 2.359375, 0, -0.16796875, -0.41015625, 0.796875, 0.08984375, 0.2109375, 0.8671875, 0.29296875, 0.3359375, 0.7783203125, 0.00390625, -0.3046875, 0.9921875, 0.5, 1.71875, 0.3828125, -0.025165952705014302, 0.95807291349858859, 7.0537915408545569e-16, 2.1182600303747178e-15},
     {0, 0, 0, 1, 0, 0, 1.390625, 1.390625, 0.265625, 0.28125, 0.703125, 0, 0.1171875, -0.63671875, 0.869140625, 0.24609375, -0.68999999999999995, 0.92578125, 0.20703125, 0.08203125, 0.9169921875, 0.265625, -0.078125, 0.89453125, -0.6875, 2.765625, -0.0078125, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.1241600179073787, 1, 2.1777848943106172e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.10881663367186864, 1.110223024625157e-16, 4.0773071588402203e-15},
-    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.58834968942630061, 1, 5.1542461970223179e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.89494283856182244, 1.110223024625157e-16, 6.6426597576330581e-15},
-    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.2575754408351501, 1, 5.2982583570841182e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.515625, 2.796875, -0.2109375, -1.453125, 0.84375, 0, -0.203125, -0.15625, 0.8203125, 0.125, -0.609375, 0.90234375, 0.1328125, 0.51953125, 0.958984375, 0.25, -0.21875, 0.7734375, -0.546875, 2.46875, -0.375, -0.1241600179073787, 1, 2.1777848943106428e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.03125, 2.796875, -0.0078125, -0.25, 1.28125, 0, 0.203125, -0.52734375, 0.95703125, -0.0703125, -0.23046875, 0.92578125, -0.01171875, -0.046875, 0.7763671875, -0.28125, 0.03125, 0.8046875, 1.1875, 2.125, 0.140625, 1, 0.10881663367186864, 1.110223024625157e-16, 4.0773071588402274e-15},
+    {0, 0, 0, 1, 0, 0, 0.90625, 1.6875, -0.078125, -0.5625, 0.625, 0, -0.3046875, -0.28125, 0.771484375, 0.3203125, -0.3359375, 0.921875, 0.06640625, 0.1015625, 0.85546875, 0.15234375, 0.234375, 0.732421875, 0.03125, 2.296875, -0.3828125, 0.58834968942630061, 1, 5.1542461970223415e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.71875, 1.0625, 0.0703125, 0.78125, 2.15625, 0, -0.2265625, -0.19140625, 0.7734375, 0.125, -0.2578125, 0.9140625, 0.02734375, -0.01953125, 0.8505859375, 0.109375, -0.2421875, 0.732421875, 0.203125, 2.703125, -0.3515625, -1, 0.89494283856182244, 1.110223024625157e-16, 6.6426597576330629e-15},
+    {0, 0, 0, 1, 0, 0, 1.921875, 0.65625, -0.1015625, -0.5625, 2.046875, 0, 0.23046875, -0.67578125, 0.6953125, -0.234375, -0.67578125, 0.9921875, -0.23828125, -0.2109375, 0.927734375, -0.1953125, -0.2890625, 0.84765625, 1.28125, 1.796875, 0.3046875, 0.2575754408351501, 1, 5.298258357083861e-15, 1.110223024625157e-16},
 };
 #endif
 

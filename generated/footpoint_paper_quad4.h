@@ -19,7 +19,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   rounding error of xi: <= 0.00011 proved (with or without FMA), 1.3e-10 worst of 10000 points
  *   rounding error of eta: <= 0.00011 proved (with or without FMA), 1.3e-10 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -38,7 +38,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-2.00, 2.00],
  *     yC in [0.00, 2.00], zC in [-0.30, 0.30], xD in [-1.00, 1.00], yD in [0.00, 1.00], zD = 0.00,
  *     xS in [-0.50, 0.50], yS in [-0.97, 1.96], zS in [-0.30, 0.30]; all requires > 0
- *   poles: t17 * t17 - t20 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
+ *   poles: t17 * t17 - t18 * t16: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
  *   rounding error of xi: <= 9.6e-05 proved (with or without FMA), 7.6e-15 worst of 10000 points
  *   rounding error of eta: <= 0.00011 proved (with or without FMA), 1.9e-14 worst of 10000 points
  *   found_xi: seed 1 generations 100 islands 2
@@ -118,7 +118,7 @@
  *   poles: t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles: t43: proved free of zeros, |t43| >= 8.7e-10 (rounding error <= 0.052)
  *   rounding error of xi: no bound found, 4.8e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 1.4e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 7.5e-14 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.409e-03
@@ -453,12 +453,12 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const doubl
     const double t15 = (xA[0] - xS[0]) - 0.275 * (t5 + t13);
     const double t16 = t7 * t8 + t9 * t10 + t13 * t14;
     const double t17 = t7 * t7 + t9 * t9 + t13 * t13;
-    const double t18 = t7 * t11 + t9 * t12 + t13 * t15;
-    const double t19 = t8 * t11 + t10 * t12 + t14 * t15;
-    const double t20 = t8 * t8 + t10 * t10 + t14 * t14;
-    const double t21 = 2.0 / (t17 * t20 - t16 * t16);
-    *xi = (t17 * t19 - t16 * t18) * t21 - 0.45;
-    *eta = (t20 * t18 - t16 * t19) * t21 - 0.45;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t19 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t20 = t8 * t11 + t10 * t12 + t14 * t15;
+    const double t21 = 2.0 / (t17 * t18 - t16 * t16);
+    *xi = (t17 * t20 - t16 * t19) * t21 - 0.45;
+    *eta = (t18 * t19 - t16 * t20) * t21 - 0.45;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -511,14 +511,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const 
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_gauss_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1771482223347727e-14, 1.8939922442953575e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.3579394204165431, -3.407148023461624, 2.5361254954378672e-15, 6.5366396292127591e-15},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -3.2364552335677694, 1.6705592813546126, 2.1771482223347723e-14, 1.8939922442953572e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.3579394204165431, -3.407148023461624, 2.5361254954378668e-15, 6.5366396292127591e-15},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.14510898140285836, 0.86862160485710194, 8.0598055834504361e-16, 2.2366032492270148e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 5.104479770297887e-15, 7.8786266775795237e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.38740490488725549, 1.6521365531584122, 5.1044797702978862e-15, 7.8786266775795237e-15},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 1.0869986744252695, -5.5318293486343464, 9.4017454102978544e-15, 1.9292238665721741e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -3.4601352542149084, 6.8649771107331352, 9.8331105669844948e-15, 2.1068554127284424e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3684376152086536e-15, 3.7314013572348299e-15},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.47487673190904767, 4.2388033683067521, 1.7688888282092503e-15, 9.6912652423417654e-15},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -3.4601352542149084, 6.8649771107331352, 9.8331105669844933e-15, 2.1068554127284424e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.27504208591759355, -2.1629709046877572, 1.3684376152086536e-15, 3.7314013572348307e-15},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.47487673190904767, 4.2388033683067521, 1.7688888282092507e-15, 9.6912652423417654e-15},
 };
 #endif
 
@@ -546,12 +546,12 @@ FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double
     const double t15 = (xA[0] - xS[0]) - 0.25 * (t5 + t13);
     const double t16 = t7 * t7 + t9 * t9 + t13 * t13;
     const double t17 = t7 * t8 + t9 * t10 + t13 * t14;
-    const double t18 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t18 = t8 * t8 + t10 * t10 + t14 * t14;
     const double t19 = t8 * t11 + t10 * t12 + t14 * t15;
-    const double t20 = t8 * t8 + t10 * t10 + t14 * t14;
-    const double t21 = 1.0 / (t17 * t17 - t20 * t16);
-    const double t22 = (t17 * t18 - t16 * t19) * t21;
-    const double t23 = (t17 * t19 - t20 * t18) * t21;
+    const double t20 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t21 = 1.0 / (t17 * t17 - t18 * t16);
+    const double t22 = (t17 * t20 - t16 * t19) * t21;
+    const double t23 = (t17 * t19 - t18 * t20) * t21;
     double u4 = 0.25;
     const double t24 = (u4 < t22 ? u4 : t22);
     double u5 = -0.25;
@@ -615,12 +615,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x
 static const double footpoint_paper_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.0625, -1.09018967775, 2.9837243786802477e-16, 5.3769229091804807e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983415e-16, 2.811626997030751e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983415e-16, 2.81162699703075e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.0625, -0.090189677750000002, 6.2450045135171033e-17, 1.577579888390067e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.0625, -0.90981032225000003, 7.6327832942987068e-17, 4.5274615568102511e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.3701162091694334e-15, 6.75691124424958e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056939e-15, 4.3470115325458735e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.3701162091694334e-15, 6.7569112442495791e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056937e-15, 4.347011532545873e-16},
 };
 #endif
 
@@ -758,18 +758,18 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const doub
     const double t19 = 1.0 / (t17 * t18 - t16 * t16);
     const double t20 = t7 * t11 + t9 * t12 + t13 * t15;
     const double t21 = t8 * t11 + t10 * t12 + t14 * t15;
-    const double t22 = t3 * t7 + t4 * t9 + t6 * t13;
-    const double t23 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t22 = t3 * t8 + t4 * t10 + t6 * t14;
+    const double t23 = t3 * t7 + t4 * t9 + t6 * t13;
     const double t24 = (t17 * t21 - t16 * t20) * t19;
     const double t25 = (t18 * t20 - t16 * t21) * t19;
     const double t26 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t27 = t3 * t11 + t4 * t12 + t6 * t15;
-    const double t28 = t22 - t26 * t24;
-    const double t29 = t23 - t26 * t25;
+    const double t28 = t23 - t26 * t24;
+    const double t29 = t22 - t26 * t25;
     const double t30 = t25 * t28;
-    const double t31 = t24 * (t22 + t28) - t17;
-    const double t32 = t16 - (t23 * t24 + t30);
-    const double t33 = t18 - t25 * (t23 + t29);
+    const double t31 = t24 * (t23 + t28) - t17;
+    const double t32 = t16 - (t22 * t24 + t30);
+    const double t33 = t18 - t25 * (t22 + t29);
     const double t34 = t20 - t24 * (t27 + t30);
     const double t35 = t21 - t25 * (t27 + t24 * t29);
     const double t36 = t32 * t32 + t31 * t33;
@@ -830,13 +830,13 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_gauss2_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0625153934621069e-14, 2.6254175202621929e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.0738968755647272e-14, 5.0387511470448437e-13},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.073896875564727e-14, 5.0387511470448417e-13},
     {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 1.0731430858126105e-15, 3.1085171392542452e-15},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 1.3189660378828655e-13, 6.3526304416164696e-13},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.11661905718921374, -4.2155952220439019, 1.3255765202921089e-14, 4.2056608179586796e-14},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -2.2279570204741979, 4.1085750118801654, 1.6099235682989361e-14, 3.4650077676803537e-14},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.4135980628102528e-15, 4.592646010261132e-15},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.6526182680633048e-15, 1.6168777776510456e-14},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.6526182680633042e-15, 1.6168777776510456e-14},
 };
 #endif
 
@@ -996,24 +996,24 @@ FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const doub
     const double t20 = t7 * t11 + t8 * t12 + t13 * t15;
     const double t21 = t9 * t11 + t10 * t12 + t14 * t15;
     const double t22 = t3 * t7 + t4 * t8 + t6 * t13;
-    const double t23 = t3 * t9 + t4 * t10 + t6 * t14;
-    const double t24 = (t16 * t21 - t17 * t20) * t19;
-    const double t25 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t23 = (t16 * t21 - t17 * t20) * t19;
+    const double t24 = t3 * t9 + t4 * t10 + t6 * t14;
+    const double t25 = (t18 * t20 - t17 * t21) * t19;
     const double t26 = t3 * t11 + t4 * t12 + t6 * t15;
-    const double t27 = (t18 * t20 - t17 * t21) * t19;
+    const double t27 = t3 * t3 + t4 * t4 + t6 * t6;
     double u4 = 0.225;
-    const double t28 = (u4 < t24 ? u4 : t24);
+    const double t28 = (u4 < t23 ? u4 : t23);
     double u5 = -0.275;
     const double t29 = (u5 > t28 ? u5 : t28);
-    const double t30 = (u4 < t27 ? u4 : t27);
+    const double t30 = (u4 < t25 ? u4 : t25);
     const double t31 = (u5 > t30 ? u5 : t30);
-    const double t32 = t22 - t25 * t29;
-    const double t33 = t23 - t25 * t31;
+    const double t32 = t22 - t27 * t29;
+    const double t33 = t24 - t27 * t31;
     const double t34 = t31 * t32;
     const double t35 = t16 - t29 * (t22 + t32);
-    const double t36 = t23 * t29 + t34;
+    const double t36 = t24 * t29 + t34;
     const double t37 = t17 + t26 - 2.0 * t36;
-    const double t38 = t18 - t31 * (t23 + t33);
+    const double t38 = t18 - t31 * (t24 + t33);
     const double t39 = t20 - t29 * (t34 + t36);
     const double t40 = t21 - t31 * (t29 * t33 + t36);
     const double t41 = t35 * t38;
@@ -1128,8 +1128,8 @@ FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const doub
     const double t24 = t19 * (t16 * t21 + t17 * t20);
     const double t25 = t19 * (t18 * t21 + t16 * t20);
     const double t26 = t23 * t16 - t22 * t17;
-    const double t27 = t6 * t6 + t4 * t4 + t5 * t5;
-    const double t28 = t23 * t18 - t22 * t16;
+    const double t27 = t23 * t18 - t22 * t16;
+    const double t28 = t6 * t6 + t4 * t4 + t5 * t5;
     double u4 = 0.225;
     const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
@@ -1138,9 +1138,9 @@ FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const doub
     const double t32 = (u5 > t31 ? u5 : t31);
     const double t33 = t30 * t19 * t32;
     const double t34 = t24 + t26 * t33;
-    const double t35 = t25 + t28 * t33;
-    const double t36 = t23 - t27 * t34;
-    const double t37 = t22 + t27 * t35;
+    const double t35 = t25 + t27 * t33;
+    const double t36 = t23 - t28 * t34;
+    const double t37 = t22 + t28 * t35;
     const double t38 = t35 * t36;
     const double t39 = t17 - t34 * (t23 + t36);
     const double t40 = t22 * t34 - t38;
@@ -2525,17 +2525,17 @@ FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const do
     const double t83 = t20 * t78;
     const double t84 = t17 + t78 * (t80 - t23);
     const double t85 = t28 + 2.0 * (t83 + t81);
-    const double t86 = t78 * (t83 + 2.0 * t81) - t22;
-    const double t87 = t18 + t79 * t82;
+    const double t86 = t18 + t79 * t82;
+    const double t87 = t78 * (t83 + 2.0 * t81) - t22;
     const double t88 = t21 + t79 * (t81 + t78 * t82);
-    const double t89 = t87 * t84;
+    const double t89 = t86 * t84;
     const double t90 = t89 - t85 * t85;
     const double u10 = 0.02 * t89;
     const double t91 = (t90 > u10 ? t90 : u10);
     const double t92 = t90 - t91;
     const double t93 = 1.0 / t91;
-    const double t94 = (t84 * t88 - t85 * t86 - t78 * t92) * t93;
-    const double t95 = (t87 * t86 - t85 * t88 - t79 * t92) * t93;
+    const double t94 = (t84 * t88 - t85 * t87 - t78 * t92) * t93;
+    const double t95 = (t86 * t87 - t85 * t88 - t79 * t92) * t93;
     const double t96 = (u5 < t94 ? u5 : t94);
     const double t97 = (!(t96 <= u6) ? t96 : u6);
     const double t98 = (u5 < t95 ? u5 : t95);

@@ -19,7 +19,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 0.054 (rounding error <= 8.6e-11)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.054 (rounding error <= 8.6e-11)
  *   rounding error of xi: <= 0.00046 proved (with or without FMA), 2.7e-13 worst of 10000 points
  *   rounding error of eta: <= 0.00032 proved (with or without FMA), 1.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -322,12 +322,12 @@ FOOTPOINT_FN void footpoint_quad4_fast_at(const double xA[3], const double xB[3]
     const double t15 = t14 - 2.0 * ((xB[0] - xS[0]) + (xA[0] - xS[0]));
     const double t16 = t5 * t6 + t7 * t8 + t13 * t14;
     const double t17 = t6 * t6 + t8 * t8 + t14 * t14;
-    const double t18 = t6 * t11 + t8 * t12 + t14 * t15;
-    const double t19 = t5 * t11 + t7 * t12 + t13 * t15;
-    const double t20 = t5 * t5 + t7 * t7 + t13 * t13;
-    const double t21 = 1.0 / (t17 * t20 - t16 * t16);
-    *xi = (t16 * t18 - t17 * t19) * t21;
-    *eta = (t16 * t19 - t20 * t18) * t21;
+    const double t18 = t5 * t5 + t7 * t7 + t13 * t13;
+    const double t19 = t6 * t11 + t8 * t12 + t14 * t15;
+    const double t20 = t5 * t11 + t7 * t12 + t13 * t15;
+    const double t21 = 1.0 / (t17 * t18 - t16 * t16);
+    *xi = (t16 * t19 - t17 * t20) * t21;
+    *eta = (t16 * t20 - t18 * t19) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -366,14 +366,14 @@ FOOTPOINT_LOOP void footpoint_quad4_fast_n(size_t n, const double *const x[15],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_fast_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.17851747968018908, -1.0322821663401478, 1.6787818239825222e-14, 9.3480259099927816e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.17851747968018908, -1.0322821663401478, 1.6787818239825225e-14, 9.3480259099927816e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 1.551555612150219, 1.4327639409772415, 3.7522205751590383e-15, 3.1439836270787648e-15},
-    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.24149774496830348, 0.70810029543459707, 9.7956936796517212e-16, 1.6768030312487278e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.90501063355014244, 1.1923951131095567, 3.5483336911967493e-15, 3.8694719572742976e-15},
-    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 2.355027231585451, 0.60523614913625301, 6.0444955656744204e-15, 4.0478072224493353e-15},
+    {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.24149774496830348, 0.70810029543459707, 9.7956936796517232e-16, 1.6768030312487278e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.90501063355014244, 1.1923951131095567, 3.5483336911967489e-15, 3.8694719572742976e-15},
+    {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 2.355027231585451, 0.60523614913625301, 6.0444955656744212e-15, 4.0478072224493353e-15},
     {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.7466173710815861, -0.11916371672938557, 2.2336575752819702e-15, 6.3591956340816662e-16},
-    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 2.4148839970634839, 1.2519818881192839, 5.1262796942511093e-15, 3.5404935185738841e-15},
-    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 1.8802800238365061, 1.1203844988928506, 3.5334857142636395e-15, 2.5837896638455141e-15},
+    {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 2.4148839970634839, 1.2519818881192839, 5.1262796942511085e-15, 3.5404935185738841e-15},
+    {0, 0, 0, 1, 0, 0, 4.0625, 3.8125, 0.21875, -2.625, 5.9375, 0, 4.375, 4.1875, -0.640625, 1.8802800238365061, 1.1203844988928506, 3.5334857142636403e-15, 2.5837896638455137e-15},
 };
 #endif
 
@@ -905,15 +905,15 @@ FOOTPOINT_FN void footpoint_quad4_precise_at(const double xA[3], const double xB
     const double t36 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t37 = t33 * t34;
     const double t38 = t33 * t35;
-    const double t39 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
-    const double t40 = t19 + t36 * t37;
-    const double t41 = t35 * t40;
+    const double t39 = t19 + t36 * t37;
+    const double t40 = t35 * t39;
+    const double t41 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
     const double t42 = t21 + t36 * t38;
-    const double t43 = t16 + t37 * (t19 + t40);
-    const double t44 = t21 * t34 + t41;
+    const double t43 = t16 + t37 * (t19 + t39);
+    const double t44 = t21 * t34 + t40;
     const double t45 = t18 + t38 * (t21 + t42);
-    const double t46 = t39 + 2.0 * t33 * t44;
-    const double t47 = t20 - t33 * t37 * (t41 + t44);
+    const double t46 = t41 + 2.0 * t33 * t44;
+    const double t47 = t20 - t33 * t37 * (t40 + t44);
     const double t48 = t22 - t33 * t38 * (t34 * t42 + t44);
     const double t49 = 1.0 / (t43 * t45 - t46 * t46);
     const double t50 = (t43 * t48 - t46 * t47) * t49;
@@ -924,7 +924,7 @@ FOOTPOINT_FN void footpoint_quad4_precise_at(const double xA[3], const double xB
     const double t55 = t51 * t52;
     const double t56 = t18 - t51 * (t21 + t53);
     const double t57 = t21 * t50 + t55;
-    const double t58 = 2.0 * t57 - t39;
+    const double t58 = 2.0 * t57 - t41;
     const double t59 = t22 - t51 * (t50 * t53 + t57);
     const double t60 = t20 - t50 * (t55 + t57);
     const double t61 = 1.0 / (t58 * t58 - t54 * t56);
@@ -968,7 +968,7 @@ FOOTPOINT_LOOP void footpoint_quad4_precise_n(size_t n, const double *const x[15
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_precise_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386474819068, -1.107515922117237, 3.1055445091003614e-14, 2.7056915881825222e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386474819068, -1.107515922117237, 3.1055445091003627e-14, 2.7056915881825222e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.72660175643352021, 1.5360014082430475, 2.7745237397811768e-15, 4.7392099262176478e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624352403, 0.71307353223174619, 9.6018682267741611e-16, 1.8942332968542434e-15},
     {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493457376, 1.1072465508514446, 5.3080454441173632e-15, 7.1095169069753189e-15},
@@ -1023,15 +1023,15 @@ FOOTPOINT_FN void footpoint_quad4_accurate_at(const double xA[3], const double x
     const double t38 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t39 = t35 * t36;
     const double t40 = t35 * t37;
-    const double t41 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
-    const double t42 = t20 - t38 * t39;
-    const double t43 = t37 * t42;
+    const double t41 = t20 - t38 * t39;
+    const double t42 = t37 * t41;
+    const double t43 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
     const double t44 = t21 - t38 * t40;
-    const double t45 = t16 - t39 * (t20 + t42);
-    const double t46 = t21 * t36 + t43;
+    const double t45 = t16 - t39 * (t20 + t41);
+    const double t46 = t21 * t36 + t42;
     const double t47 = t18 - t40 * (t21 + t44);
-    const double t48 = t41 - 2.0 * t35 * t46;
-    const double t49 = t19 - t35 * t39 * (t43 + t46);
+    const double t48 = t43 - 2.0 * t35 * t46;
+    const double t49 = t19 - t35 * t39 * (t42 + t46);
     const double t50 = t22 - t35 * t40 * (t36 * t44 + t46);
     const double t51 = 1.0 / (t45 * t47 - t48 * t48);
     const double t52 = (t45 * t50 - t48 * t49) * t51;
@@ -1042,7 +1042,7 @@ FOOTPOINT_FN void footpoint_quad4_accurate_at(const double xA[3], const double x
     const double t57 = t16 - t52 * (t20 + t54);
     const double t58 = t18 - t53 * (t21 + t55);
     const double t59 = t21 * t52 + t56;
-    const double t60 = t41 - 2.0 * t59;
+    const double t60 = t43 - 2.0 * t59;
     const double t61 = t19 - t52 * (t56 + t59);
     const double t62 = t22 - t53 * (t52 * t55 + t59);
     const double t63 = 1.0 / (t57 * t58 - t60 * t60);
@@ -1054,7 +1054,7 @@ FOOTPOINT_FN void footpoint_quad4_accurate_at(const double xA[3], const double x
     const double t69 = t65 * t66;
     const double t70 = t18 - t65 * (t21 + t67);
     const double t71 = t21 * t64 + t69;
-    const double t72 = 2.0 * t71 - t41;
+    const double t72 = 2.0 * t71 - t43;
     const double t73 = t22 - t65 * (t64 * t67 + t71);
     const double t74 = t19 - t64 * (t69 + t71);
     const double t75 = 1.0 / (t72 * t72 - t68 * t70);
@@ -1098,10 +1098,10 @@ FOOTPOINT_LOOP void footpoint_quad4_accurate_n(size_t n, const double *const x[1
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad4_accurate_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 3.1948695094324736e-14, 3.0226501304964399e-15},
+    {0, 0, 0, 1, 0, 0, 2.125, 6.9375, -0.484375, 0.4375, 3.125, 0, 0.375, -0.25, 0.078125, -0.16994386511333617, -1.1075159221312898, 3.194869509432473e-14, 3.0226501304964399e-15},
     {0, 0, 0, 1, 0, 0, 4.8125, 3.125, -0.1875, -0.6875, 6.5625, 0, 4.9375, 4.5625, 0.28125, 0.7266017564316718, 1.5360014082429443, 2.7633281569928506e-15, 4.7045166666474997e-15},
     {0, 0, 0, 1, 0, 0, 4.5625, 5.875, -0.546875, -4.3125, 8.9375, 0, 0.75, 6.125, -0.6484375, 0.15477578624343952, 0.71307353223169356, 9.6181126072128818e-16, 1.8955025065021605e-15},
-    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493456909, 1.1072465508514568, 5.3082109624064795e-15, 7.1069045503602518e-15},
+    {0, 0, 0, 1, 0, 0, 3.875, 2.125, 0.0625, -1.5, 7.1875, 0, -0.1875, 6.25, -0.0703125, -0.50384549493456909, 1.1072465508514568, 5.3082109624064803e-15, 7.1069045503602518e-15},
     {0, 0, 0, 1, 0, 0, 4.375, 1.375, -0.1875, -0.3125, 8.25, 0, 5.0625, -0.1875, -0.5546875, 1.4585423026064526, 0.82550485554506203, 7.1429477116145942e-15, 1.5754726244594717e-14},
     {0, 0, 0, 1, 0, 0, 5.3125, 3.6875, 0.09375, 3.8125, 7.375, 0, 2.75, 1.75, 0.28125, 0.81297700235182846, -0.1327377204874238, 2.785786292447884e-15, 8.8638065549559092e-16},
     {0, 0, 0, 1, 0, 0, 0.0625, 7.125, -0.3203125, -4.75, 1.9375, 0, 0.8125, 8.25, -0.015625, 1.3144573563376849, 1.0735258713336699, 8.9366308240113246e-15, 8.5918937078966154e-15},
@@ -1151,14 +1151,14 @@ FOOTPOINT_FN void footpoint_quad4_full_at(const double xA[3], const double xB[3]
     const double t36 = t35 * (t27 - t24 * t34);
     const double t37 = t35 * (t25 - t26 * t34);
     const double t38 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t39 = (t3 * t8 + t4 * t11 + t6 * t14) - t16;
-    const double t40 = t21 + t38 * t36;
+    const double t39 = t21 + t38 * t36;
+    const double t40 = (t3 * t8 + t4 * t11 + t6 * t14) - t16;
     const double t41 = t19 - t38 * t37;
-    const double t42 = t37 * t40;
-    const double t43 = t17 + t36 * (t21 + t40);
+    const double t42 = t37 * t39;
+    const double t43 = t17 + t36 * (t21 + t39);
     const double t44 = t18 - t37 * (t19 + t41);
     const double t45 = t19 * t36 - t42;
-    const double t46 = t39 - 2.0 * t45;
+    const double t46 = t40 - 2.0 * t45;
     const double t47 = t36 * (t42 - t45) - t22;
     const double t48 = t20 - t37 * (t36 * t41 + t45);
     const double t49 = 1.0 / (t43 * t44 - t46 * t46);
@@ -1170,7 +1170,7 @@ FOOTPOINT_FN void footpoint_quad4_full_at(const double xA[3], const double xB[3]
     const double t55 = t17 + t50 * (t21 + t52);
     const double t56 = t18 - t51 * (t19 + t53);
     const double t57 = t19 * t50 - t54;
-    const double t58 = t39 - 2.0 * t57;
+    const double t58 = t40 - 2.0 * t57;
     const double t59 = t50 * (t54 - t57) - t22;
     const double t60 = t20 - t51 * (t50 * t53 + t57);
     const double t61 = 1.0 / (t55 * t56 - t58 * t58);
@@ -1182,7 +1182,7 @@ FOOTPOINT_FN void footpoint_quad4_full_at(const double xA[3], const double xB[3]
     const double t67 = t17 + t62 * (t21 + t64);
     const double t68 = t18 - t63 * (t19 + t65);
     const double t69 = t66 - t19 * t62;
-    const double t70 = t39 + 2.0 * t69;
+    const double t70 = t40 + 2.0 * t69;
     const double t71 = t62 * (t66 + t69) - t22;
     const double t72 = t20 - t63 * (t62 * t65 - t69);
     const double t73 = 1.0 / (t70 * t70 - t68 * t67);
@@ -1194,7 +1194,7 @@ FOOTPOINT_FN void footpoint_quad4_full_at(const double xA[3], const double xB[3]
     const double t79 = t17 + t74 * (t76 - t21);
     const double t80 = t18 + t75 * (t19 + t77);
     const double t81 = t19 * t74 + t78;
-    const double t82 = t39 + 2.0 * t81;
+    const double t82 = t40 + 2.0 * t81;
     const double t83 = t22 + t74 * (t78 + t81);
     const double t84 = t75 * (t74 * t77 + t81) - t20;
     const double t85 = 1.0 / (t79 * t80 - t82 * t82);

@@ -25,7 +25,7 @@
  *   region: xA = 0.00, yA = 0.00, zA = 0.00, xB = 1.00, yB = 0.00, zB = 0.00, xC in [-4.93, 5.99],
  *     yC in [0.08, 10.11], zC in [-0.56, 0.58], xD in [-5.06, 6.04], yD in [0.08, 10.80], zD = 0.00,
  *     xS in [-4.90, 5.37], yS in [-0.71, 9.33], zS in [-0.69, 0.60]; all requires > 0
- *   poles: t17 * t20 - t16 * t16: proved free of zeros, |...| >= 0.054 (rounding error <= 8.6e-11)
+ *   poles: t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.054 (rounding error <= 8.6e-11)
  *   rounding error of xi: <= 0.00045 proved (with or without FMA), 2.7e-13 worst of 10000 points
  *   rounding error of eta: <= 0.00031 proved (with or without FMA), 1.8e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -158,8 +158,8 @@
  *   poles: t30: proved free of zeros, |t30| >= 5.7e-14 (rounding error <= 2.6e+04)
  *   poles: t43 * t45 - t46 * t46: proved free of zeros, |...| >= 0.00021
  *   poles: t58 * t58 - t54 * t56: proved free of zeros, |...| >= 0.00021
- *   rounding error of xi: no bound found, 2e-13 worst of 10000 points
- *   rounding error of eta: no bound found, 3.1e-13 worst of 10000 points
+ *   rounding error of xi: no bound found, 1.5e-13 worst of 10000 points
+ *   rounding error of eta: no bound found, 2.5e-13 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 6.538e-08
@@ -398,12 +398,12 @@ FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float x
     const float t15 = t14 - 2.0f * (yB[0] - yS[0] + (yA[0] - yS[0]));
     const float t16 = t5 * t6 + t7 * t8 + t13 * t14;
     const float t17 = t6 * t6 + t8 * t8 + t14 * t14;
-    const float t18 = t6 * t11 + t8 * t12 + t14 * t15;
-    const float t19 = t5 * t11 + t7 * t12 + t13 * t15;
-    const float t20 = t5 * t5 + t7 * t7 + t13 * t13;
-    const float t21 = 1.0f / (t17 * t20 - t16 * t16);
-    *xi = (t16 * t18 - t17 * t19) * t21;
-    *eta = (t16 * t19 - t20 * t18) * t21;
+    const float t18 = t5 * t5 + t7 * t7 + t13 * t13;
+    const float t19 = t6 * t11 + t8 * t12 + t14 * t15;
+    const float t20 = t5 * t11 + t7 * t12 + t13 * t15;
+    const float t21 = 1.0f / (t17 * t18 - t16 * t16);
+    *xi = (t16 * t19 - t17 * t20) * t21;
+    *eta = (t16 * t20 - t18 * t19) * t21;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1059,15 +1059,15 @@ FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const floa
     const float t36 = t3 * t3 + t4 * t4 + t6 * t6;
     const float t37 = t33 * t34;
     const float t38 = t33 * t35;
-    const float t39 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
-    const float t40 = t19 + t36 * t37;
-    const float t41 = t35 * t40;
+    const float t39 = t19 + t36 * t37;
+    const float t40 = t35 * t39;
+    const float t41 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
     const float t42 = t21 + t36 * t38;
-    const float t43 = t16 + t37 * (t19 + t40);
-    const float t44 = t21 * t34 + t41;
+    const float t43 = t16 + t37 * (t19 + t39);
+    const float t44 = t21 * t34 + t40;
     const float t45 = t18 + t38 * (t21 + t42);
-    const float t46 = t39 + 2.0f * t33 * t44;
-    const float t47 = t20 - t33 * t37 * (t41 + t44);
+    const float t46 = t41 + 2.0f * t33 * t44;
+    const float t47 = t20 - t33 * t37 * (t40 + t44);
     const float t48 = t22 - t33 * t38 * (t34 * t42 + t44);
     const float t49 = 1.0f / (t43 * t45 - t46 * t46);
     const float t50 = (t43 * t48 - t46 * t47) * t49;
@@ -1078,7 +1078,7 @@ FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const floa
     const float t55 = t51 * t52;
     const float t56 = t18 - t51 * (t21 + t53);
     const float t57 = t21 * t50 + t55;
-    const float t58 = 2.0f * t57 - t39;
+    const float t58 = 2.0f * t57 - t41;
     const float t59 = t22 - t51 * (t50 * t53 + t57);
     const float t60 = t20 - t50 * (t55 + t57);
     const float t61 = 1.0f / (t58 * t58 - t54 * t56);
@@ -1190,15 +1190,15 @@ FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const flo
     const float t38 = t3 * t3 + t4 * t4 + t6 * t6;
     const float t39 = t35 * t36;
     const float t40 = t35 * t37;
-    const float t41 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
-    const float t42 = t20 - t38 * t39;
-    const float t43 = t37 * t42;
+    const float t41 = t20 - t38 * t39;
+    const float t42 = t37 * t41;
+    const float t43 = t17 + (t3 * t8 + t4 * t11 + t6 * t14);
     const float t44 = t21 - t38 * t40;
-    const float t45 = t16 - t39 * (t20 + t42);
-    const float t46 = t21 * t36 + t43;
+    const float t45 = t16 - t39 * (t20 + t41);
+    const float t46 = t21 * t36 + t42;
     const float t47 = t18 - t40 * (t21 + t44);
-    const float t48 = t41 - 2.0f * t35 * t46;
-    const float t49 = t19 - t35 * t39 * (t43 + t46);
+    const float t48 = t43 - 2.0f * t35 * t46;
+    const float t49 = t19 - t35 * t39 * (t42 + t46);
     const float t50 = t22 - t35 * t40 * (t36 * t44 + t46);
     const float t51 = 1.0f / (t45 * t47 - t48 * t48);
     const float t52 = (t45 * t50 - t48 * t49) * t51;
@@ -1209,7 +1209,7 @@ FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const flo
     const float t57 = t16 - t52 * (t20 + t54);
     const float t58 = t18 - t53 * (t21 + t55);
     const float t59 = t21 * t52 + t56;
-    const float t60 = t41 - 2.0f * t59;
+    const float t60 = t43 - 2.0f * t59;
     const float t61 = t19 - t52 * (t56 + t59);
     const float t62 = t22 - t53 * (t52 * t55 + t59);
     const float t63 = 1.0f / (t57 * t58 - t60 * t60);
@@ -1221,7 +1221,7 @@ FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const flo
     const float t69 = t65 * t66;
     const float t70 = t18 - t65 * (t21 + t67);
     const float t71 = t21 * t64 + t69;
-    const float t72 = 2.0f * t71 - t41;
+    const float t72 = 2.0f * t71 - t43;
     const float t73 = t22 - t65 * (t64 * t67 + t71);
     const float t74 = t19 - t64 * (t69 + t71);
     const float t75 = 1.0f / (t72 * t72 - t68 * t70);

@@ -45,7 +45,7 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xS in [-4.34, 6.31], yS in [-0.56, 9.71],
  *     zS in [-0.62, 0.54]; all requires > 0
  *   poles: t19 * t19 - t18 * t20: proved free of zeros, |...| >= 0.053 (rounding error <= 1.5e-10)
- *   poles: t69 * t73 - t70 * t70: proved free of zeros, |...| >= 0.0053 (rounding error <= 1e+55)
+ *   poles: t69 * t71 - t70 * t70: proved free of zeros, |...| >= 0.0053 (rounding error <= 1e+55)
  *   rounding error of xi: no bound found, 1.4e-10 worst of 10000 points
  *   rounding error of eta: no bound found, 1.1e-10 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -68,8 +68,8 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xS in [-4.34, 6.31], yS in [-0.56, 9.71],
  *     zS in [-0.62, 0.54]; all requires > 0
  *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.053 (rounding error <= 1.5e-10)
- *   poles: t79 * t82 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 1.9e+55)
- *   poles: t114 * t117 - t113 * t113: proved free of zeros, |...| >= 0.0017
+ *   poles: t79 * t80 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 1.9e+55)
+ *   poles: t114 * t115 - t113 * t113: proved free of zeros, |...| >= 0.0017
  *   rounding error of xi: no bound found, 1.2e-09 worst of 10000 points
  *   rounding error of eta: no bound found, 5e-10 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -92,8 +92,8 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xS in [-4.34, 6.31], yS in [-0.56, 9.71],
  *     zS in [-0.62, 0.54]; all requires > 0
  *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.053 (rounding error <= 1.5e-10)
- *   poles: t79 * t82 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 1.9e+55)
- *   poles: t122 * t126 - t123 * t123: proved free of zeros, |...| >= 0.0046
+ *   poles: t79 * t80 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 1.9e+55)
+ *   poles: t122 * t124 - t123 * t123: proved free of zeros, |...| >= 0.0046
  *   rounding error of xi: no bound found, 4.1e-11 worst of 10000 points
  *   rounding error of eta: no bound found, 5.1e-11 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -116,8 +116,8 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xS in [-4.34, 6.31], yS in [-0.56, 9.71],
  *     zS in [-0.62, 0.54]; all requires > 0
  *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.053 (rounding error <= 1.5e-10)
- *   poles: t79 * t82 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 2.1e+55)
- *   poles: t122 * t125 - t123 * t123: proved free of zeros, |...| >= 0.0046
+ *   poles: t79 * t80 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 2.1e+55)
+ *   poles: t122 * t124 - t123 * t123: proved free of zeros, |...| >= 0.0046
  *   rounding error of xi: no bound found, 3.8e-08 worst of 8528 points
  *   rounding error of eta: no bound found, 1.2e-07 worst of 8528 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -140,9 +140,9 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xS in [-4.34, 6.31], yS in [-0.56, 9.71],
  *     zS in [-0.62, 0.54]; all requires > 0
  *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.053 (rounding error <= 1.6e-10)
- *   poles: t79 * t82 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 2.9e+55)
- *   poles: t122 * t125 - t123 * t123: proved free of zeros, |...| >= 0.0046
- *   poles: t166 * t170 - t167 * t167: proved free of zeros, |...| >= 0.0027
+ *   poles: t79 * t80 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 2.9e+55)
+ *   poles: t122 * t124 - t123 * t123: proved free of zeros, |...| >= 0.0046
+ *   poles: t166 * t168 - t167 * t167: proved free of zeros, |...| >= 0.0027
  *   rounding error of xi: no bound found, 2.4e-09 worst of 7692 points
  *   rounding error of eta: no bound found, 5.7e-10 worst of 7692 points
  *   found_xi: seed 1 generations 0 islands 2
@@ -165,7 +165,7 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xS in [-4.34, 6.31], yS in [-0.56, 9.71],
  *     zS in [-0.62, 0.54]; all requires > 0
  *   poles: t19 * t20 - t18 * t18: proved free of zeros, |...| >= 0.053 (rounding error <= 1.7e-10)
- *   poles: t79 * t82 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 5.5e+55)
+ *   poles: t79 * t80 - t78 * t78: proved free of zeros, |...| >= 0.0053 (rounding error <= 5.5e+55)
  *   poles: t130 * t129 - t128 * t128: proved free of zeros, |...| >= 0.0046
  *   poles: t143 * t139 - t142 * t142: proved free of zeros, |...| >= 0.0024
  *   poles: t193 * t192 + t191 * t191: proved free of zeros, |...| >= 0.0018
@@ -192,7 +192,7 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xS in [-4.34, 6.31], yS in [-0.56, 9.71],
  *     zS in [-0.62, 0.54]; all requires > 0
  *   poles: t16 * t17 - t15 * t15: proved free of zeros, |...| >= 0.0033 (rounding error <= 1.1e-11)
- *   poles: t76 * t79 - t75 * t75: proved free of zeros, |...| >= 0.00033 (rounding error <= 5.6e+54)
+ *   poles: t76 * t77 - t75 * t75: proved free of zeros, |...| >= 0.00033 (rounding error <= 5.6e+54)
  *   poles: t126 * t127 - t125 * t125: proved free of zeros, |...| >= 0.00029
  *   poles: t140 * t136 - t139 * t139: proved free of zeros, |...| >= 0.00015
  *   poles: t189 * t190 - t188 * t188: proved free of zeros, |...| >= 0.00011
@@ -428,54 +428,54 @@ FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[
     const double t26 = t25 - 2.0 * (xG[0] + xE[0]);
     const double t27 = t26 - (t15 - 4.0 * xS[0]);
     const double t28 = 1.0 / (t19 * t19 - t18 * t20);
-    const double t29 = t7 - t6 - t1;
-    const double t30 = t10 - t9 - t2;
-    const double t31 = t3 * t22 + t4 * t24 + t12 * t27;
-    const double t32 = t1 * t22 + t2 * t24 + t11 * t27;
+    const double t29 = t3 * t22 + t4 * t24 + t12 * t27;
+    const double t30 = t1 * t22 + t2 * t24 + t11 * t27;
+    const double t31 = t7 - t6 - t1;
+    const double t32 = t10 - t9 - t2;
     const double t33 = t17 - t16 - t11;
-    const double t34 = (t20 * t32 - t19 * t31) * t28;
-    const double t35 = (t19 * t32 - t18 * t31) * t28;
-    const double t36 = xD[2] - xC[2];
-    const double t37 = xB[2] - xA[2];
-    const double t38 = xD[1] - xC[1];
-    const double t39 = xB[1] - xA[1];
-    const double t40 = (t13 - t5) * t34;
-    const double t41 = (t14 - t8) * t34;
-    const double t42 = xD[0] - xC[0];
-    const double t43 = xB[0] - xA[0];
-    const double t44 = (t25 - t15) * t34;
-    const double t45 = (t37 - t36 - t3) * t34;
-    const double t46 = t45 - t36 - t37;
-    const double t47 = (t39 - t38 - t4) * t34;
-    const double t48 = t47 - t38 - t39;
-    const double t49 = t1 - t40;
-    const double t50 = t2 - t41;
-    const double t51 = (t43 - t42 - t12) * t34;
-    const double t52 = t51 - t42 - t43;
-    const double t53 = t11 - t44;
-    const double t54 = t35 * (t21 - t29 * t34);
-    const double t55 = t3 + t34 * t46 + t54;
-    const double t56 = t35 * (t23 - t30 * t34);
-    const double t57 = t4 + t34 * t48 + t56;
-    const double t58 = t40 - t49 - t35 * (t29 * t35 - t45 - t46);
-    const double t59 = t41 - t50 - t35 * (t30 * t35 - t47 - t48);
-    const double t60 = t35 * (t26 - t33 * t34);
-    const double t61 = t12 + t34 * t52 + t60;
-    const double t62 = t44 - t53 - t35 * (t33 * t35 - t51 - t52);
-    const double t63 = t54 + t55;
-    const double t64 = t56 + t57;
+    const double t34 = (t20 * t30 - t19 * t29) * t28;
+    const double t35 = xD[2] - xC[2];
+    const double t36 = xB[2] - xA[2];
+    const double t37 = xD[1] - xC[1];
+    const double t38 = xB[1] - xA[1];
+    const double t39 = (t19 * t30 - t18 * t29) * t28;
+    const double t40 = xD[0] - xC[0];
+    const double t41 = xB[0] - xA[0];
+    const double t42 = (t13 - t5) * t34;
+    const double t43 = (t14 - t8) * t34;
+    const double t44 = (t36 - t35 - t3) * t34;
+    const double t45 = t44 - t35 - t36;
+    const double t46 = (t38 - t37 - t4) * t34;
+    const double t47 = t46 - t37 - t38;
+    const double t48 = (t25 - t15) * t34;
+    const double t49 = (t41 - t40 - t12) * t34;
+    const double t50 = t49 - t40 - t41;
+    const double t51 = t1 - t42;
+    const double t52 = t2 - t43;
+    const double t53 = t39 * (t21 - t31 * t34);
+    const double t54 = t3 + t34 * t45 + t53;
+    const double t55 = t39 * (t23 - t32 * t34);
+    const double t56 = t4 + t34 * t47 + t55;
+    const double t57 = t11 - t48;
+    const double t58 = t42 - t51 - t39 * (t31 * t39 - t44 - t45);
+    const double t59 = t43 - t52 - t39 * (t32 * t39 - t46 - t47);
+    const double t60 = t39 * (t26 - t33 * t34);
+    const double t61 = t12 + t34 * t50 + t60;
+    const double t62 = t48 - t57 - t39 * (t33 * t39 - t49 - t50);
+    const double t63 = t53 + t54;
+    const double t64 = t55 + t56;
     const double t65 = t60 + t61;
-    const double t66 = t22 + t34 * t49 - t35 * t55;
-    const double t67 = t24 + t34 * t50 - t35 * t57;
-    const double t68 = t27 + t34 * t53 - t35 * t61;
+    const double t66 = t22 + t34 * t51 - t39 * t54;
+    const double t67 = t24 + t34 * t52 - t39 * t56;
+    const double t68 = t27 + t34 * t57 - t39 * t61;
     const double t69 = t58 * t58 + t59 * t59 + t62 * t62;
     const double t70 = t58 * t63 + t59 * t64 + t62 * t65;
-    const double t71 = t58 * t66 + t59 * t67 + t62 * t68;
+    const double t71 = t63 * t63 + t64 * t64 + t65 * t65;
     const double t72 = t63 * t66 + t64 * t67 + t65 * t68;
-    const double t73 = t63 * t63 + t64 * t64 + t65 * t65;
-    const double t74 = 1.0 / (t69 * t73 - t70 * t70);
-    *xi = t35 - (t71 * t70 - t69 * t72) * t74;
-    *eta = t34 + (t71 * t73 - t72 * t70) * t74;
+    const double t73 = t58 * t66 + t59 * t67 + t62 * t68;
+    const double t74 = 1.0 / (t69 * t71 - t70 * t70);
+    *xi = t39 - (t73 * t70 - t69 * t72) * t74;
+    *eta = t34 + (t73 * t71 - t72 * t70) * t74;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -518,14 +518,14 @@ FOOTPOINT_LOOP void footpoint_quad8_coarse_n(size_t n, const double *const x[27]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad8_coarse_points[][31] = {
-    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.421399532213357, 0.63491167578435381, 6.0079607333698897e-15, 4.3055997065133275e-15},
-    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.88638053216364709, 0.80664164092467505, 2.3986209652668543e-14, 3.5181982688586604e-14},
-    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.03901322875575116, -0.2469714657620895, 1.0602619118995767e-15, 1.7464666053116436e-15},
-    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.57998920802026011, 0.088871221388503216, 4.0381844480604747e-15, 3.8228519307095108e-15},
-    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.53520572542253264, -0.21855618680997302, 5.0521367436350007e-15, 3.5577652689144157e-15},
-    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -3.7597688880738622, 1.9312155245272737, 5.8044076186630098e-14, 3.3076897667862939e-14},
-    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.19893280401392, 0.70331073107554731, 1.1119315293369584e-14, 1.1008777554480084e-14},
-    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.30855476785674019, 0.81464120362658954, 1.5397909214155131e-14, 7.9473508929447869e-15},
+    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.421399532213357, 0.63491167578435381, 6.0079607333698802e-15, 4.3055997065133228e-15},
+    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.88638053216364709, 0.80664164092467505, 2.3986209652668483e-14, 3.5181982688586402e-14},
+    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.03901322875575116, -0.2469714657620895, 1.0602619118995743e-15, 1.7464666053116456e-15},
+    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.57998920802026011, 0.088871221388503216, 4.03818444806047e-15, 3.8228519307095116e-15},
+    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.53520572542253264, -0.21855618680997302, 5.0521367436349889e-15, 3.5577652689144109e-15},
+    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -3.7597688880738622, 1.9312155245272737, 5.8044076186629971e-14, 3.3076897667862945e-14},
+    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.19893280401392, 0.70331073107554731, 1.1119315293369548e-14, 1.1008777554480064e-14},
+    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.30855476785674019, 0.81464120362658954, 1.5397909214155103e-14, 7.9473508929448074e-15},
 };
 #endif
 
@@ -562,98 +562,98 @@ FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[
     const double t26 = t25 - 2.0 * (xG[0] + xE[0]);
     const double t27 = t26 - (t15 - 4.0 * xS[0]);
     const double t28 = 1.0 / (t19 * t20 - t18 * t18);
-    const double t29 = t7 - t6 - t1;
-    const double t30 = t10 - t9 - t3;
-    const double t31 = t1 * t22 + t3 * t24 + t11 * t27;
-    const double t32 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t29 = t1 * t22 + t3 * t24 + t11 * t27;
+    const double t30 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t31 = t7 - t6 - t1;
+    const double t32 = t10 - t9 - t3;
     const double t33 = t17 - t16 - t11;
-    const double t34 = t13 - t5;
-    const double t35 = t14 - t8;
-    const double t36 = (t20 * t31 - t18 * t32) * t28;
-    const double t37 = (t19 * t32 - t18 * t31) * t28;
-    const double t38 = xC[2] - xD[2];
-    const double t39 = xA[2] - xB[2];
-    const double t40 = xC[1] - xD[1];
-    const double t41 = xA[1] - xB[1];
-    const double t42 = t25 - t15;
-    const double t43 = xC[0] - xD[0];
-    const double t44 = xA[0] - xB[0];
-    const double t45 = t39 - t38 + t2;
-    const double t46 = t38 + t39;
-    const double t47 = t41 - t40 + t4;
-    const double t48 = t40 + t41;
-    const double t49 = t45 * t36;
-    const double t50 = t47 * t36;
-    const double t51 = t44 - t43 + t12;
-    const double t52 = t43 + t44;
-    const double t53 = t37 * (t21 + t29 * t36);
-    const double t54 = t37 * (t23 + t30 * t36);
-    const double t55 = t51 * t36;
+    const double t34 = (t20 * t29 - t18 * t30) * t28;
+    const double t35 = xC[2] - xD[2];
+    const double t36 = xA[2] - xB[2];
+    const double t37 = xC[1] - xD[1];
+    const double t38 = xA[1] - xB[1];
+    const double t39 = (t19 * t30 - t18 * t29) * t28;
+    const double t40 = t13 - t5;
+    const double t41 = t14 - t8;
+    const double t42 = xC[0] - xD[0];
+    const double t43 = xA[0] - xB[0];
+    const double t44 = t25 - t15;
+    const double t45 = t36 - t35 + t2;
+    const double t46 = t35 + t36;
+    const double t47 = t38 - t37 + t4;
+    const double t48 = t37 + t38;
+    const double t49 = t45 * t34;
+    const double t50 = t47 * t34;
+    const double t51 = t43 - t42 + t12;
+    const double t52 = t42 + t43;
+    const double t53 = t39 * (t21 + t31 * t34);
+    const double t54 = t39 * (t23 + t32 * t34);
+    const double t55 = t51 * t34;
     const double t56 = t46 + t49;
     const double t57 = t48 + t50;
-    const double t58 = t37 * (t26 + t33 * t36);
-    const double t59 = t34 * t36;
-    const double t60 = t2 - t36 * t56 + t53;
-    const double t61 = t53 + t60;
-    const double t62 = t35 * t36;
-    const double t63 = t4 - t36 * t57 + t54;
-    const double t64 = t54 + t63;
-    const double t65 = t52 + t55;
-    const double t66 = t42 * t36;
-    const double t67 = t12 - t36 * t65 + t58;
+    const double t58 = t39 * (t26 + t33 * t34);
+    const double t59 = t40 * t34;
+    const double t60 = t2 - t34 * t56 + t53;
+    const double t61 = t41 * t34;
+    const double t62 = t4 - t34 * t57 + t54;
+    const double t63 = t52 + t55;
+    const double t64 = t53 + t60;
+    const double t65 = t54 + t62;
+    const double t66 = t44 * t34;
+    const double t67 = t12 - t34 * t63 + t58;
     const double t68 = t58 + t67;
     const double t69 = t1 + t59;
-    const double t70 = t59 + t69 - t37 * (t49 - t29 * t37 + t56);
-    const double t71 = t3 + t62;
-    const double t72 = t62 + t71 - t37 * (t50 - t30 * t37 + t57);
+    const double t70 = t59 + t69 - t39 * (t49 - t31 * t39 + t56);
+    const double t71 = t3 + t61;
+    const double t72 = t61 + t71 - t39 * (t50 - t32 * t39 + t57);
     const double t73 = t11 + t66;
-    const double t74 = t66 + t73 - t37 * (t55 - t33 * t37 + t65);
-    const double t75 = t22 - t36 * t69 - t37 * t60;
-    const double t76 = t24 - t36 * t71 - t37 * t63;
-    const double t77 = t27 - t36 * t73 - t37 * t67;
-    const double t78 = t70 * t61 + t72 * t64 + t74 * t68;
+    const double t74 = t66 + t73 - t39 * (t55 - t33 * t39 + t63);
+    const double t75 = t22 - t34 * t69 - t39 * t60;
+    const double t76 = t24 - t34 * t71 - t39 * t62;
+    const double t77 = t27 - t34 * t73 - t39 * t67;
+    const double t78 = t70 * t64 + t72 * t65 + t74 * t68;
     const double t79 = t70 * t70 + t72 * t72 + t74 * t74;
-    const double t80 = t70 * t75 + t72 * t76 + t74 * t77;
-    const double t81 = t61 * t75 + t64 * t76 + t68 * t77;
-    const double t82 = t61 * t61 + t64 * t64 + t68 * t68;
-    const double t83 = 1.0 / (t79 * t82 - t78 * t78);
-    const double t84 = t36 + (t80 * t82 - t81 * t78) * t83;
-    const double t85 = t37 + (t79 * t81 - t80 * t78) * t83;
+    const double t80 = t64 * t64 + t65 * t65 + t68 * t68;
+    const double t81 = t70 * t75 + t72 * t76 + t74 * t77;
+    const double t82 = t64 * t75 + t65 * t76 + t68 * t77;
+    const double t83 = 1.0 / (t79 * t80 - t78 * t78);
+    const double t84 = t34 + (t81 * t80 - t82 * t78) * t83;
+    const double t85 = t39 + (t79 * t82 - t81 * t78) * t83;
     const double t86 = t45 * t84;
     const double t87 = t47 * t84;
     const double t88 = t51 * t84;
     const double t89 = t46 + t86;
     const double t90 = t48 + t87;
-    const double t91 = t34 * t84;
-    const double t92 = t35 * t84;
+    const double t91 = t40 * t84;
+    const double t92 = t41 * t84;
     const double t93 = t52 + t88;
-    const double t94 = t42 * t84;
+    const double t94 = t44 * t84;
     const double t95 = t1 + t91;
     const double t96 = t3 + t92;
-    const double t97 = t11 + t94;
-    const double t98 = t85 * (t21 + t29 * t84);
-    const double t99 = t2 - t84 * t89 + t98;
-    const double t100 = t85 * (t23 + t30 * t84);
-    const double t101 = t4 - t84 * t90 + t100;
-    const double t102 = t91 + t95 - t85 * (t86 - t29 * t85 + t89);
-    const double t103 = t92 + t96 - t85 * (t87 - t30 * t85 + t90);
+    const double t97 = t85 * (t21 + t31 * t84);
+    const double t98 = t2 - t84 * t89 + t97;
+    const double t99 = t85 * (t23 + t32 * t84);
+    const double t100 = t4 - t84 * t90 + t99;
+    const double t101 = t11 + t94;
+    const double t102 = t91 + t95 - t85 * (t86 - t31 * t85 + t89);
+    const double t103 = t92 + t96 - t85 * (t87 - t32 * t85 + t90);
     const double t104 = t85 * (t26 + t33 * t84);
     const double t105 = t12 - t84 * t93 + t104;
-    const double t106 = t94 + t97 - t85 * (t88 - t33 * t85 + t93);
-    const double t107 = t98 + t99;
-    const double t108 = t100 + t101;
+    const double t106 = t94 + t101 - t85 * (t88 - t33 * t85 + t93);
+    const double t107 = t97 + t98;
+    const double t108 = t99 + t100;
     const double t109 = t104 + t105;
-    const double t110 = t22 - t84 * t95 - t85 * t99;
-    const double t111 = t24 - t84 * t96 - t85 * t101;
-    const double t112 = t27 - t84 * t97 - t85 * t105;
+    const double t110 = t22 - t84 * t95 - t85 * t98;
+    const double t111 = t24 - t84 * t96 - t85 * t100;
+    const double t112 = t27 - t84 * t101 - t85 * t105;
     const double t113 = t102 * t107 + t103 * t108 + t106 * t109;
     const double t114 = t102 * t102 + t103 * t103 + t106 * t106;
-    const double t115 = t102 * t110 + t103 * t111 + t106 * t112;
-    const double t116 = t107 * t110 + t108 * t111 + t109 * t112;
-    const double t117 = t107 * t107 + t108 * t108 + t109 * t109;
-    const double t118 = 1.0 / (t114 * t117 - t113 * t113);
-    *xi = t85 + (t114 * t116 - t115 * t113) * t118;
-    *eta = -(t84 + (t115 * t117 - t116 * t113) * t118);
+    const double t115 = t107 * t107 + t108 * t108 + t109 * t109;
+    const double t116 = t102 * t110 + t103 * t111 + t106 * t112;
+    const double t117 = t107 * t110 + t108 * t111 + t109 * t112;
+    const double t118 = 1.0 / (t114 * t115 - t113 * t113);
+    *xi = t85 + (t114 * t117 - t116 * t113) * t118;
+    *eta = -(t84 + (t116 * t115 - t117 * t113) * t118);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -696,14 +696,14 @@ FOOTPOINT_LOOP void footpoint_quad8_medium_n(size_t n, const double *const x[27]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad8_medium_points[][31] = {
-    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.1194431028496534, 0.690814585782492, 2.8347866254569065e-15, 1.6595541455751026e-15},
-    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.066657309252965494, 0.99118289205840171, 2.220018861538015e-14, 6.2417197382632546e-14},
-    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035284626362276181, -0.26145098623076463, 6.9608339995203779e-16, 1.2069295202416139e-15},
-    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 1.5797940951895215, 1.4771988639029725, 3.229709193614824e-14, 4.1526468880039934e-14},
-    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.59591320414656035, -0.1551255357019492, 1.5565584301855151e-15, 1.070241126066889e-15},
-    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.2608304348967496, 1.230682573536136, 3.7298973005122444e-14, 2.1168586078172255e-14},
-    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 0.97606907779424124, 0.44042257322093964, 4.6526232025644008e-14, 6.5294669938793958e-14},
-    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.069949999748208216, 0.71866980205977693, 1.1479875324193183e-14, 3.8637345007636869e-15},
+    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.1194431028496534, 0.690814585782492, 2.8347866254568217e-15, 1.6595541455749857e-15},
+    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.066657309252965494, 0.99118289205840171, 2.2200188615375792e-14, 6.2417197382617816e-14},
+    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035284626362276181, -0.26145098623076463, 6.9608339995203986e-16, 1.2069295202416158e-15},
+    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 1.5797940951895215, 1.4771988639029725, 3.2297091936148019e-14, 4.1526468880039827e-14},
+    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.59591320414656035, -0.1551255357019492, 1.5565584301854824e-15, 1.0702411260668671e-15},
+    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.2608304348967496, 1.230682573536136, 3.7298973005121277e-14, 2.1168586078172198e-14},
+    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 0.97606907779424124, 0.44042257322093964, 4.6526232025642651e-14, 6.529466993879392e-14},
+    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.069949999748208216, 0.71866980205977693, 1.1479875324193087e-14, 3.8637345007635875e-15},
 };
 #endif
 
@@ -740,109 +740,109 @@ FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double x
     const double t26 = t25 - 2.0 * (xG[0] + xE[0]);
     const double t27 = t26 - (t15 - 4.0 * xS[0]);
     const double t28 = 1.0 / (t19 * t20 - t18 * t18);
-    const double t29 = t7 - t6 - t1;
-    const double t30 = t10 - t9 - t3;
-    const double t31 = t1 * t22 + t3 * t24 + t11 * t27;
-    const double t32 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t29 = t1 * t22 + t3 * t24 + t11 * t27;
+    const double t30 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t31 = t7 - t6 - t1;
+    const double t32 = t10 - t9 - t3;
     const double t33 = t17 - t16 - t11;
-    const double t34 = t13 - t5;
-    const double t35 = t14 - t8;
-    const double t36 = (t20 * t31 - t18 * t32) * t28;
-    const double t37 = (t19 * t32 - t18 * t31) * t28;
-    const double t38 = xC[2] - xD[2];
-    const double t39 = xA[2] - xB[2];
-    const double t40 = xC[1] - xD[1];
-    const double t41 = xA[1] - xB[1];
-    const double t42 = t25 - t15;
-    const double t43 = xC[0] - xD[0];
-    const double t44 = xA[0] - xB[0];
-    const double t45 = t39 - t38 + t2;
-    const double t46 = t38 + t39;
-    const double t47 = t41 - t40 + t4;
-    const double t48 = t40 + t41;
-    const double t49 = t45 * t36;
-    const double t50 = t47 * t36;
-    const double t51 = t44 - t43 + t12;
-    const double t52 = t43 + t44;
-    const double t53 = t37 * (t21 + t29 * t36);
-    const double t54 = t37 * (t23 + t30 * t36);
-    const double t55 = t51 * t36;
+    const double t34 = (t20 * t29 - t18 * t30) * t28;
+    const double t35 = xC[2] - xD[2];
+    const double t36 = xA[2] - xB[2];
+    const double t37 = xC[1] - xD[1];
+    const double t38 = xA[1] - xB[1];
+    const double t39 = (t19 * t30 - t18 * t29) * t28;
+    const double t40 = t13 - t5;
+    const double t41 = t14 - t8;
+    const double t42 = xC[0] - xD[0];
+    const double t43 = xA[0] - xB[0];
+    const double t44 = t25 - t15;
+    const double t45 = t36 - t35 + t2;
+    const double t46 = t35 + t36;
+    const double t47 = t38 - t37 + t4;
+    const double t48 = t37 + t38;
+    const double t49 = t45 * t34;
+    const double t50 = t47 * t34;
+    const double t51 = t43 - t42 + t12;
+    const double t52 = t42 + t43;
+    const double t53 = t39 * (t21 + t31 * t34);
+    const double t54 = t39 * (t23 + t32 * t34);
+    const double t55 = t51 * t34;
     const double t56 = t46 + t49;
     const double t57 = t48 + t50;
-    const double t58 = t37 * (t26 + t33 * t36);
-    const double t59 = t34 * t36;
-    const double t60 = t2 - t36 * t56 + t53;
-    const double t61 = t53 + t60;
-    const double t62 = t35 * t36;
-    const double t63 = t4 - t36 * t57 + t54;
-    const double t64 = t54 + t63;
-    const double t65 = t52 + t55;
-    const double t66 = t42 * t36;
-    const double t67 = t12 - t36 * t65 + t58;
+    const double t58 = t39 * (t26 + t33 * t34);
+    const double t59 = t40 * t34;
+    const double t60 = t2 - t34 * t56 + t53;
+    const double t61 = t41 * t34;
+    const double t62 = t4 - t34 * t57 + t54;
+    const double t63 = t52 + t55;
+    const double t64 = t53 + t60;
+    const double t65 = t54 + t62;
+    const double t66 = t44 * t34;
+    const double t67 = t12 - t34 * t63 + t58;
     const double t68 = t58 + t67;
     const double t69 = t1 + t59;
-    const double t70 = t59 + t69 - t37 * (t49 - t29 * t37 + t56);
-    const double t71 = t3 + t62;
-    const double t72 = t62 + t71 - t37 * (t50 - t30 * t37 + t57);
+    const double t70 = t59 + t69 - t39 * (t49 - t31 * t39 + t56);
+    const double t71 = t3 + t61;
+    const double t72 = t61 + t71 - t39 * (t50 - t32 * t39 + t57);
     const double t73 = t11 + t66;
-    const double t74 = t66 + t73 - t37 * (t55 - t33 * t37 + t65);
-    const double t75 = t22 - t36 * t69 - t37 * t60;
-    const double t76 = t24 - t36 * t71 - t37 * t63;
-    const double t77 = t27 - t36 * t73 - t37 * t67;
-    const double t78 = t70 * t61 + t72 * t64 + t74 * t68;
+    const double t74 = t66 + t73 - t39 * (t55 - t33 * t39 + t63);
+    const double t75 = t22 - t34 * t69 - t39 * t60;
+    const double t76 = t24 - t34 * t71 - t39 * t62;
+    const double t77 = t27 - t34 * t73 - t39 * t67;
+    const double t78 = t70 * t64 + t72 * t65 + t74 * t68;
     const double t79 = t70 * t70 + t72 * t72 + t74 * t74;
-    const double t80 = t70 * t75 + t72 * t76 + t74 * t77;
-    const double t81 = t61 * t75 + t64 * t76 + t68 * t77;
-    const double t82 = t61 * t61 + t64 * t64 + t68 * t68;
-    const double t83 = 1.0 / (t79 * t82 - t78 * t78);
-    const double t84 = t36 + (t80 * t82 - t81 * t78) * t83;
-    const double t85 = t37 + (t79 * t81 - t80 * t78) * t83;
+    const double t80 = t64 * t64 + t65 * t65 + t68 * t68;
+    const double t81 = t70 * t75 + t72 * t76 + t74 * t77;
+    const double t82 = t64 * t75 + t65 * t76 + t68 * t77;
+    const double t83 = 1.0 / (t79 * t80 - t78 * t78);
+    const double t84 = t34 + (t81 * t80 - t82 * t78) * t83;
+    const double t85 = t39 + (t79 * t82 - t81 * t78) * t83;
     const double t86 = t45 * t84;
     const double t87 = t46 + t86;
     const double t88 = t47 * t84;
     const double t89 = t48 + t88;
-    const double t90 = t21 + t29 * t84;
-    const double t91 = t29 * t85;
+    const double t90 = t21 + t31 * t84;
+    const double t91 = t31 * t85;
     const double t92 = t86 - t91 + t87;
-    const double t93 = t23 + t30 * t84;
-    const double t94 = t30 * t85;
+    const double t93 = t23 + t32 * t84;
+    const double t94 = t32 * t85;
     const double t95 = t88 - t94 + t89;
     const double t96 = t51 * t84;
     const double t97 = t52 + t96;
     const double t98 = t26 + t33 * t84;
     const double t99 = t33 * t85;
     const double t100 = t96 - t99 + t97;
-    const double t101 = t34 * t84;
+    const double t101 = t40 * t84;
     const double t102 = t1 + t101;
-    const double t103 = t101 + t102 - t85 * t92;
-    const double t104 = t35 * t84;
-    const double t105 = t3 + t104;
-    const double t106 = t104 + t105 - t85 * t95;
+    const double t103 = t41 * t84;
+    const double t104 = t3 + t103;
+    const double t105 = t101 + t102 - t85 * t92;
+    const double t106 = t103 + t104 - t85 * t95;
     const double t107 = t85 * t90;
     const double t108 = t2 - t84 * t87 + t107;
-    const double t109 = t107 + t108;
-    const double t110 = t22 - t84 * t102 - t85 * t108;
-    const double t111 = t85 * t93;
-    const double t112 = t4 - t84 * t89 + t111;
-    const double t113 = t42 * t84;
-    const double t114 = t11 + t113;
-    const double t115 = t113 + t114 - t85 * t100;
-    const double t116 = t111 + t112;
-    const double t117 = t24 - t84 * t105 - t85 * t112;
-    const double t118 = t85 * t98;
-    const double t119 = t12 - t84 * t97 + t118;
-    const double t120 = t118 + t119;
-    const double t121 = t27 - t84 * t114 - t85 * t119;
-    const double t122 = 2.0 * ((t34 - t45 * t85) * t110 + (t35 - t47 * t85) * t117 + (t42 - t51 * t85) * t121) -
-        t103 * t103 - t106 * t106 - t115 * t115;
-    const double t123 = (t91 - t92) * t110 + (t94 - t95) * t117 + (t99 - t100) * t121 - t103 * t109 - t106 * t116 -
+    const double t109 = t85 * t93;
+    const double t110 = t4 - t84 * t89 + t109;
+    const double t111 = t44 * t84;
+    const double t112 = t11 + t111;
+    const double t113 = t107 + t108;
+    const double t114 = t22 - t84 * t102 - t85 * t108;
+    const double t115 = t111 + t112 - t85 * t100;
+    const double t116 = t85 * t98;
+    const double t117 = t12 - t84 * t97 + t116;
+    const double t118 = t109 + t110;
+    const double t119 = t24 - t84 * t104 - t85 * t110;
+    const double t120 = t116 + t117;
+    const double t121 = t27 - t84 * t112 - t85 * t117;
+    const double t122 = 2.0 * ((t40 - t45 * t85) * t114 + (t41 - t47 * t85) * t119 + (t44 - t51 * t85) * t121) -
+        t105 * t105 - t106 * t106 - t115 * t115;
+    const double t123 = (t91 - t92) * t114 + (t94 - t95) * t119 + (t99 - t100) * t121 - t105 * t113 - t106 * t118 -
         t115 * t120;
-    const double t124 = t103 * t110 + t106 * t117 + t115 * t121;
-    const double t125 = t109 * t110 + t116 * t117 + t120 * t121;
-    const double t126 = 2.0 * (t90 * t110 + t93 * t117 + t98 * t121) - t109 * t109 - t116 * t116 - t120 * t120;
-    const double t127 = 1.0 / (t122 * t126 - t123 * t123);
-    *xi = t85 - (t125 * t122 - t124 * t123) * t127;
-    *eta = (t124 * t126 - t125 * t123) * t127 - t84;
+    const double t124 = 2.0 * (t90 * t114 + t93 * t119 + t98 * t121) - t113 * t113 - t118 * t118 - t120 * t120;
+    const double t125 = t113 * t114 + t118 * t119 + t120 * t121;
+    const double t126 = t105 * t114 + t106 * t119 + t115 * t121;
+    const double t127 = 1.0 / (t122 * t124 - t123 * t123);
+    *xi = t85 - (t125 * t122 - t126 * t123) * t127;
+    *eta = (t126 * t124 - t125 * t123) * t127 - t84;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -885,14 +885,14 @@ FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[2
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad8_balanced_points[][31] = {
-    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.2484083954738963, 0.9476779615682881, 8.3173767899528293e-15, 2.8298724010170666e-14},
-    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.33369614908844181, 1.4556713931362311, 9.4479209093924388e-15, 4.1213147517262788e-14},
-    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.03562096969178747, -0.26118178326298302, 6.7124582479748922e-16, 1.2007786587082225e-15},
-    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.54580509798741106, 0.34957687205071525, 1.7816512248821732e-15, 1.8900835294675835e-15},
-    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.59883302849416375, -0.15517197874112509, 4.173894973150273e-15, 3.0035723346348051e-15},
-    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.8225817686040831, 1.429979733733812, 4.7014090523988104e-14, 2.4858939743060568e-14},
-    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1363493286547881, 0.67562246769966483, 4.1120370845291204e-15, 5.6604015864227658e-15},
-    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.15716795798175406, 0.83630708145347399, 1.0841426230735751e-14, 9.6898553607105855e-15},
+    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.2484083954738963, 0.9476779615682881, 8.3173767899529177e-15, 2.829872401017114e-14},
+    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.33369614908844181, 1.4556713931362311, 9.4479209093920712e-15, 4.1213147517259797e-14},
+    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.03562096969178747, -0.26118178326298302, 6.7124582479751338e-16, 1.2007786587082562e-15},
+    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.54580509798741106, 0.34957687205071525, 1.7816512248821858e-15, 1.8900835294676099e-15},
+    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.59883302849416375, -0.15517197874112509, 4.1738949731501207e-15, 3.0035723346348793e-15},
+    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.8225817686040831, 1.429979733733812, 4.70140905239883e-14, 2.485893974306302e-14},
+    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1363493286547881, 0.67562246769966483, 4.112037084529268e-15, 5.6604015864239657e-15},
+    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.15716795798175406, 0.83630708145347399, 1.0841426230735649e-14, 9.6898553607111929e-15},
 };
 #endif
 
@@ -929,135 +929,135 @@ FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3]
     const double t26 = t25 - 2.0 * (xG[0] + xE[0]);
     const double t27 = t26 - (t15 - 4.0 * xS[0]);
     const double t28 = 1.0 / (t19 * t20 - t18 * t18);
-    const double t29 = t7 - t6 - t1;
-    const double t30 = t10 - t9 - t3;
-    const double t31 = t1 * t22 + t3 * t24 + t11 * t27;
-    const double t32 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t29 = t1 * t22 + t3 * t24 + t11 * t27;
+    const double t30 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t31 = t7 - t6 - t1;
+    const double t32 = t10 - t9 - t3;
     const double t33 = t17 - t16 - t11;
-    const double t34 = t13 - t5;
-    const double t35 = t14 - t8;
-    const double t36 = (t20 * t31 - t18 * t32) * t28;
-    const double t37 = (t19 * t32 - t18 * t31) * t28;
-    const double t38 = xC[2] - xD[2];
-    const double t39 = xA[2] - xB[2];
-    const double t40 = xC[1] - xD[1];
-    const double t41 = xA[1] - xB[1];
-    const double t42 = t25 - t15;
-    const double t43 = xC[0] - xD[0];
-    const double t44 = xA[0] - xB[0];
-    const double t45 = t39 - t38 + t2;
-    const double t46 = t38 + t39;
-    const double t47 = t41 - t40 + t4;
-    const double t48 = t40 + t41;
-    const double t49 = t45 * t36;
-    const double t50 = t47 * t36;
-    const double t51 = t44 - t43 + t12;
-    const double t52 = t43 + t44;
-    const double t53 = t37 * (t21 + t29 * t36);
-    const double t54 = t37 * (t23 + t30 * t36);
-    const double t55 = t51 * t36;
+    const double t34 = (t20 * t29 - t18 * t30) * t28;
+    const double t35 = xC[2] - xD[2];
+    const double t36 = xA[2] - xB[2];
+    const double t37 = xC[1] - xD[1];
+    const double t38 = xA[1] - xB[1];
+    const double t39 = (t19 * t30 - t18 * t29) * t28;
+    const double t40 = t13 - t5;
+    const double t41 = t14 - t8;
+    const double t42 = xC[0] - xD[0];
+    const double t43 = xA[0] - xB[0];
+    const double t44 = t25 - t15;
+    const double t45 = t36 - t35 + t2;
+    const double t46 = t35 + t36;
+    const double t47 = t38 - t37 + t4;
+    const double t48 = t37 + t38;
+    const double t49 = t45 * t34;
+    const double t50 = t47 * t34;
+    const double t51 = t43 - t42 + t12;
+    const double t52 = t42 + t43;
+    const double t53 = t39 * (t21 + t31 * t34);
+    const double t54 = t39 * (t23 + t32 * t34);
+    const double t55 = t51 * t34;
     const double t56 = t46 + t49;
     const double t57 = t48 + t50;
-    const double t58 = t37 * (t26 + t33 * t36);
-    const double t59 = t34 * t36;
-    const double t60 = t2 - t36 * t56 + t53;
-    const double t61 = t53 + t60;
-    const double t62 = t35 * t36;
-    const double t63 = t4 - t36 * t57 + t54;
-    const double t64 = t54 + t63;
-    const double t65 = t52 + t55;
-    const double t66 = t42 * t36;
-    const double t67 = t12 - t36 * t65 + t58;
+    const double t58 = t39 * (t26 + t33 * t34);
+    const double t59 = t40 * t34;
+    const double t60 = t2 - t34 * t56 + t53;
+    const double t61 = t41 * t34;
+    const double t62 = t4 - t34 * t57 + t54;
+    const double t63 = t52 + t55;
+    const double t64 = t53 + t60;
+    const double t65 = t54 + t62;
+    const double t66 = t44 * t34;
+    const double t67 = t12 - t34 * t63 + t58;
     const double t68 = t58 + t67;
     const double t69 = t1 + t59;
-    const double t70 = t59 + t69 - t37 * (t49 - t29 * t37 + t56);
-    const double t71 = t3 + t62;
-    const double t72 = t62 + t71 - t37 * (t50 - t30 * t37 + t57);
+    const double t70 = t59 + t69 - t39 * (t49 - t31 * t39 + t56);
+    const double t71 = t3 + t61;
+    const double t72 = t61 + t71 - t39 * (t50 - t32 * t39 + t57);
     const double t73 = t11 + t66;
-    const double t74 = t66 + t73 - t37 * (t55 - t33 * t37 + t65);
-    const double t75 = t22 - t36 * t69 - t37 * t60;
-    const double t76 = t24 - t36 * t71 - t37 * t63;
-    const double t77 = t27 - t36 * t73 - t37 * t67;
-    const double t78 = t70 * t61 + t72 * t64 + t74 * t68;
+    const double t74 = t66 + t73 - t39 * (t55 - t33 * t39 + t63);
+    const double t75 = t22 - t34 * t69 - t39 * t60;
+    const double t76 = t24 - t34 * t71 - t39 * t62;
+    const double t77 = t27 - t34 * t73 - t39 * t67;
+    const double t78 = t70 * t64 + t72 * t65 + t74 * t68;
     const double t79 = t70 * t70 + t72 * t72 + t74 * t74;
-    const double t80 = t70 * t75 + t72 * t76 + t74 * t77;
-    const double t81 = t61 * t75 + t64 * t76 + t68 * t77;
-    const double t82 = t61 * t61 + t64 * t64 + t68 * t68;
-    const double t83 = 1.0 / (t79 * t82 - t78 * t78);
-    const double t84 = t36 + (t80 * t82 - t81 * t78) * t83;
-    const double t85 = t37 + (t79 * t81 - t80 * t78) * t83;
+    const double t80 = t64 * t64 + t65 * t65 + t68 * t68;
+    const double t81 = t70 * t75 + t72 * t76 + t74 * t77;
+    const double t82 = t64 * t75 + t65 * t76 + t68 * t77;
+    const double t83 = 1.0 / (t79 * t80 - t78 * t78);
+    const double t84 = t34 + (t81 * t80 - t82 * t78) * t83;
+    const double t85 = t39 + (t79 * t82 - t81 * t78) * t83;
     const double t86 = t45 * t84;
     const double t87 = t47 * t84;
-    const double t88 = t21 + t29 * t84;
-    const double t89 = t23 + t30 * t84;
+    const double t88 = t21 + t31 * t84;
+    const double t89 = t23 + t32 * t84;
     const double t90 = t51 * t84;
     const double t91 = t46 + t86;
     const double t92 = t48 + t87;
     const double t93 = t26 + t33 * t84;
-    const double t94 = t34 * t84;
-    const double t95 = t35 * t84;
+    const double t94 = t40 * t84;
+    const double t95 = t41 * t84;
     const double t96 = t52 + t90;
-    const double t97 = t29 * t85;
+    const double t97 = t31 * t85;
     const double t98 = t86 - t97 + t91;
-    const double t99 = t30 * t85;
+    const double t99 = t32 * t85;
     const double t100 = t87 - t99 + t92;
     const double t101 = t85 * t88;
     const double t102 = t2 - t84 * t91 + t101;
-    const double t103 = t101 + t102;
-    const double t104 = t85 * t89;
-    const double t105 = t4 - t84 * t92 + t104;
-    const double t106 = t42 * t84;
-    const double t107 = t33 * t85;
-    const double t108 = t90 - t107 + t96;
-    const double t109 = t104 + t105;
-    const double t110 = t1 + t94;
-    const double t111 = t94 + t110 - t85 * t98;
-    const double t112 = t22 - t84 * t110 - t85 * t102;
-    const double t113 = t3 + t95;
-    const double t114 = t95 + t113 - t85 * t100;
-    const double t115 = t24 - t84 * t113 - t85 * t105;
-    const double t116 = t85 * t93;
-    const double t117 = t12 - t84 * t96 + t116;
-    const double t118 = t116 + t117;
-    const double t119 = t11 + t106;
-    const double t120 = t106 + t119 - t85 * t108;
-    const double t121 = t27 - t84 * t119 - t85 * t117;
-    const double t122 = 2.0 * ((t34 - t45 * t85) * t112 + (t35 - t47 * t85) * t115 + (t42 - t51 * t85) * t121) -
-        t111 * t111 - t114 * t114 - t120 * t120;
-    const double t123 = (t97 - t98) * t112 + (t99 - t100) * t115 + (t107 - t108) * t121 - t111 * t103 - t114 * t109
-        - t120 * t118;
-    const double t124 = t103 * t112 + t109 * t115 + t118 * t121;
-    const double t125 = 2.0 * (t88 * t112 + t89 * t115 + t93 * t121) - t103 * t103 - t109 * t109 - t118 * t118;
-    const double t126 = t111 * t112 + t114 * t115 + t120 * t121;
-    const double t127 = 1.0 / (t122 * t125 - t123 * t123);
-    const double t128 = (t126 * t125 - t124 * t123) * t127 - t84;
-    const double t129 = t85 - (t124 * t122 - t126 * t123) * t127;
+    const double t103 = t85 * t89;
+    const double t104 = t4 - t84 * t92 + t103;
+    const double t105 = t44 * t84;
+    const double t106 = t33 * t85;
+    const double t107 = t90 - t106 + t96;
+    const double t108 = t101 + t102;
+    const double t109 = t1 + t94;
+    const double t110 = t94 + t109 - t85 * t98;
+    const double t111 = t22 - t84 * t109 - t85 * t102;
+    const double t112 = t3 + t95;
+    const double t113 = t95 + t112 - t85 * t100;
+    const double t114 = t85 * t93;
+    const double t115 = t12 - t84 * t96 + t114;
+    const double t116 = t103 + t104;
+    const double t117 = t24 - t84 * t112 - t85 * t104;
+    const double t118 = t11 + t105;
+    const double t119 = t105 + t118 - t85 * t107;
+    const double t120 = t114 + t115;
+    const double t121 = t27 - t84 * t118 - t85 * t115;
+    const double t122 = 2.0 * ((t40 - t45 * t85) * t111 + (t41 - t47 * t85) * t117 + (t44 - t51 * t85) * t121) -
+        t110 * t110 - t113 * t113 - t119 * t119;
+    const double t123 = (t97 - t98) * t111 + (t99 - t100) * t117 + (t106 - t107) * t121 - t110 * t108 - t113 * t116
+        - t119 * t120;
+    const double t124 = 2.0 * (t88 * t111 + t89 * t117 + t93 * t121) - t108 * t108 - t116 * t116 - t120 * t120;
+    const double t125 = t108 * t111 + t116 * t117 + t120 * t121;
+    const double t126 = t110 * t111 + t113 * t117 + t119 * t121;
+    const double t127 = 1.0 / (t122 * t124 - t123 * t123);
+    const double t128 = (t126 * t124 - t125 * t123) * t127 - t84;
+    const double t129 = t85 - (t125 * t122 - t126 * t123) * t127;
     const double t130 = t45 * t128;
     const double t131 = t47 * t128;
     const double t132 = t51 * t128;
     const double t133 = t46 - t130;
     const double t134 = t48 - t131;
-    const double t135 = t34 * t128;
-    const double t136 = t35 * t128;
+    const double t135 = t40 * t128;
+    const double t136 = t41 * t128;
     const double t137 = t52 - t132;
-    const double t138 = t42 * t128;
+    const double t138 = t44 * t128;
     const double t139 = t1 - t135;
     const double t140 = t3 - t136;
-    const double t141 = t11 - t138;
-    const double t142 = t129 * (t21 - t29 * t128);
-    const double t143 = t2 + t128 * t133 + t142;
-    const double t144 = t129 * (t23 - t30 * t128);
-    const double t145 = t4 + t128 * t134 + t144;
+    const double t141 = t129 * (t21 - t31 * t128);
+    const double t142 = t2 + t128 * t133 + t141;
+    const double t143 = t129 * (t23 - t32 * t128);
+    const double t144 = t4 + t128 * t134 + t143;
+    const double t145 = t11 - t138;
     const double t146 = t129 * (t26 - t33 * t128);
     const double t147 = t12 + t128 * t137 + t146;
-    const double t148 = t22 + t128 * t139 - t129 * t143;
-    const double t149 = t24 + t128 * t140 - t129 * t145;
-    const double t150 = t27 + t128 * t141 - t129 * t147;
-    const double t151 = (t142 + t143) * t148 + (t144 + t145) * t149 + (t146 + t147) * t150;
-    const double t152 = (t139 - t135 - t129 * (t133 - t29 * t129 - t130)) * t148 + (t140 - t136 - t129 * (t134 - t30
-        * t129 - t131)) * t149 + (t141 - t138 - t129 * (t137 - t33 * t129 - t132)) * t150;
+    const double t148 = t22 + t128 * t139 - t129 * t142;
+    const double t149 = t24 + t128 * t140 - t129 * t144;
+    const double t150 = t27 + t128 * t145 - t129 * t147;
+    const double t151 = (t141 + t142) * t148 + (t143 + t144) * t149 + (t146 + t147) * t150;
+    const double t152 = (t139 - t135 - t129 * (t133 - t31 * t129 - t130)) * t148 + (t140 - t136 - t129 * (t134 - t32
+        * t129 - t131)) * t149 + (t145 - t138 - t129 * (t137 - t33 * t129 - t132)) * t150;
     *xi = t129 - t127 * (t122 * t151 - t123 * t152);
-    *eta = t128 + t127 * (t125 * t152 - t123 * t151);
+    *eta = t128 + t127 * (t124 * t152 - t123 * t151);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1100,14 +1100,14 @@ FOOTPOINT_LOOP void footpoint_quad8_fine_n(size_t n, const double *const x[27],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad8_fine_points[][31] = {
-    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0698953928216333, 0.27586687725200104, 1.8495640562138671e-14, 1.1750394745553633e-13},
-    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.33255785018126183, 1.202708234369781, 1.4364120482809845e-14, 1.4069632311034645e-14},
-    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035737879193447904, -0.26095834007593405, 6.5324108010605924e-16, 1.1565888951363025e-15},
-    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.52954537568710724, 0.37039082747269531, 1.4648502775113528e-15, 1.1927703867725383e-15},
-    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.58651627307253629, -0.15380525830549613, 3.0120046319942975e-15, 1.3621886130606539e-15},
-    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.5242622393200387, 1.282334509846065, 4.2710871004273685e-14, 2.1629868059748808e-14},
-    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1346824868495227, 0.67859934622178242, 3.3156450147873372e-15, 4.0219120708171656e-15},
-    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.11603104756390811, 0.80683180534810217, 1.0416953150529749e-14, 7.0695791251077112e-15},
+    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0698953928216333, 0.27586687725200104, 1.8495640562138611e-14, 1.1750394745553542e-13},
+    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.33255785018126183, 1.202708234369781, 1.4364120482809513e-14, 1.4069632311036158e-14},
+    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035737879193447904, -0.26095834007593405, 6.5324108010605914e-16, 1.1565888951363025e-15},
+    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.52954537568710724, 0.37039082747269531, 1.4648502775113565e-15, 1.1927703867725391e-15},
+    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.58651627307253629, -0.15380525830549613, 3.0120046319943283e-15, 1.3621886130606559e-15},
+    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.5242622393200387, 1.282334509846065, 4.2710871004273344e-14, 2.1629868059748776e-14},
+    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1346824868495227, 0.67859934622178242, 3.3156450147871952e-15, 4.0219120708170827e-15},
+    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.11603104756390811, 0.80683180534810217, 1.0416953150529734e-14, 7.0695791251077341e-15},
 };
 #endif
 
@@ -1144,155 +1144,155 @@ FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double x
     const double t26 = t25 - 2.0 * (xG[0] + xE[0]);
     const double t27 = t26 - (t15 - 4.0 * xS[0]);
     const double t28 = 1.0 / (t19 * t20 - t18 * t18);
-    const double t29 = t7 - t6 - t1;
-    const double t30 = t10 - t9 - t3;
-    const double t31 = t1 * t22 + t3 * t24 + t11 * t27;
-    const double t32 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t29 = t1 * t22 + t3 * t24 + t11 * t27;
+    const double t30 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t31 = t7 - t6 - t1;
+    const double t32 = t10 - t9 - t3;
     const double t33 = t17 - t16 - t11;
-    const double t34 = t13 - t5;
-    const double t35 = t14 - t8;
-    const double t36 = (t20 * t31 - t18 * t32) * t28;
-    const double t37 = (t19 * t32 - t18 * t31) * t28;
-    const double t38 = xC[2] - xD[2];
-    const double t39 = xA[2] - xB[2];
-    const double t40 = xC[1] - xD[1];
-    const double t41 = xA[1] - xB[1];
-    const double t42 = t25 - t15;
-    const double t43 = xC[0] - xD[0];
-    const double t44 = xA[0] - xB[0];
-    const double t45 = t39 - t38 + t2;
-    const double t46 = t38 + t39;
-    const double t47 = t41 - t40 + t4;
-    const double t48 = t40 + t41;
-    const double t49 = t45 * t36;
-    const double t50 = t47 * t36;
-    const double t51 = t44 - t43 + t12;
-    const double t52 = t43 + t44;
-    const double t53 = t37 * (t21 + t29 * t36);
-    const double t54 = t37 * (t23 + t30 * t36);
-    const double t55 = t51 * t36;
+    const double t34 = (t20 * t29 - t18 * t30) * t28;
+    const double t35 = xC[2] - xD[2];
+    const double t36 = xA[2] - xB[2];
+    const double t37 = xC[1] - xD[1];
+    const double t38 = xA[1] - xB[1];
+    const double t39 = (t19 * t30 - t18 * t29) * t28;
+    const double t40 = t13 - t5;
+    const double t41 = t14 - t8;
+    const double t42 = xC[0] - xD[0];
+    const double t43 = xA[0] - xB[0];
+    const double t44 = t25 - t15;
+    const double t45 = t36 - t35 + t2;
+    const double t46 = t35 + t36;
+    const double t47 = t38 - t37 + t4;
+    const double t48 = t37 + t38;
+    const double t49 = t45 * t34;
+    const double t50 = t47 * t34;
+    const double t51 = t43 - t42 + t12;
+    const double t52 = t42 + t43;
+    const double t53 = t39 * (t21 + t31 * t34);
+    const double t54 = t39 * (t23 + t32 * t34);
+    const double t55 = t51 * t34;
     const double t56 = t46 + t49;
     const double t57 = t48 + t50;
-    const double t58 = t37 * (t26 + t33 * t36);
-    const double t59 = t34 * t36;
-    const double t60 = t2 - t36 * t56 + t53;
-    const double t61 = t53 + t60;
-    const double t62 = t35 * t36;
-    const double t63 = t4 - t36 * t57 + t54;
-    const double t64 = t54 + t63;
-    const double t65 = t52 + t55;
-    const double t66 = t42 * t36;
-    const double t67 = t12 - t36 * t65 + t58;
+    const double t58 = t39 * (t26 + t33 * t34);
+    const double t59 = t40 * t34;
+    const double t60 = t2 - t34 * t56 + t53;
+    const double t61 = t41 * t34;
+    const double t62 = t4 - t34 * t57 + t54;
+    const double t63 = t52 + t55;
+    const double t64 = t53 + t60;
+    const double t65 = t54 + t62;
+    const double t66 = t44 * t34;
+    const double t67 = t12 - t34 * t63 + t58;
     const double t68 = t58 + t67;
     const double t69 = t1 + t59;
-    const double t70 = t59 + t69 - t37 * (t49 - t29 * t37 + t56);
-    const double t71 = t3 + t62;
-    const double t72 = t62 + t71 - t37 * (t50 - t30 * t37 + t57);
+    const double t70 = t59 + t69 - t39 * (t49 - t31 * t39 + t56);
+    const double t71 = t3 + t61;
+    const double t72 = t61 + t71 - t39 * (t50 - t32 * t39 + t57);
     const double t73 = t11 + t66;
-    const double t74 = t66 + t73 - t37 * (t55 - t33 * t37 + t65);
-    const double t75 = t22 - t36 * t69 - t37 * t60;
-    const double t76 = t24 - t36 * t71 - t37 * t63;
-    const double t77 = t27 - t36 * t73 - t37 * t67;
-    const double t78 = t70 * t61 + t72 * t64 + t74 * t68;
+    const double t74 = t66 + t73 - t39 * (t55 - t33 * t39 + t63);
+    const double t75 = t22 - t34 * t69 - t39 * t60;
+    const double t76 = t24 - t34 * t71 - t39 * t62;
+    const double t77 = t27 - t34 * t73 - t39 * t67;
+    const double t78 = t70 * t64 + t72 * t65 + t74 * t68;
     const double t79 = t70 * t70 + t72 * t72 + t74 * t74;
-    const double t80 = t70 * t75 + t72 * t76 + t74 * t77;
-    const double t81 = t61 * t75 + t64 * t76 + t68 * t77;
-    const double t82 = t61 * t61 + t64 * t64 + t68 * t68;
-    const double t83 = 1.0 / (t79 * t82 - t78 * t78);
-    const double t84 = t36 + (t80 * t82 - t81 * t78) * t83;
-    const double t85 = t37 + (t79 * t81 - t80 * t78) * t83;
+    const double t80 = t64 * t64 + t65 * t65 + t68 * t68;
+    const double t81 = t70 * t75 + t72 * t76 + t74 * t77;
+    const double t82 = t64 * t75 + t65 * t76 + t68 * t77;
+    const double t83 = 1.0 / (t79 * t80 - t78 * t78);
+    const double t84 = t34 + (t81 * t80 - t82 * t78) * t83;
+    const double t85 = t39 + (t79 * t82 - t81 * t78) * t83;
     const double t86 = t45 * t84;
     const double t87 = t47 * t84;
-    const double t88 = t21 + t29 * t84;
-    const double t89 = t23 + t30 * t84;
+    const double t88 = t21 + t31 * t84;
+    const double t89 = t23 + t32 * t84;
     const double t90 = t51 * t84;
     const double t91 = t46 + t86;
     const double t92 = t48 + t87;
     const double t93 = t26 + t33 * t84;
-    const double t94 = t34 * t84;
-    const double t95 = t35 * t84;
+    const double t94 = t40 * t84;
+    const double t95 = t41 * t84;
     const double t96 = t52 + t90;
-    const double t97 = t29 * t85;
+    const double t97 = t31 * t85;
     const double t98 = t86 - t97 + t91;
-    const double t99 = t30 * t85;
+    const double t99 = t32 * t85;
     const double t100 = t87 - t99 + t92;
     const double t101 = t85 * t88;
     const double t102 = t2 - t84 * t91 + t101;
-    const double t103 = t101 + t102;
-    const double t104 = t85 * t89;
-    const double t105 = t4 - t84 * t92 + t104;
-    const double t106 = t42 * t84;
-    const double t107 = t33 * t85;
-    const double t108 = t90 - t107 + t96;
-    const double t109 = t104 + t105;
-    const double t110 = t1 + t94;
-    const double t111 = t94 + t110 - t85 * t98;
-    const double t112 = t22 - t84 * t110 - t85 * t102;
-    const double t113 = t3 + t95;
-    const double t114 = t95 + t113 - t85 * t100;
-    const double t115 = t24 - t84 * t113 - t85 * t105;
-    const double t116 = t85 * t93;
-    const double t117 = t12 - t84 * t96 + t116;
-    const double t118 = t116 + t117;
-    const double t119 = t11 + t106;
-    const double t120 = t106 + t119 - t85 * t108;
-    const double t121 = t27 - t84 * t119 - t85 * t117;
-    const double t122 = 2.0 * ((t34 - t45 * t85) * t112 + (t35 - t47 * t85) * t115 + (t42 - t51 * t85) * t121) -
-        t111 * t111 - t114 * t114 - t120 * t120;
-    const double t123 = (t97 - t98) * t112 + (t99 - t100) * t115 + (t107 - t108) * t121 - t111 * t103 - t114 * t109
-        - t120 * t118;
-    const double t124 = t103 * t112 + t109 * t115 + t118 * t121;
-    const double t125 = 2.0 * (t88 * t112 + t89 * t115 + t93 * t121) - t103 * t103 - t109 * t109 - t118 * t118;
-    const double t126 = t111 * t112 + t114 * t115 + t120 * t121;
-    const double t127 = 1.0 / (t122 * t125 - t123 * t123);
-    const double t128 = (t126 * t125 - t124 * t123) * t127 - t84;
-    const double t129 = t85 - (t124 * t122 - t126 * t123) * t127;
+    const double t103 = t85 * t89;
+    const double t104 = t4 - t84 * t92 + t103;
+    const double t105 = t44 * t84;
+    const double t106 = t33 * t85;
+    const double t107 = t90 - t106 + t96;
+    const double t108 = t101 + t102;
+    const double t109 = t1 + t94;
+    const double t110 = t94 + t109 - t85 * t98;
+    const double t111 = t22 - t84 * t109 - t85 * t102;
+    const double t112 = t3 + t95;
+    const double t113 = t95 + t112 - t85 * t100;
+    const double t114 = t85 * t93;
+    const double t115 = t12 - t84 * t96 + t114;
+    const double t116 = t103 + t104;
+    const double t117 = t24 - t84 * t112 - t85 * t104;
+    const double t118 = t11 + t105;
+    const double t119 = t105 + t118 - t85 * t107;
+    const double t120 = t114 + t115;
+    const double t121 = t27 - t84 * t118 - t85 * t115;
+    const double t122 = 2.0 * ((t40 - t45 * t85) * t111 + (t41 - t47 * t85) * t117 + (t44 - t51 * t85) * t121) -
+        t110 * t110 - t113 * t113 - t119 * t119;
+    const double t123 = (t97 - t98) * t111 + (t99 - t100) * t117 + (t106 - t107) * t121 - t110 * t108 - t113 * t116
+        - t119 * t120;
+    const double t124 = 2.0 * (t88 * t111 + t89 * t117 + t93 * t121) - t108 * t108 - t116 * t116 - t120 * t120;
+    const double t125 = t108 * t111 + t116 * t117 + t120 * t121;
+    const double t126 = t110 * t111 + t113 * t117 + t119 * t121;
+    const double t127 = 1.0 / (t122 * t124 - t123 * t123);
+    const double t128 = (t126 * t124 - t125 * t123) * t127 - t84;
+    const double t129 = t85 - (t125 * t122 - t126 * t123) * t127;
     const double t130 = t45 * t128;
     const double t131 = t46 - t130;
     const double t132 = t47 * t128;
     const double t133 = t48 - t132;
-    const double t134 = t21 - t29 * t128;
-    const double t135 = t29 * t129;
+    const double t134 = t21 - t31 * t128;
+    const double t135 = t31 * t129;
     const double t136 = t131 - t135 - t130;
-    const double t137 = t23 - t30 * t128;
-    const double t138 = t30 * t129;
+    const double t137 = t23 - t32 * t128;
+    const double t138 = t32 * t129;
     const double t139 = t133 - t138 - t132;
     const double t140 = t51 * t128;
     const double t141 = t52 - t140;
     const double t142 = t26 - t33 * t128;
     const double t143 = t33 * t129;
     const double t144 = t141 - t143 - t140;
-    const double t145 = t34 * t128;
+    const double t145 = t40 * t128;
     const double t146 = t1 - t145;
-    const double t147 = t146 - t145 - t129 * t136;
-    const double t148 = t35 * t128;
-    const double t149 = t3 - t148;
-    const double t150 = t149 - t148 - t129 * t139;
+    const double t147 = t41 * t128;
+    const double t148 = t3 - t147;
+    const double t149 = t146 - t145 - t129 * t136;
+    const double t150 = t148 - t147 - t129 * t139;
     const double t151 = t129 * t134;
     const double t152 = t2 + t128 * t131 + t151;
-    const double t153 = t151 + t152;
-    const double t154 = t22 + t128 * t146 - t129 * t152;
-    const double t155 = t129 * t137;
-    const double t156 = t4 + t128 * t133 + t155;
-    const double t157 = t42 * t128;
-    const double t158 = t11 - t157;
-    const double t159 = t158 - t157 - t129 * t144;
-    const double t160 = t155 + t156;
-    const double t161 = t24 + t128 * t149 - t129 * t156;
-    const double t162 = t129 * t142;
-    const double t163 = t12 + t128 * t141 + t162;
-    const double t164 = t162 + t163;
-    const double t165 = t27 + t128 * t158 - t129 * t163;
-    const double t166 = 2.0 * ((t34 - t45 * t129) * t154 + (t35 - t47 * t129) * t161 + (t42 - t51 * t129) * t165) -
-        t147 * t147 - t150 * t150 - t159 * t159;
-    const double t167 = (t135 - t136) * t154 + (t138 - t139) * t161 + (t143 - t144) * t165 - t147 * t153 - t150 *
-        t160 - t159 * t164;
-    const double t168 = t147 * t154 + t150 * t161 + t159 * t165;
-    const double t169 = t153 * t154 + t160 * t161 + t164 * t165;
-    const double t170 = 2.0 * (t134 * t154 + t137 * t161 + t142 * t165) - t153 * t153 - t160 * t160 - t164 * t164;
-    const double t171 = 1.0 / (t166 * t170 - t167 * t167);
-    *xi = t129 - (t169 * t166 - t168 * t167) * t171;
-    *eta = t128 + (t168 * t170 - t169 * t167) * t171;
+    const double t153 = t129 * t137;
+    const double t154 = t4 + t128 * t133 + t153;
+    const double t155 = t44 * t128;
+    const double t156 = t11 - t155;
+    const double t157 = t151 + t152;
+    const double t158 = t22 + t128 * t146 - t129 * t152;
+    const double t159 = t156 - t155 - t129 * t144;
+    const double t160 = t129 * t142;
+    const double t161 = t12 + t128 * t141 + t160;
+    const double t162 = t153 + t154;
+    const double t163 = t24 + t128 * t148 - t129 * t154;
+    const double t164 = t160 + t161;
+    const double t165 = t27 + t128 * t156 - t129 * t161;
+    const double t166 = 2.0 * ((t40 - t45 * t129) * t158 + (t41 - t47 * t129) * t163 + (t44 - t51 * t129) * t165) -
+        t149 * t149 - t150 * t150 - t159 * t159;
+    const double t167 = (t135 - t136) * t158 + (t138 - t139) * t163 + (t143 - t144) * t165 - t149 * t157 - t150 *
+        t162 - t159 * t164;
+    const double t168 = 2.0 * (t134 * t158 + t137 * t163 + t142 * t165) - t157 * t157 - t162 * t162 - t164 * t164;
+    const double t169 = t157 * t158 + t162 * t163 + t164 * t165;
+    const double t170 = t149 * t158 + t150 * t163 + t159 * t165;
+    const double t171 = 1.0 / (t166 * t168 - t167 * t167);
+    *xi = t129 - (t169 * t166 - t170 * t167) * t171;
+    *eta = t128 + (t170 * t168 - t169 * t167) * t171;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -1335,14 +1335,14 @@ FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[2
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad8_accurate_points[][31] = {
-    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0804040665581414, 0.72568613614371258, 4.5691345867651789e-15, 8.0627173521187927e-15},
-    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.21820721982033647, 1.147644595088849, 4.9305560696140791e-15, 1.4975225377258763e-14},
-    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035735131073301951, -0.26096618243259229, 6.4944374841637837e-16, 1.1465484078303388e-15},
-    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.5183897020728484, 0.37690782739192069, 1.3812636034800069e-15, 1.1407692818966521e-15},
-    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.5918477977371156, -0.14924214903711677, 1.0197766286595482e-15, 8.5660462393392609e-16},
-    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.1167776284882263, 1.1006790736779515, 3.6389783205104812e-14, 1.6961429953881389e-14},
-    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1339113137075167, 0.67824407542431597, 2.6636067070017378e-15, 3.2346717374133305e-15},
-    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.053773204822058225, 0.77598242999802947, 9.5393521764248819e-15, 5.2840721241059527e-15},
+    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0804040665581414, 0.72568613614371258, 4.5691345867708169e-15, 8.0627173521272856e-15},
+    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.21820721982033647, 1.147644595088849, 4.930556069691718e-15, 1.4975225377354603e-14},
+    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035735131073301951, -0.26096618243259229, 6.4944374841641604e-16, 1.1465484078305076e-15},
+    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.5183897020728484, 0.37690782739192069, 1.3812636034802575e-15, 1.1407692818968002e-15},
+    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.5918477977371156, -0.14924214903711677, 1.0197766286607323e-15, 8.566046239347186e-16},
+    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -2.1167776284882263, 1.1006790736779515, 3.6389783205095585e-14, 1.6961429953899855e-14},
+    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1339113137075167, 0.67824407542431597, 2.6636067070537959e-15, 3.2346717374924303e-15},
+    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, 0.053773204822058225, 0.77598242999802947, 9.5393521764249292e-15, 5.2840721241089448e-15},
 };
 #endif
 
@@ -1379,120 +1379,120 @@ FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3
     const double t26 = t25 - 2.0 * (xG[0] + xE[0]);
     const double t27 = (t15 - 4.0 * xS[0]) - t26;
     const double t28 = 1.0 / (t19 * t20 - t18 * t18);
-    const double t29 = t7 - t6 - t1;
-    const double t30 = t10 - t9 - t3;
-    const double t31 = t1 * t22 + t3 * t24 + t11 * t27;
-    const double t32 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t29 = t1 * t22 + t3 * t24 + t11 * t27;
+    const double t30 = t2 * t22 + t4 * t24 + t12 * t27;
+    const double t31 = t7 - t6 - t1;
+    const double t32 = t10 - t9 - t3;
     const double t33 = t17 - t16 - t11;
-    const double t34 = t13 - t5;
-    const double t35 = t14 - t8;
-    const double t36 = (t18 * t32 - t20 * t31) * t28;
-    const double t37 = (t18 * t31 - t19 * t32) * t28;
-    const double t38 = xC[2] - xD[2];
-    const double t39 = xA[2] - xB[2];
-    const double t40 = xC[1] - xD[1];
-    const double t41 = xA[1] - xB[1];
-    const double t42 = t25 - t15;
-    const double t43 = xC[0] - xD[0];
-    const double t44 = xA[0] - xB[0];
-    const double t45 = t39 - t38 + t2;
-    const double t46 = t38 + t39;
-    const double t47 = t41 - t40 + t4;
-    const double t48 = t40 + t41;
-    const double t49 = t45 * t36;
-    const double t50 = t47 * t36;
-    const double t51 = t44 - t43 + t12;
-    const double t52 = t43 + t44;
-    const double t53 = t37 * (t29 * t36 - t21);
-    const double t54 = t37 * (t30 * t36 - t23);
-    const double t55 = t51 * t36;
+    const double t34 = (t18 * t30 - t20 * t29) * t28;
+    const double t35 = xC[2] - xD[2];
+    const double t36 = xA[2] - xB[2];
+    const double t37 = xC[1] - xD[1];
+    const double t38 = xA[1] - xB[1];
+    const double t39 = (t18 * t29 - t19 * t30) * t28;
+    const double t40 = t13 - t5;
+    const double t41 = t14 - t8;
+    const double t42 = xC[0] - xD[0];
+    const double t43 = xA[0] - xB[0];
+    const double t44 = t25 - t15;
+    const double t45 = t36 - t35 + t2;
+    const double t46 = t35 + t36;
+    const double t47 = t38 - t37 + t4;
+    const double t48 = t37 + t38;
+    const double t49 = t45 * t34;
+    const double t50 = t47 * t34;
+    const double t51 = t43 - t42 + t12;
+    const double t52 = t42 + t43;
+    const double t53 = t39 * (t31 * t34 - t21);
+    const double t54 = t39 * (t32 * t34 - t23);
+    const double t55 = t51 * t34;
     const double t56 = t46 + t49;
     const double t57 = t48 + t50;
-    const double t58 = t37 * (t26 + t33 * t36);
-    const double t59 = t34 * t36;
-    const double t60 = t2 - t36 * t56 + t53;
-    const double t61 = t53 + t60;
-    const double t62 = t35 * t36;
-    const double t63 = t4 - t36 * t57 + t54;
-    const double t64 = t54 + t63;
-    const double t65 = t52 + t55;
-    const double t66 = t42 * t36;
-    const double t67 = t12 - t36 * t65 + t58;
+    const double t58 = t39 * (t26 + t33 * t34);
+    const double t59 = t40 * t34;
+    const double t60 = t2 - t34 * t56 + t53;
+    const double t61 = t41 * t34;
+    const double t62 = t4 - t34 * t57 + t54;
+    const double t63 = t52 + t55;
+    const double t64 = t53 + t60;
+    const double t65 = t54 + t62;
+    const double t66 = t44 * t34;
+    const double t67 = t12 - t34 * t63 + t58;
     const double t68 = t58 + t67;
     const double t69 = t1 + t59;
-    const double t70 = t59 + t69 - t37 * (t49 - t29 * t37 + t56);
-    const double t71 = t3 + t62;
-    const double t72 = t62 + t71 - t37 * (t50 - t30 * t37 + t57);
+    const double t70 = t59 + t69 - t39 * (t49 - t31 * t39 + t56);
+    const double t71 = t3 + t61;
+    const double t72 = t61 + t71 - t39 * (t50 - t32 * t39 + t57);
     const double t73 = t11 + t66;
-    const double t74 = t66 + t73 - t37 * (t55 - t33 * t37 + t65);
-    const double t75 = t22 + t36 * t69 + t37 * t60;
-    const double t76 = t24 + t36 * t71 + t37 * t63;
-    const double t77 = t27 + t36 * t73 + t37 * t67;
-    const double t78 = t70 * t61 + t72 * t64 + t74 * t68;
+    const double t74 = t66 + t73 - t39 * (t55 - t33 * t39 + t63);
+    const double t75 = t22 + t34 * t69 + t39 * t60;
+    const double t76 = t24 + t34 * t71 + t39 * t62;
+    const double t77 = t27 + t34 * t73 + t39 * t67;
+    const double t78 = t70 * t64 + t72 * t65 + t74 * t68;
     const double t79 = t70 * t70 + t72 * t72 + t74 * t74;
-    const double t80 = t70 * t75 + t72 * t76 + t74 * t77;
-    const double t81 = t61 * t75 + t64 * t76 + t68 * t77;
-    const double t82 = t61 * t61 + t64 * t64 + t68 * t68;
-    const double t83 = 1.0 / (t79 * t82 - t78 * t78);
-    const double t84 = t36 + (t81 * t78 - t80 * t82) * t83;
-    const double t85 = t37 + (t80 * t78 - t79 * t81) * t83;
+    const double t80 = t64 * t64 + t65 * t65 + t68 * t68;
+    const double t81 = t70 * t75 + t72 * t76 + t74 * t77;
+    const double t82 = t64 * t75 + t65 * t76 + t68 * t77;
+    const double t83 = 1.0 / (t79 * t80 - t78 * t78);
+    const double t84 = t34 + (t82 * t78 - t81 * t80) * t83;
+    const double t85 = t39 + (t81 * t78 - t79 * t82) * t83;
     const double t86 = t45 * t84;
     const double t87 = t47 * t84;
     const double t88 = t51 * t84;
-    const double t89 = t29 * t84 - t21;
-    const double t90 = t30 * t84 - t23;
+    const double t89 = t31 * t84 - t21;
+    const double t90 = t32 * t84 - t23;
     const double t91 = t46 + t86;
     const double t92 = t48 + t87;
     const double t93 = t26 + t33 * t84;
-    const double t94 = t34 * t84;
-    const double t95 = t29 * t85;
+    const double t94 = t40 * t84;
+    const double t95 = t31 * t85;
     const double t96 = t86 - t95 + t91;
-    const double t97 = t95 - t96;
-    const double t98 = t35 * t84;
-    const double t99 = t30 * t85;
-    const double t100 = t87 - t99 + t92;
-    const double t101 = t99 - t100;
-    const double t102 = t52 + t88;
-    const double t103 = t42 * t84;
+    const double t97 = t41 * t84;
+    const double t98 = t32 * t85;
+    const double t99 = t87 - t98 + t92;
+    const double t100 = t52 + t88;
+    const double t101 = t95 - t96;
+    const double t102 = t98 - t99;
+    const double t103 = t44 * t84;
     const double t104 = t33 * t85;
-    const double t105 = t88 - t104 + t102;
-    const double t106 = t104 - t105;
-    const double t107 = t85 * t89;
-    const double t108 = t2 - t84 * t91 + t107;
-    const double t109 = t107 + t108;
-    const double t110 = t85 * t90;
-    const double t111 = t4 - t84 * t92 + t110;
-    const double t112 = t110 + t111;
-    const double t113 = t1 + t94;
-    const double t114 = t94 + t113 - t85 * t96;
-    const double t115 = t22 + t84 * t113 + t85 * t108;
-    const double t116 = t3 + t98;
-    const double t117 = t98 + t116 - t85 * t100;
-    const double t118 = t24 + t84 * t116 + t85 * t111;
-    const double t119 = t85 * t93;
-    const double t120 = t12 - t84 * t102 + t119;
-    const double t121 = t119 + t120;
-    const double t122 = t11 + t103;
-    const double t123 = t103 + t122 - t85 * t105;
-    const double t124 = t27 + t84 * t122 + t85 * t120;
-    const double t125 = t34 - t45 * t85;
-    const double t126 = t35 - t47 * t85;
-    const double t127 = t42 - t51 * t85;
-    const double t128 = t97 * t115 + t101 * t118 + t106 * t124 + t114 * t109 + t117 * t112 + t123 * t121;
-    const double t129 = 2.0 * (t89 * t115 + t90 * t118 + t93 * t124) + t109 * t109 + t112 * t112 + t121 * t121;
-    const double t130 = t114 * t114 + t117 * t117 + t123 * t123 + 2.0 * (t125 * t115 + t126 * t118 + t127 * t124);
+    const double t105 = t88 - t104 + t100;
+    const double t106 = t85 * t89;
+    const double t107 = t2 - t84 * t91 + t106;
+    const double t108 = t85 * t90;
+    const double t109 = t4 - t84 * t92 + t108;
+    const double t110 = t104 - t105;
+    const double t111 = t106 + t107;
+    const double t112 = t1 + t94;
+    const double t113 = t94 + t112 - t85 * t96;
+    const double t114 = t22 + t84 * t112 + t85 * t107;
+    const double t115 = t3 + t97;
+    const double t116 = t97 + t115 - t85 * t99;
+    const double t117 = t85 * t93;
+    const double t118 = t12 - t84 * t100 + t117;
+    const double t119 = t108 + t109;
+    const double t120 = t24 + t84 * t115 + t85 * t109;
+    const double t121 = t11 + t103;
+    const double t122 = t103 + t121 - t85 * t105;
+    const double t123 = t117 + t118;
+    const double t124 = t27 + t84 * t121 + t85 * t118;
+    const double t125 = t40 - t45 * t85;
+    const double t126 = t41 - t47 * t85;
+    const double t127 = t44 - t51 * t85;
+    const double t128 = t101 * t114 + t102 * t120 + t110 * t124 + t113 * t111 + t116 * t119 + t122 * t123;
+    const double t129 = 2.0 * (t89 * t114 + t90 * t120 + t93 * t124) + t111 * t111 + t119 * t119 + t123 * t123;
+    const double t130 = t113 * t113 + t116 * t116 + t122 * t122 + 2.0 * (t125 * t114 + t126 * t120 + t127 * t124);
     const double t131 = 2.0 / (t130 * t129 - t128 * t128);
-    const double t132 = t109 * t115 + t112 * t118 + t121 * t124;
-    const double t133 = t114 * t115 + t117 * t118 + t123 * t124;
-    const double t134 = t89 * t114 + t90 * t117 + t93 * t123 + t29 * t115 + t30 * t118 + t33 * t124 + t97 * t109 +
-        t101 * t112 + t106 * t121;
-    const double t135 = t97 * t114 + t101 * t117 + t106 * t123 - t45 * t115 - t47 * t118 - t51 * t124 + t125 * t109
-        + t126 * t112 + t127 * t121;
+    const double t132 = t111 * t114 + t119 * t120 + t123 * t124;
+    const double t133 = t113 * t114 + t116 * t120 + t122 * t124;
+    const double t134 = t89 * t113 + t90 * t116 + t93 * t122 + t31 * t114 + t32 * t120 + t33 * t124 + t101 * t111 +
+        t102 * t119 + t110 * t123;
+    const double t135 = t101 * t113 + t102 * t116 + t110 * t122 - t45 * t114 - t47 * t120 - t51 * t124 + t125 * t111
+        + t126 * t119 + t127 * t123;
     const double t136 = (t133 * t129 - t132 * t128) * t131;
     const double t137 = (t132 * t130 - t133 * t128) * t131;
-    const double t138 = (3.0 * (t89 * t109 + t90 * t112 + t93 * t121)) * t137 + t134 * t136;
+    const double t138 = (3.0 * (t89 * t111 + t90 * t119 + t93 * t123)) * t137 + t134 * t136;
     const double t139 = t138 - t129;
-    const double t140 = t135 * t137 + (3.0 * (t125 * t114 + t126 * t117 + t127 * t123)) * t136;
+    const double t140 = t135 * t137 + (3.0 * (t125 * t113 + t126 * t116 + t127 * t122)) * t136;
     const double t141 = t135 * t136 + t134 * t137;
     const double t142 = t141 - t128;
     const double t143 = t140 - t130;
@@ -1507,58 +1507,58 @@ FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3
     const double t152 = t48 - t151;
     const double t153 = t51 * t147;
     const double t154 = t153 - t52;
-    const double t155 = t21 + t29 * t147;
-    const double t156 = t23 + t30 * t147;
+    const double t155 = t21 + t31 * t147;
+    const double t156 = t23 + t32 * t147;
     const double t157 = t26 - t33 * t147;
-    const double t158 = t34 * t147;
+    const double t158 = t40 * t147;
     const double t159 = t1 - t158;
-    const double t160 = t29 * t148;
+    const double t160 = t31 * t148;
     const double t161 = t160 + t149 + t150;
-    const double t162 = t160 + t161;
-    const double t163 = t159 - t158 + t148 * t161;
-    const double t164 = t35 * t147;
-    const double t165 = t3 - t164;
-    const double t166 = t30 * t148;
-    const double t167 = t152 - t166 - t151;
-    const double t168 = t167 - t166;
-    const double t169 = t165 - t164 - t148 * t167;
-    const double t170 = t42 * t147;
+    const double t162 = t41 * t147;
+    const double t163 = t3 - t162;
+    const double t164 = t32 * t148;
+    const double t165 = t152 - t164 - t151;
+    const double t166 = t160 + t161;
+    const double t167 = t159 - t158 + t148 * t161;
+    const double t168 = t165 - t164;
+    const double t169 = t163 - t162 - t148 * t165;
+    const double t170 = t44 * t147;
     const double t171 = t11 - t170;
     const double t172 = t33 * t148;
     const double t173 = t172 + t153 + t154;
-    const double t174 = t172 + t173;
-    const double t175 = t171 - t170 + t148 * t173;
-    const double t176 = t148 * t155;
-    const double t177 = t2 - t147 * t150 - t176;
-    const double t178 = t177 - t176;
-    const double t179 = t22 - t147 * t159 + t148 * t177;
-    const double t180 = t148 * t156;
-    const double t181 = t4 + t147 * t152 - t180;
-    const double t182 = t181 - t180;
-    const double t183 = t24 - t147 * t165 + t148 * t181;
-    const double t184 = t148 * t157;
-    const double t185 = t12 - t147 * t154 + t184;
-    const double t186 = t184 + t185;
-    const double t187 = t27 - t147 * t171 + t148 * t185;
-    const double t188 = t34 - t45 * t148;
-    const double t189 = t35 - t47 * t148;
-    const double t190 = t42 - t51 * t148;
-    const double t191 = t168 * t183 - t162 * t179 - t174 * t187 - t163 * t178 - t169 * t182 - t175 * t186;
-    const double t192 = 2.0 * (t155 * t179 + t156 * t183 - t157 * t187) - t178 * t178 - t182 * t182 - t186 * t186;
-    const double t193 = t163 * t163 + t169 * t169 + t175 * t175 + 2.0 * (t188 * t179 + t189 * t183 + t190 * t187);
-    const double t194 = t157 * t175 - t155 * t163 - t156 * t169 + t29 * t179 + t30 * t183 + t33 * t187 + t162 * t178
-        - t168 * t182 + t174 * t186;
-    const double t195 = 2.0 / (t193 * t192 + t191 * t191);
-    const double t196 = t178 * t179 + t182 * t183 + t186 * t187;
-    const double t197 = t163 * t179 + t169 * t183 + t175 * t187;
-    const double t198 = t162 * t163 - t168 * t169 + t174 * t175 - t45 * t179 - t47 * t183 - t51 * t187 + t188 * t178
-        + t189 * t182 + t190 * t186;
-    const double t199 = (t196 * t191 - t197 * t192) * t195;
-    const double t200 = (t196 * t193 + t197 * t191) * t195;
-    const double t201 = t194 * t199 - (3.0 * (t155 * t178 + t156 * t182 - t157 * t186)) * t200;
+    const double t174 = t148 * t155;
+    const double t175 = t2 - t147 * t150 - t174;
+    const double t176 = t148 * t156;
+    const double t177 = t4 + t147 * t152 - t176;
+    const double t178 = t172 + t173;
+    const double t179 = t171 - t170 + t148 * t173;
+    const double t180 = t175 - t174;
+    const double t181 = t22 - t147 * t159 + t148 * t175;
+    const double t182 = t148 * t157;
+    const double t183 = t12 - t147 * t154 + t182;
+    const double t184 = t177 - t176;
+    const double t185 = t24 - t147 * t163 + t148 * t177;
+    const double t186 = t182 + t183;
+    const double t187 = t27 - t147 * t171 + t148 * t183;
+    const double t188 = t40 - t45 * t148;
+    const double t189 = t41 - t47 * t148;
+    const double t190 = t44 - t51 * t148;
+    const double t191 = t168 * t185 - t166 * t181 - t178 * t187 - t167 * t180 - t169 * t184 - t179 * t186;
+    const double t192 = 2.0 * (t155 * t181 + t156 * t185 - t157 * t187) - t180 * t180 - t184 * t184 - t186 * t186;
+    const double t193 = t167 * t167 + t169 * t169 + t179 * t179 + 2.0 * (t188 * t181 + t189 * t185 + t190 * t187);
+    const double t194 = 2.0 / (t193 * t192 + t191 * t191);
+    const double t195 = t157 * t179 - t155 * t167 - t156 * t169 + t31 * t181 + t32 * t185 + t33 * t187 + t166 * t180
+        - t168 * t184 + t178 * t186;
+    const double t196 = t180 * t181 + t184 * t185 + t186 * t187;
+    const double t197 = t167 * t181 + t169 * t185 + t179 * t187;
+    const double t198 = t166 * t167 - t168 * t169 + t178 * t179 - t45 * t181 - t47 * t185 - t51 * t187 + t188 * t180
+        + t189 * t184 + t190 * t186;
+    const double t199 = (t196 * t191 - t197 * t192) * t194;
+    const double t200 = (t196 * t193 + t197 * t191) * t194;
+    const double t201 = t195 * t199 - (3.0 * (t155 * t180 + t156 * t184 - t157 * t186)) * t200;
     const double t202 = t201 - t192;
-    const double t203 = t198 * t200 + (3.0 * (t188 * t163 + t189 * t169 + t190 * t175)) * t199;
-    const double t204 = t198 * t199 + t194 * t200;
+    const double t203 = t198 * t200 + (3.0 * (t188 * t167 + t189 * t169 + t190 * t179)) * t199;
+    const double t204 = t198 * t199 + t195 * t200;
     const double t205 = t204 - t191;
     const double t206 = t196 - 0.25 * (t199 * t204 + t200 * t201);
     const double t207 = t193 + t203;
@@ -1608,14 +1608,14 @@ FOOTPOINT_LOOP void footpoint_quad8_sharp_n(size_t n, const double *const x[27],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad8_sharp_points[][31] = {
-    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0787239050769335, 0.69774369546522386, 1.6207745690811197e-15, 1.1993703136194537e-15},
-    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.07724184869802167, 1.4139637861813676, 1.6954262907419539e-12, 8.8285753300926062e-12},
-    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035735142656904272, -0.26096612040555506, 6.4922176066194966e-16, 1.1461097310451623e-15},
-    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.51480323238662962, 0.37869468249342297, 1.3653623937470275e-15, 1.1048718793905274e-15},
-    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.59176315335744567, -0.14933858912591066, 8.0957186465090787e-16, 5.8907754600078311e-16},
-    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -1.1617020223006116, 0.72745787154984276, 1.3458721239790805e-14, 1.0645069167626561e-14},
-    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1338524324505745, 0.67816757556511587, 5.278553266600482e-15, 6.6927268346317329e-15},
-    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, -0.14638253009674695, 0.73638315700465073, 4.9363883261575872e-15, 2.876565783349186e-15},
+    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0787239050769335, 0.69774369546522386, 1.6207745690925607e-15, 1.1993703135973313e-15},
+    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.07724184869802167, 1.4139637861813676, 1.6954262907398535e-12, 8.8285753300908436e-12},
+    {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035735142656904272, -0.26096612040555506, 6.492217606619322e-16, 1.1461097310450853e-15},
+    {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.51480323238662962, 0.37869468249342297, 1.365362393747162e-15, 1.1048718793902417e-15},
+    {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.59176315335744567, -0.14933858912591066, 8.0957186465020913e-16, 5.8907754599816478e-16},
+    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -1.1617020223006116, 0.72745787154984276, 1.3458721239894107e-14, 1.0645069167633034e-14},
+    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1338524324505745, 0.67816757556511587, 5.2785532666097685e-15, 6.6927268346648879e-15},
+    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, -0.14638253009674695, 0.73638315700465073, 4.9363883261878352e-15, 2.8765657833541033e-15},
 };
 #endif
 
@@ -1649,120 +1649,120 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
     const double t23 = xG[0] + xE[0] - t9 - t14;
     const double t24 = 1.0 / (t16 * t17 - t15 * t15);
     const double t25 = t20 - 2.0 * xS[0] + t23;
-    const double t26 = t1 - t3 - t7;
-    const double t27 = t2 - t5 - t8;
-    const double t28 = t3 * t21 + t5 * t22 + t10 * t25;
-    const double t29 = t4 * t21 + t6 * t22 + t11 * t25;
-    const double t30 = t9 - t10 - t14;
-    const double t31 = t24 * (t15 * t29 - t17 * t28);
-    const double t32 = t24 * (t15 * t28 - t16 * t29);
-    const double t33 = xD[2] - xC[2];
-    const double t34 = xD[1] - xC[1];
-    const double t35 = t12 - t1 - t7;
-    const double t36 = t13 - t2 - t8;
-    const double t37 = xB[2] - xA[2];
-    const double t38 = xB[1] - xA[1];
-    const double t39 = xC[0] - xD[0];
-    const double t40 = t20 - t9 - t14;
-    const double t41 = xB[0] - xA[0];
-    const double t42 = 0.5 * (t33 - t37) - t4;
-    const double t43 = 0.5 * (t33 + t37);
-    const double t44 = 0.5 * (t34 - t38) - t6;
-    const double t45 = 0.5 * (t34 + t38);
-    const double t46 = t42 * t31;
-    const double t47 = t44 * t31;
-    const double t48 = t11 + 0.5 * (t39 + t41);
-    const double t49 = 0.5 * (t41 - t39);
-    const double t50 = t32 * (t18 - t26 * t31);
-    const double t51 = t32 * (t19 - t27 * t31);
-    const double t52 = t48 * t31;
+    const double t26 = t3 * t21 + t5 * t22 + t10 * t25;
+    const double t27 = t4 * t21 + t6 * t22 + t11 * t25;
+    const double t28 = t1 - t3 - t7;
+    const double t29 = t2 - t5 - t8;
+    const double t30 = t24 * (t15 * t27 - t17 * t26);
+    const double t31 = xD[2] - xC[2];
+    const double t32 = xD[1] - xC[1];
+    const double t33 = t24 * (t15 * t26 - t16 * t27);
+    const double t34 = t9 - t10 - t14;
+    const double t35 = xB[2] - xA[2];
+    const double t36 = xB[1] - xA[1];
+    const double t37 = xC[0] - xD[0];
+    const double t38 = t12 - t1 - t7;
+    const double t39 = t13 - t2 - t8;
+    const double t40 = xB[0] - xA[0];
+    const double t41 = t20 - t9 - t14;
+    const double t42 = 0.5 * (t31 - t35) - t4;
+    const double t43 = 0.5 * (t31 + t35);
+    const double t44 = 0.5 * (t32 - t36) - t6;
+    const double t45 = 0.5 * (t32 + t36);
+    const double t46 = t42 * t30;
+    const double t47 = t44 * t30;
+    const double t48 = t11 + 0.5 * (t37 + t40);
+    const double t49 = 0.5 * (t40 - t37);
+    const double t50 = t33 * (t18 - t28 * t30);
+    const double t51 = t33 * (t19 - t29 * t30);
+    const double t52 = t48 * t30;
     const double t53 = t43 + t46;
-    const double t54 = t50 - t4 - t31 * t53;
+    const double t54 = t50 - t4 - t30 * t53;
     const double t55 = t50 + t54;
     const double t56 = t45 + t47;
-    const double t57 = t51 - t6 - t31 * t56;
+    const double t57 = t51 - t6 - t30 * t56;
     const double t58 = t51 + t57;
-    const double t59 = t32 * (t23 - t30 * t31);
-    const double t60 = t35 * t31;
-    const double t61 = t36 * t31;
+    const double t59 = t33 * (t23 - t34 * t30);
+    const double t60 = t38 * t30;
+    const double t61 = t39 * t30;
     const double t62 = t49 - t52;
-    const double t63 = t59 - t11 - t31 * t62;
+    const double t63 = t59 - t11 - t30 * t62;
     const double t64 = t59 + t63;
     const double t65 = t60 - t3;
-    const double t66 = t60 + t65 - t32 * (t26 * t32 + t46 + t53);
+    const double t66 = t60 + t65 - t33 * (t28 * t33 + t46 + t53);
     const double t67 = t61 - t5;
-    const double t68 = t61 + t67 - t32 * (t27 * t32 + t47 + t56);
-    const double t69 = t40 * t31;
-    const double t70 = t21 - t31 * t65 - t32 * t54;
-    const double t71 = t22 - t31 * t67 - t32 * t57;
-    const double t72 = t69 - t10;
-    const double t73 = t69 + t72 - t32 * (t30 * t32 - t52 + t62);
-    const double t74 = t25 - t31 * t72 - t32 * t63;
-    const double t75 = t66 * t55 + t68 * t58 + t73 * t64;
-    const double t76 = t66 * t66 + t68 * t68 + t73 * t73;
-    const double t77 = t66 * t70 + t68 * t71 + t73 * t74;
-    const double t78 = t55 * t70 + t58 * t71 + t64 * t74;
-    const double t79 = t55 * t55 + t58 * t58 + t64 * t64;
-    const double t80 = 1.0 / (t76 * t79 - t75 * t75);
-    const double t81 = t31 + (t79 * t77 - t75 * t78) * t80;
-    const double t82 = t32 + (t76 * t78 - t75 * t77) * t80;
+    const double t68 = t61 + t67 - t33 * (t29 * t33 + t47 + t56);
+    const double t69 = t41 * t30;
+    const double t70 = t69 - t10;
+    const double t71 = t69 + t70 - t33 * (t34 * t33 - t52 + t62);
+    const double t72 = t21 - t30 * t65 - t33 * t54;
+    const double t73 = t22 - t30 * t67 - t33 * t57;
+    const double t74 = t25 - t30 * t70 - t33 * t63;
+    const double t75 = t66 * t55 + t68 * t58 + t71 * t64;
+    const double t76 = t66 * t66 + t68 * t68 + t71 * t71;
+    const double t77 = t55 * t55 + t58 * t58 + t64 * t64;
+    const double t78 = t66 * t72 + t68 * t73 + t71 * t74;
+    const double t79 = t55 * t72 + t58 * t73 + t64 * t74;
+    const double t80 = 1.0 / (t76 * t77 - t75 * t75);
+    const double t81 = t30 + (t77 * t78 - t75 * t79) * t80;
+    const double t82 = t33 + (t76 * t79 - t75 * t78) * t80;
     const double t83 = t42 * t81;
     const double t84 = t44 * t81;
     const double t85 = t48 * t81;
-    const double t86 = t18 - t26 * t81;
-    const double t87 = t19 - t27 * t81;
-    const double t88 = t26 * t82;
+    const double t86 = t18 - t28 * t81;
+    const double t87 = t19 - t29 * t81;
+    const double t88 = t28 * t82;
     const double t89 = t43 + t83;
     const double t90 = t88 + t83 + t89;
-    const double t91 = t27 * t82;
+    const double t91 = t29 * t82;
     const double t92 = t45 + t84;
     const double t93 = t91 + t84 + t92;
-    const double t94 = t23 - t30 * t81;
-    const double t95 = t88 + t90;
-    const double t96 = t35 * t81;
-    const double t97 = t36 * t81;
-    const double t98 = t30 * t82;
-    const double t99 = t49 - t85;
-    const double t100 = t98 - t85 + t99;
-    const double t101 = t82 * t86;
-    const double t102 = t101 - t4 - t81 * t89;
-    const double t103 = t101 + t102;
-    const double t104 = t82 * t87;
-    const double t105 = t104 - t6 - t81 * t92;
-    const double t106 = t104 + t105;
-    const double t107 = t91 + t93;
-    const double t108 = t96 - t3;
-    const double t109 = t96 + t108 - t82 * t90;
-    const double t110 = t21 - t81 * t108 - t82 * t102;
-    const double t111 = t97 - t5;
-    const double t112 = t97 + t111 - t82 * t93;
-    const double t113 = t22 - t81 * t111 - t82 * t105;
-    const double t114 = t40 * t81;
-    const double t115 = t82 * t94;
-    const double t116 = t115 - t11 - t81 * t99;
-    const double t117 = t115 + t116;
-    const double t118 = t98 + t100;
-    const double t119 = t114 - t10;
-    const double t120 = t114 + t119 - t82 * t100;
-    const double t121 = t25 - t81 * t119 - t82 * t116;
-    const double t122 = t35 - t42 * t82;
-    const double t123 = t36 - t44 * t82;
-    const double t124 = t40 + t48 * t82;
-    const double t125 = t109 * t103 + t112 * t106 + t120 * t117 + t95 * t110 + t107 * t113 + t118 * t121;
-    const double t126 = 2.0 * (t122 * t110 + t123 * t113 + t124 * t121) - t109 * t109 - t112 * t112 - t120 * t120;
-    const double t127 = 2.0 * (t86 * t110 + t87 * t113 + t94 * t121) - t103 * t103 - t106 * t106 - t117 * t117;
+    const double t94 = t23 - t34 * t81;
+    const double t95 = t38 * t81;
+    const double t96 = t39 * t81;
+    const double t97 = t34 * t82;
+    const double t98 = t49 - t85;
+    const double t99 = t97 - t85 + t98;
+    const double t100 = t82 * t86;
+    const double t101 = t100 - t4 - t81 * t89;
+    const double t102 = t100 + t101;
+    const double t103 = t82 * t87;
+    const double t104 = t103 - t6 - t81 * t92;
+    const double t105 = t103 + t104;
+    const double t106 = t88 + t90;
+    const double t107 = t95 - t3;
+    const double t108 = t95 + t107 - t82 * t90;
+    const double t109 = t21 - t81 * t107 - t82 * t101;
+    const double t110 = t96 - t5;
+    const double t111 = t41 * t81;
+    const double t112 = t82 * t94;
+    const double t113 = t112 - t11 - t81 * t98;
+    const double t114 = t112 + t113;
+    const double t115 = t91 + t93;
+    const double t116 = t96 + t110 - t82 * t93;
+    const double t117 = t22 - t81 * t110 - t82 * t104;
+    const double t118 = t111 - t10;
+    const double t119 = t97 + t99;
+    const double t120 = t111 + t118 - t82 * t99;
+    const double t121 = t25 - t81 * t118 - t82 * t113;
+    const double t122 = t38 - t42 * t82;
+    const double t123 = t39 - t44 * t82;
+    const double t124 = t41 + t48 * t82;
+    const double t125 = t108 * t102 + t116 * t105 + t120 * t114 + t106 * t109 + t115 * t117 + t119 * t121;
+    const double t126 = 2.0 * (t122 * t109 + t123 * t117 + t124 * t121) - t108 * t108 - t116 * t116 - t120 * t120;
+    const double t127 = 2.0 * (t86 * t109 + t87 * t117 + t94 * t121) - t102 * t102 - t105 * t105 - t114 * t114;
     const double t128 = 2.0 / (t126 * t127 - t125 * t125);
-    const double t129 = t103 * t110 + t106 * t113 + t117 * t121;
-    const double t130 = t109 * t110 + t112 * t113 + t120 * t121;
+    const double t129 = t102 * t109 + t105 * t117 + t114 * t121;
+    const double t130 = t108 * t109 + t116 * t117 + t120 * t121;
     const double t131 = (t129 * t125 + t130 * t127) * t128;
     const double t132 = (t130 * t125 + t129 * t126) * t128;
-    const double t133 = t86 * t109 - t95 * t103 - t107 * t106 - t118 * t117 + t87 * t112 + t94 * t120 + t26 * t110 +
-        t27 * t113 + t30 * t121;
-    const double t134 = t122 * t103 - t95 * t109 - t107 * t112 - t118 * t120 + t123 * t106 + t124 * t117 + t42 *
-        t110 + t44 * t113 - t48 * t121;
-    const double t135 = (3.0 * (t86 * t103 + t87 * t106 + t94 * t117)) * t132 + t133 * t131;
+    const double t133 = t86 * t108 - t106 * t102 - t115 * t105 - t119 * t114 + t87 * t116 + t94 * t120 + t28 * t109
+        + t29 * t117 + t34 * t121;
+    const double t134 = t122 * t102 - t106 * t108 - t115 * t116 - t119 * t120 + t123 * t105 + t124 * t114 + t42 *
+        t109 + t44 * t117 - t48 * t121;
+    const double t135 = (3.0 * (t86 * t102 + t87 * t105 + t94 * t114)) * t132 + t133 * t131;
     const double t136 = t127 + t135;
-    const double t137 = t134 * t132 + (3.0 * (t122 * t109 + t123 * t112 + t124 * t120)) * t131;
+    const double t137 = t134 * t132 + (3.0 * (t122 * t108 + t123 * t116 + t124 * t120)) * t131;
     const double t138 = t134 * t131 + t133 * t132;
     const double t139 = t125 - t138;
     const double t140 = t126 + t137;
@@ -1774,60 +1774,60 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
     const double t146 = t42 * t144;
     const double t147 = t44 * t144;
     const double t148 = t48 * t144;
-    const double t149 = t18 - t26 * t144;
-    const double t150 = t19 - t27 * t144;
-    const double t151 = t26 * t145;
+    const double t149 = t18 - t28 * t144;
+    const double t150 = t19 - t29 * t144;
+    const double t151 = t28 * t145;
     const double t152 = t43 + t146;
     const double t153 = t146 - t151 + t152;
-    const double t154 = t27 * t145;
+    const double t154 = t29 * t145;
     const double t155 = t45 + t147;
     const double t156 = t147 - t154 + t155;
-    const double t157 = t23 - t30 * t144;
-    const double t158 = t153 - t151;
-    const double t159 = t35 * t144;
-    const double t160 = t36 * t144;
-    const double t161 = t30 * t145;
-    const double t162 = t49 - t148;
-    const double t163 = t162 - t161 - t148;
-    const double t164 = t145 * t149;
-    const double t165 = t4 + t164 + t144 * t152;
-    const double t166 = t164 + t165;
-    const double t167 = t145 * t150;
-    const double t168 = t6 + t167 + t144 * t155;
-    const double t169 = t167 + t168;
-    const double t170 = t156 - t154;
-    const double t171 = t159 - t3;
-    const double t172 = t159 + t171 + t145 * t153;
-    const double t173 = t21 - t144 * t171 - t145 * t165;
-    const double t174 = t160 - t5;
-    const double t175 = t160 + t174 + t145 * t156;
-    const double t176 = t22 - t144 * t174 - t145 * t168;
-    const double t177 = t40 * t144;
-    const double t178 = t145 * t157;
-    const double t179 = t11 + t178 + t144 * t162;
-    const double t180 = t178 + t179;
-    const double t181 = t163 - t161;
-    const double t182 = t177 - t10;
-    const double t183 = t177 + t182 + t145 * t163;
-    const double t184 = t25 - t144 * t182 - t145 * t179;
-    const double t185 = t35 + t42 * t145;
-    const double t186 = t36 + t44 * t145;
-    const double t187 = t40 - t48 * t145;
-    const double t188 = t158 * t173 - t172 * t166 - t175 * t169 - t183 * t180 + t170 * t176 + t181 * t184;
-    const double t189 = 2.0 * (t185 * t173 + t186 * t176 + t187 * t184) - t172 * t172 - t175 * t175 - t183 * t183;
-    const double t190 = 2.0 * (t149 * t173 + t150 * t176 + t157 * t184) - t166 * t166 - t169 * t169 - t180 * t180;
+    const double t157 = t23 - t34 * t144;
+    const double t158 = t38 * t144;
+    const double t159 = t39 * t144;
+    const double t160 = t34 * t145;
+    const double t161 = t49 - t148;
+    const double t162 = t161 - t160 - t148;
+    const double t163 = t145 * t149;
+    const double t164 = t4 + t163 + t144 * t152;
+    const double t165 = t163 + t164;
+    const double t166 = t145 * t150;
+    const double t167 = t6 + t166 + t144 * t155;
+    const double t168 = t166 + t167;
+    const double t169 = t153 - t151;
+    const double t170 = t158 - t3;
+    const double t171 = t158 + t170 + t145 * t153;
+    const double t172 = t21 - t144 * t170 - t145 * t164;
+    const double t173 = t159 - t5;
+    const double t174 = t41 * t144;
+    const double t175 = t145 * t157;
+    const double t176 = t11 + t175 + t144 * t161;
+    const double t177 = t175 + t176;
+    const double t178 = t156 - t154;
+    const double t179 = t159 + t173 + t145 * t156;
+    const double t180 = t22 - t144 * t173 - t145 * t167;
+    const double t181 = t174 - t10;
+    const double t182 = t162 - t160;
+    const double t183 = t174 + t181 + t145 * t162;
+    const double t184 = t25 - t144 * t181 - t145 * t176;
+    const double t185 = t38 + t42 * t145;
+    const double t186 = t39 + t44 * t145;
+    const double t187 = t41 - t48 * t145;
+    const double t188 = t169 * t172 - t171 * t165 - t179 * t168 - t183 * t177 + t178 * t180 + t182 * t184;
+    const double t189 = 2.0 * (t185 * t172 + t186 * t180 + t187 * t184) - t171 * t171 - t179 * t179 - t183 * t183;
+    const double t190 = 2.0 * (t149 * t172 + t150 * t180 + t157 * t184) - t165 * t165 - t168 * t168 - t177 * t177;
     const double t191 = 2.0 / (t189 * t190 - t188 * t188);
-    const double t192 = t166 * t173 + t169 * t176 + t180 * t184;
-    const double t193 = t172 * t173 + t175 * t176 + t183 * t184;
+    const double t192 = t165 * t172 + t168 * t180 + t177 * t184;
+    const double t193 = t171 * t172 + t179 * t180 + t183 * t184;
     const double t194 = (t193 * t190 - t192 * t188) * t191;
     const double t195 = (t193 * t188 - t192 * t189) * t191;
-    const double t196 = t158 * t166 + t170 * t169 + t181 * t180 + t149 * t172 + t150 * t175 + t157 * t183 + t26 *
-        t173 + t27 * t176 + t30 * t184;
-    const double t197 = t42 * t173 - t158 * t172 - t170 * t175 - t181 * t183 - t185 * t166 - t186 * t169 - t187 *
-        t180 + t44 * t176 - t48 * t184;
-    const double t198 = t196 * t194 - (3.0 * (t149 * t166 + t150 * t169 + t157 * t180)) * t195;
+    const double t196 = t169 * t165 + t178 * t168 + t182 * t177 + t149 * t171 + t150 * t179 + t157 * t183 + t28 *
+        t172 + t29 * t180 + t34 * t184;
+    const double t197 = t42 * t172 - t169 * t171 - t178 * t179 - t182 * t183 - t185 * t165 - t186 * t168 - t187 *
+        t177 + t44 * t180 - t48 * t184;
+    const double t198 = t196 * t194 - (3.0 * (t149 * t165 + t150 * t168 + t157 * t177)) * t195;
     const double t199 = t190 + t198;
-    const double t200 = t197 * t195 + (3.0 * (t185 * t172 + t186 * t175 + t187 * t183)) * t194;
+    const double t200 = t197 * t195 + (3.0 * (t185 * t171 + t186 * t179 + t187 * t183)) * t194;
     const double t201 = t197 * t194 + t196 * t195;
     const double t202 = t188 - t201;
     const double t203 = t189 + t200;
@@ -1842,13 +1842,13 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
     const double t212 = t45 + t211;
     const double t213 = t48 * t207;
     const double t214 = t49 - t213;
-    const double t215 = t18 - t26 * t207;
-    const double t216 = t19 - t27 * t207;
-    const double t217 = t23 - t30 * t207;
-    const double t218 = t26 * t208;
+    const double t215 = t18 - t28 * t207;
+    const double t216 = t19 - t29 * t207;
+    const double t217 = t23 - t34 * t207;
+    const double t218 = t28 * t208;
     const double t219 = t209 - t218 + t210;
     const double t220 = t219 - t218;
-    const double t221 = t27 * t208;
+    const double t221 = t29 * t208;
     const double t222 = t211 - t221 + t212;
     const double t223 = t222 - t221;
     const double t224 = t208 * t215;
@@ -1857,31 +1857,31 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
     const double t227 = t208 * t216;
     const double t228 = t6 + t227 + t207 * t212;
     const double t229 = t227 + t228;
-    const double t230 = t35 * t207;
+    const double t230 = t38 * t207;
     const double t231 = t230 - t3;
     const double t232 = t230 + t231 + t208 * t219;
     const double t233 = t21 - t207 * t231 - t208 * t225;
-    const double t234 = t36 * t207;
+    const double t234 = t39 * t207;
     const double t235 = t234 - t5;
     const double t236 = t234 + t235 + t208 * t222;
     const double t237 = t22 - t207 * t235 - t208 * t228;
-    const double t238 = t30 * t208;
+    const double t238 = t34 * t208;
     const double t239 = t214 - t238 - t213;
     const double t240 = t239 - t238;
     const double t241 = t208 * t217;
     const double t242 = t11 + t241 + t207 * t214;
     const double t243 = t241 + t242;
-    const double t244 = t40 * t207;
+    const double t244 = t41 * t207;
     const double t245 = t244 - t10;
     const double t246 = t244 + t245 + t208 * t239;
     const double t247 = t25 - t207 * t245 - t208 * t242;
-    const double t248 = t35 + t42 * t208;
-    const double t249 = t36 + t44 * t208;
-    const double t250 = t40 - t48 * t208;
+    const double t248 = t38 + t42 * t208;
+    const double t249 = t39 + t44 * t208;
+    const double t250 = t41 - t48 * t208;
     const double t251 = t226 * t233 + t229 * t237 + t243 * t247;
     const double t252 = t232 * t233 + t236 * t237 + t246 * t247;
-    const double t253 = t220 * t226 + t223 * t229 + t240 * t243 + t215 * t232 + t216 * t236 + t217 * t246 + t26 *
-        t233 + t27 * t237 + t30 * t247;
+    const double t253 = t220 * t226 + t223 * t229 + t240 * t243 + t215 * t232 + t216 * t236 + t217 * t246 + t28 *
+        t233 + t29 * t237 + t34 * t247;
     const double t254 = t206 * (t199 * t252 - t202 * t251);
     const double t255 = t206 * (t202 * t252 - t203 * t251);
     const double t256 = t42 * t233 - t220 * t232 - t223 * t236 - t240 * t246 - t248 * t226 - t249 * t229 - t250 *
@@ -1942,14 +1942,14 @@ FOOTPOINT_LOOP void footpoint_quad8_full_n(size_t n, const double *const x[27],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad8_full_points[][31] = {
-    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0787339649517844, 0.69774852519163366, 1.8626844582373435e-14, 1.6418168442509609e-14},
-    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.26993047189224578, 0.77707560196679437, 3.9943063914097139e-07, 1.1568721216769566e-06},
+    {0, 0, 0, 1, 0, 0, -2, 8.125, 0.328125, 5.8125, 6.3125, 0, 0.5244140625, -0.03955078125, -0.0087890625, 2.78125, 2.78125, -0.5625, -3.1875, 6.9375, 0.0390625, 1.3125, 0.1875, 0.1015625, 0.6875, 6.375, -0.0859375, 1.0787339649517844, 0.69774852519163366, 1.8626844582373426e-14, 1.6418168442509606e-14},
+    {0, 0, 0, 1, 0, 0, 0.625, 4.5625, -0.3671875, -1.375, 1.6875, 0, 0.52783203125, 0.03076171875, 0.06640625, 1.59375, 3.4375, 0.0546875, 3.8125, 5.6875, 0.04296875, -0.3125, 3, -0.34765625, 6.0625, 7.5, 0.234375, 0.26993047189224578, 0.77707560196679437, 3.9943063914097128e-07, 1.1568721216769571e-06},
     {0, 0, 0, 1, 0, 0, 1.5, 2.375, -0.5078125, 3.25, 8.4375, 0, 0.486328125, 0.00732421875, 0.0419921875, 1.84375, 3.59375, -0.296875, 3.1875, 1.6875, -0.24609375, -2.09375, 3.59375, 0.140625, -0.0625, 1.4375, -0.2421875, -0.035735142656901267, -0.26096612040556472, 6.1637013560796018e-16, 1.1438062115646459e-15},
     {0, 0, 0, 1, 0, 0, 2.3125, 3.875, 0.140625, -4.375, 3.6875, 0, 0.54931640625, -0.01318359375, 0.06640625, -1.40625, 2.875, -0.328125, -0.3125, 6.5625, 0.15234375, 1.96875, 3.375, -0.1328125, -1.6875, 5.8125, 0.5078125, 0.51483642243895877, 0.37870775331202428, 1.3537152721665028e-15, 1.1092505361520208e-15},
     {0, 0, 0, 1, 0, 0, 0.5, 2.75, -0.3125, -4.1875, 5.0625, 0, 0.48095703125, 0.005859375, 0.0546875, 0.9375, 3.65625, -0.515625, 5.125, 4.25, 0.21875, 1.71875, 2.40625, 0.1328125, 3.0625, 3.25, -0.0078125, 0.59176326964851489, -0.14933844860508705, 9.0934792309790988e-16, 6.3724810581875124e-16},
-    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -1.16305192511355, 0.72857474923140708, 3.3850613357843459e-13, 2.2979387933197439e-13},
-    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1338524324535604, 0.67816757556651686, 1.1352297968069902e-12, 1.5347773242357824e-12},
-    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, -0.14159913321653889, 0.74264048562691376, 5.1697368791421476e-14, 2.9283291000786491e-14},
+    {0, 0, 0, 1, 0, 0, -1.625, 0.1875, -0.1328125, -3, 2, 0, 0.4609375, -0.00146484375, 0.068359375, 1.5, 4.125, 0.296875, -2.9375, 4, -0.22265625, 2.59375, 1.21875, 0.06640625, -0.5, 0.9375, 0.2890625, -1.16305192511355, 0.72857474923140708, 3.3850613357843454e-13, 2.2979387933197434e-13},
+    {0, 0, 0, 1, 0, 0, 1.6875, 1.9375, -0.234375, -3.6875, 7.8125, 0, 0.52587890625, 0.00927734375, 0.041015625, -1.21875, 3.125, 0.4140625, 2.5625, 2.5625, 0.1484375, 0.96875, 0.1875, -0.05859375, 0.625, 5.1875, 0.03125, 1.1338524324535604, 0.67816757556651686, 1.1352297968069902e-12, 1.5347773242357822e-12},
+    {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, -0.14159913321653889, 0.74264048562691376, 5.1697368791421835e-14, 2.9283291000786687e-14},
 };
 #endif
 

@@ -45,9 +45,9 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xI in [-1.64, 2.95], yI in [0.04, 4.24], zI in [-0.47, 0.37],
  *     xS in [-3.76, 5.26], yS in [-0.82, 9.03], zS in [-0.65, 0.60]; all requires > 0
  *   poles: 0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 0.0016 (rounding error <= 4.6e-12)
- *   poles: t72 * t75 - t71 * t71: proved free of zeros, |...| >= 0.0003 (rounding error <= 2.9e+80)
+ *   poles: t72 * t73 - t71 * t71: proved free of zeros, |...| >= 0.0003 (rounding error <= 2.9e+80)
  *   rounding error of xi: no bound found, 1.4e-11 worst of 10000 points
- *   rounding error of eta: no bound found, 2.5e-12 worst of 10000 points
+ *   rounding error of eta: no bound found, 2.1e-12 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 2.136e-03
@@ -68,10 +68,10 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xI in [-1.64, 2.95], yI in [0.04, 4.24], zI in [-0.47, 0.37],
  *     xS in [-3.76, 5.26], yS in [-0.82, 9.03], zS in [-0.65, 0.60]; all requires > 0
  *   poles: t8 * t8 - t9 * t7: proved free of zeros, |...| >= 0.0033 (rounding error <= 9.3e-12)
- *   poles: t83 * t87 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 5.5e+80)
- *   poles: t123 * t127 - t124 * t124: proved free of zeros, |...| >= 0.0002
- *   rounding error of xi: no bound found, 4.6e-10 worst of 10000 points
- *   rounding error of eta: no bound found, 5.1e-11 worst of 10000 points
+ *   poles: t83 * t85 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 5.5e+80)
+ *   poles: t123 * t125 - t124 * t124: proved free of zeros, |...| >= 0.0002
+ *   rounding error of xi: no bound found, 2.9e-10 worst of 10000 points
+ *   rounding error of eta: no bound found, 3.3e-11 worst of 10000 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 1.326e-04
@@ -92,9 +92,9 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xI in [-1.64, 2.95], yI in [0.04, 4.24], zI in [-0.47, 0.37],
  *     xS in [-3.76, 5.26], yS in [-0.82, 9.03], zS in [-0.65, 0.60]; all requires > 0
  *   poles: t8 * t9 - t7 * t7: proved free of zeros, |...| >= 0.0033 (rounding error <= 9.7e-12)
- *   poles: t85 * t88 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 5.7e+80)
- *   poles: t133 * t134 + t132 * t132: proved free of zeros, |...| >= 0.00024
- *   rounding error of xi: no bound found, 2.9e-10 worst of 9345 points
+ *   poles: t85 * t86 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 5.7e+80)
+ *   poles: t134 * t133 + t132 * t132: proved free of zeros, |...| >= 0.00024
+ *   rounding error of xi: no bound found, 5.5e-10 worst of 9345 points
  *   rounding error of eta: no bound found, 7.2e-11 worst of 9345 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -116,10 +116,10 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xI in [-1.64, 2.95], yI in [0.04, 4.24], zI in [-0.47, 0.37],
  *     xS in [-3.76, 5.26], yS in [-0.82, 9.03], zS in [-0.65, 0.60]; all requires > 0
  *   poles: 0.5 * t7 * t7 - t8 * t9: proved free of zeros, |...| >= 0.0016 (rounding error <= 4.9e-12)
- *   poles: t84 * t87 - t83 * t83: proved free of zeros, |...| >= 0.0003 (rounding error <= 6.3e+80)
+ *   poles: t84 * t85 - t83 * t83: proved free of zeros, |...| >= 0.0003 (rounding error <= 6.3e+80)
  *   poles: 2.0 * (t134 * t135 + t133 * t133): proved free of zeros, |...| >= 0.00012
- *   rounding error of xi: no bound found, 2e-10 worst of 7604 points
- *   rounding error of eta: no bound found, 7.7e-10 worst of 7604 points
+ *   rounding error of xi: no bound found, 1.8e-10 worst of 7604 points
+ *   rounding error of eta: no bound found, 6.6e-10 worst of 7604 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
  *   training_xi: genes 1 mean 9.592e-06
@@ -140,7 +140,7 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xI in [-1.64, 2.95], yI in [0.04, 4.24], zI in [-0.47, 0.37],
  *     xS in [-3.76, 5.26], yS in [-0.82, 9.03], zS in [-0.65, 0.60]; all requires > 0
  *   poles: 0.5 * (t8 * t8 - t7 * t9): proved free of zeros, |...| >= 0.0016 (rounding error <= 5e-12)
- *   poles: t85 * t88 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 7.7e+80)
+ *   poles: t85 * t86 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 7.7e+80)
  *   poles: t133 * t134 + t135 * t135: proved free of zeros, |...| >= 0.00024
  *   poles: t184 * t183 + t185 * t188: proved free of zeros, |...| >= 7.7e-05
  *   rounding error of xi: no bound found, 1.1e-08 worst of 6908 points
@@ -165,12 +165,12 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xI in [-1.64, 2.95], yI in [0.04, 4.24], zI in [-0.47, 0.37],
  *     xS in [-3.76, 5.26], yS in [-0.82, 9.03], zS in [-0.65, 0.60]; all requires > 0
  *   poles: t7 * t7 - t9 * t8: proved free of zeros, |...| >= 0.0033 (rounding error <= 1.1e-11)
- *   poles: t85 * t88 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 2.2e+81)
+ *   poles: t85 * t86 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 2.2e+81)
  *   poles: t148 * t147 + t146 * t146: proved free of zeros, |...| >= 0.00024
  *   poles: t160 * t160 + t161 * t157: proved free of zeros, |...| >= 0.0001
  *   poles: t223 * t222 + t221 * t221: proved free of zeros, |...| >= 8.4e-05
  *   poles: t235 * t235 + t236 * t232: proved free of zeros, |...| >= 6.4e-05
- *   rounding error of xi: no bound found, 2e-12 worst of 5263 points
+ *   rounding error of xi: no bound found, 2.2e-12 worst of 5263 points
  *   rounding error of eta: no bound found, 7e-13 worst of 5263 points
  *   found_xi: seed 1 generations 0 islands 2
  *   found_eta: seed 1 generations 0 islands 2
@@ -192,7 +192,7 @@
  *     yH in [0.04, 4.51], zH in [-0.37, 0.40], xI in [-1.64, 2.95], yI in [0.04, 4.24], zI in [-0.47, 0.37],
  *     xS in [-3.76, 5.26], yS in [-0.82, 9.03], zS in [-0.65, 0.60]; all requires > 0
  *   poles: t8 * t9 - t7 * t7: proved free of zeros, |...| >= 0.0033 (rounding error <= 1.1e-11)
- *   poles: t85 * t88 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 2.7e+81)
+ *   poles: t85 * t86 - t84 * t84: proved free of zeros, |...| >= 0.0003 (rounding error <= 2.7e+81)
  *   poles: t147 * t148 - t146 * t146: proved free of zeros, |...| >= 0.00024
  *   poles: t161 * t157 - t160 * t160: proved free of zeros, |...| >= 0.0001
  *   poles: t221 * t221 + t222 * t223: proved free of zeros, |...| >= 8.4e-05
@@ -408,78 +408,78 @@ FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[
     const double t7 = t1 * t3 + t2 * t4 + t5 * t6;
     const double t8 = t1 * t1 + t2 * t2 + t5 * t5;
     const double t9 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t10 = 1.0 / (0.5 * (t8 * t9 - t7 * t7));
-    const double t11 = xI[2] - xS[2];
-    const double t12 = xI[1] - xS[1];
+    const double t10 = xI[2] - xS[2];
+    const double t11 = xI[1] - xS[1];
+    const double t12 = 1.0 / (0.5 * (t8 * t9 - t7 * t7));
     const double t13 = xI[0] - xS[0];
-    const double t14 = t11 * t1 + t12 * t2 + t13 * t5;
-    const double t15 = t11 * t3 + t12 * t4 + t13 * t6;
-    const double t16 = (t14 * t9 - t15 * t7) * t10;
+    const double t14 = t10 * t1 + t11 * t2 + t13 * t5;
+    const double t15 = t10 * t3 + t11 * t4 + t13 * t6;
+    const double t16 = (t14 * t9 - t15 * t7) * t12;
     const double t17 = xG[2] + xE[2];
     const double t18 = xD[2] + xC[2];
     const double t19 = xB[2] + xA[2];
     const double t20 = xG[1] + xE[1];
     const double t21 = xD[1] + xC[1];
     const double t22 = xB[1] + xA[1];
-    const double t23 = (t14 * t7 - t15 * t8) * t10;
     const double u1 = 2.0 * xI[2];
-    const double t24 = xH[2] + xF[2] - u1;
+    const double t23 = xH[2] + xF[2] - u1;
     const double u2 = 2.0 * xI[1];
-    const double t25 = xH[1] + xF[1] - u2;
-    const double t26 = xG[0] + xE[0];
-    const double t27 = xD[0] + xC[0];
-    const double t28 = xB[0] + xA[0];
+    const double t24 = xH[1] + xF[1] - u2;
+    const double t25 = xG[0] + xE[0];
+    const double t26 = xD[0] + xC[0];
+    const double t27 = xB[0] + xA[0];
+    const double t28 = (t14 * t7 - t15 * t8) * t12;
     const double t29 = xC[2] - xD[2];
     const double t30 = xA[2] - xB[2];
     const double t31 = xC[1] - xD[1];
     const double t32 = xA[1] - xB[1];
     const double u3 = 2.0 * xI[0];
     const double t33 = xH[0] + xF[0] - u3;
-    const double t34 = (t18 + t19 - 2.0 * (t17 + t24)) * t16;
+    const double t34 = (t18 + t19 - 2.0 * (t17 + t23)) * t16;
     const double t35 = t19 - t18 - 2.0 * t1 - t34;
     const double t36 = (t17 - u1) * t16;
-    const double t37 = t1 - t36;
-    const double t38 = (t21 + t22 - 2.0 * (t20 + t25)) * t16;
-    const double t39 = t22 - t21 - 2.0 * t2 - t38;
-    const double t40 = (t20 - u2) * t16;
-    const double t41 = t2 - t40;
-    const double t42 = xC[0] - xD[0];
-    const double t43 = xA[0] - xB[0];
+    const double t37 = (t21 + t22 - 2.0 * (t20 + t24)) * t16;
+    const double t38 = t22 - t21 - 2.0 * t2 - t37;
+    const double t39 = (t20 - u2) * t16;
+    const double t40 = xC[0] - xD[0];
+    const double t41 = xA[0] - xB[0];
+    const double t42 = t1 - t36;
+    const double t43 = t2 - t39;
     const double t44 = (t30 - t29 + 2.0 * t3) * t16;
     const double t45 = t29 + t30 - t44;
     const double t46 = (t32 - t31 + 2.0 * t4) * t16;
     const double t47 = t31 + t32 - t46;
-    const double t48 = (t27 + t28 - 2.0 * (t26 + t33)) * t16;
-    const double t49 = t28 - t27 - 2.0 * t5 - t48;
-    const double t50 = (t26 - u3) * t16;
+    const double t48 = (t26 + t27 - 2.0 * (t25 + t33)) * t16;
+    const double t49 = t27 - t26 - 2.0 * t5 - t48;
+    const double t50 = (t25 - u3) * t16;
     const double t51 = t5 - t50;
     const double t52 = 0.5 * t16;
-    const double t53 = (t43 - t42 + 2.0 * t6) * t16;
-    const double t54 = t42 + t43 - t53;
-    const double t55 = t23 * (t24 - t35 * t52);
+    const double t53 = (t41 - t40 + 2.0 * t6) * t16;
+    const double t54 = t40 + t41 - t53;
+    const double t55 = t28 * (t23 - t35 * t52);
     const double t56 = t3 + t45 * t52 + t55;
-    const double t57 = t23 * (t25 - t39 * t52);
+    const double t57 = t28 * (t24 - t38 * t52);
     const double t58 = t4 + t47 * t52 + t57;
-    const double t59 = t23 * (t33 - t49 * t52);
+    const double t59 = t28 * (t33 - t49 * t52);
     const double t60 = t6 + t54 * t52 + t59;
     const double t61 = t55 + t56;
     const double t62 = t57 + t58;
     const double t63 = t59 + t60;
-    const double t64 = 0.5 * t23;
-    const double t65 = t36 - t37 - (t44 - t45 - t23 * (t34 - t35)) * t64;
-    const double t66 = t40 - t41 - (t46 - t47 - t23 * (t38 - t39)) * t64;
-    const double t67 = t50 - t51 - (t53 - t54 - t23 * (t48 - t49)) * t64;
-    const double t68 = 2.0 * t11 - t16 * t37 + t23 * t56;
-    const double t69 = 2.0 * t12 - t16 * t41 + t23 * t58;
-    const double t70 = 2.0 * t13 - t16 * t51 + t23 * t60;
+    const double t64 = 0.5 * t28;
+    const double t65 = t36 - t42 - (t44 - t45 - t28 * (t34 - t35)) * t64;
+    const double t66 = t39 - t43 - (t46 - t47 - t28 * (t37 - t38)) * t64;
+    const double t67 = t50 - t51 - (t53 - t54 - t28 * (t48 - t49)) * t64;
+    const double t68 = 2.0 * t10 - t16 * t42 + t28 * t56;
+    const double t69 = 2.0 * t11 - t16 * t43 + t28 * t58;
+    const double t70 = 2.0 * t13 - t16 * t51 + t28 * t60;
     const double t71 = t65 * t61 + t66 * t62 + t67 * t63;
     const double t72 = t65 * t65 + t66 * t66 + t67 * t67;
-    const double t73 = t65 * t68 + t66 * t69 + t67 * t70;
-    const double t74 = t61 * t68 + t62 * t69 + t63 * t70;
-    const double t75 = t61 * t61 + t62 * t62 + t63 * t63;
-    const double t76 = 1.0 / (t72 * t75 - t71 * t71);
-    *xi = t23 + (t73 * t71 - t74 * t72) * t76;
-    *eta = t16 - (t73 * t75 - t74 * t71) * t76;
+    const double t73 = t61 * t61 + t62 * t62 + t63 * t63;
+    const double t74 = t65 * t68 + t66 * t69 + t67 * t70;
+    const double t75 = t61 * t68 + t62 * t69 + t63 * t70;
+    const double t76 = 1.0 / (t72 * t73 - t71 * t71);
+    *xi = t28 + (t74 * t71 - t75 * t72) * t76;
+    *eta = t16 - (t74 * t73 - t75 * t71) * t76;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -522,14 +522,14 @@ FOOTPOINT_LOOP void footpoint_quad9_coarse_n(size_t n, const double *const x[30]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad9_coarse_points[][34] = {
-    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8863497558399924, -0.76812861002867416, 1.3742267043420315e-14, 3.220698037177105e-15},
-    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.96875994577413949, 0.21729579090421594, 2.5078565775698224e-15, 1.8081985258039332e-15},
-    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1425262517368149, -0.5137262287047879, 1.0648934428658119e-14, 3.370560732813354e-15},
-    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.64633391024976661, -0.39364311685541803, 2.9366211990357569e-14, 4.0813878097575872e-15},
-    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9666179827244832, 0.30916896293492752, 5.4566914868715966e-15, 1.9703596146349246e-15},
-    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.56452767172488316, 0.87707404700949299, 1.0284867569330736e-14, 1.1696457462176509e-14},
-    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.86138123967505553, -0.15019197964928591, 3.6357877718077018e-15, 2.1825066935401776e-15},
-    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -1.0482449561504974, -0.49919652784927587, 9.9436182399692691e-15, 7.7730964565990367e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8863497558399924, -0.76812861002867416, 1.3742267043420326e-14, 3.2206980371771117e-15},
+    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.96875994577413949, 0.21729579090421594, 2.5078565775698224e-15, 1.808198525803932e-15},
+    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1425262517368149, -0.5137262287047879, 1.064893442865814e-14, 3.3705607328133564e-15},
+    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.64633391024976661, -0.39364311685541803, 2.936621199035786e-14, 4.0813878097575967e-15},
+    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9666179827244832, 0.30916896293492752, 5.4566914868715942e-15, 1.9703596146349235e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.56452767172488316, 0.87707404700949299, 1.0284867569330736e-14, 1.169645746217651e-14},
+    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.86138123967505553, -0.15019197964928591, 3.6357877718076979e-15, 2.1825066935401757e-15},
+    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -1.0482449561504974, -0.49919652784927587, 9.9436182399692659e-15, 7.773096456599032e-15},
 };
 #endif
 
@@ -571,84 +571,84 @@ FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[
     const double t29 = xC[0] - xD[0];
     const double u3 = 2.0 * xI[0];
     const double t30 = xH[0] + xF[0] - u3;
-    const double t31 = (t7 * t14 + t15 * t8) * t12;
-    const double t32 = xA[2] - xB[2];
-    const double t33 = t18 - 0.5 * (t16 + t19) + t28;
-    const double t34 = 0.5 * (t19 - t16) - t2;
-    const double t35 = u2 - t18;
-    const double t36 = xA[0] - xB[0];
-    const double t37 = t20 - 0.5 * (t17 + t21) + t30;
-    const double t38 = t1 - 0.5 * (t17 - t21);
-    const double t39 = u3 - t20;
-    const double t40 = xC[1] - xD[1];
-    const double t41 = t22 + t24 - 0.5 * (t23 + t26);
-    const double t42 = 0.5 * (t26 - t23) - t3;
+    const double t31 = xA[2] - xB[2];
+    const double t32 = t18 - 0.5 * (t16 + t19) + t28;
+    const double t33 = 0.5 * (t19 - t16) - t2;
+    const double t34 = u2 - t18;
+    const double t35 = xA[0] - xB[0];
+    const double t36 = t20 - 0.5 * (t17 + t21) + t30;
+    const double t37 = t1 - 0.5 * (t17 - t21);
+    const double t38 = u3 - t20;
+    const double t39 = xC[1] - xD[1];
+    const double t40 = t22 + t24 - 0.5 * (t23 + t26);
+    const double t41 = 0.5 * (t26 - t23) - t3;
+    const double t42 = (t7 * t14 + t15 * t8) * t12;
     const double t43 = u1 - t22;
-    const double t44 = t33 * t25;
-    const double t45 = t37 * t25;
+    const double t44 = t32 * t25;
+    const double t45 = t36 * t25;
     const double t46 = xA[1] - xB[1];
-    const double t47 = t41 * t25;
-    const double t48 = 0.5 * (t27 - t32) - t4;
-    const double t49 = t27 + t32;
-    const double t50 = t34 + t44;
-    const double t51 = t31 * (t28 - t25 * t50);
-    const double t52 = 0.5 * (t29 - t36) - t6;
-    const double t53 = 0.5 * (t29 + t36);
-    const double t54 = t38 + t45;
-    const double t55 = t31 * (t30 - t25 * t54);
+    const double t47 = t40 * t25;
+    const double t48 = 0.5 * (t27 - t31) - t4;
+    const double t49 = t27 + t31;
+    const double t50 = t33 + t44;
+    const double t51 = t42 * (t28 - t25 * t50);
+    const double t52 = 0.5 * (t29 - t35) - t6;
+    const double t53 = 0.5 * (t29 + t35);
+    const double t54 = t37 + t45;
+    const double t55 = t42 * (t30 - t25 * t54);
     const double t56 = t48 * t25;
     const double t57 = t52 * t25;
-    const double t58 = 0.5 * (t40 - t46) - t5;
-    const double t59 = t40 + t46;
-    const double t60 = t31 * (t24 - t25 * (t42 + t47));
+    const double t58 = 0.5 * (t39 - t46) - t5;
+    const double t59 = t39 + t46;
+    const double t60 = t42 * (t24 - t25 * (t41 + t47));
     const double u4 = 0.5 * t49;
     const double t61 = u4 + t56;
     const double t62 = t4 + t25 * t61 + t51;
     const double t63 = t53 + t57;
     const double t64 = t6 + t25 * t63 + t55;
     const double t65 = t58 * t25;
-    const double t66 = t51 + t62;
-    const double t67 = t55 + t64;
-    const double t68 = t35 * t25;
-    const double t69 = t39 * t25;
-    const double t70 = t43 * t25;
+    const double t66 = t34 * t25;
+    const double t67 = t38 * t25;
+    const double t68 = t43 * t25;
     const double u5 = 0.5 * t59;
-    const double t71 = u5 + t65;
-    const double t72 = t5 + t25 * t71 + t60;
-    const double t73 = t60 + t72;
-    const double t74 = t2 + t68;
-    const double t75 = t68 + t74 + t31 * (t31 * (t44 + t50) - t56 - t61);
-    const double t76 = t69 - t1;
-    const double t77 = t69 + t76 + t31 * (t31 * (t45 + t54) - t57 - t63);
-    const double t78 = t3 + t70;
-    const double t79 = t70 + t78 + t31 * (t31 * (t42 + 2.0 * t47) - t65 - t71);
+    const double t69 = u5 + t65;
+    const double t70 = t5 + t25 * t69 + t60;
+    const double t71 = t51 + t62;
+    const double t72 = t55 + t64;
+    const double t73 = t60 + t70;
+    const double t74 = t2 + t66;
+    const double t75 = t66 + t74 + t42 * (t42 * (t44 + t50) - t56 - t61);
+    const double t76 = t67 - t1;
+    const double t77 = t67 + t76 + t42 * (t42 * (t45 + t54) - t57 - t63);
+    const double t78 = t3 + t68;
+    const double t79 = t68 + t78 + t42 * (t42 * (t41 + 2.0 * t47) - t65 - t69);
     const double u6 = 2.0 * t10;
-    const double t80 = u6 - t25 * t74 + t31 * t62;
+    const double t80 = u6 - t25 * t74 + t42 * t62;
     const double u7 = 2.0 * t13;
-    const double t81 = u7 - t25 * t76 + t31 * t64;
+    const double t81 = u7 - t25 * t76 + t42 * t64;
     const double u8 = 2.0 * t11;
-    const double t82 = u8 - t25 * t78 + t31 * t72;
+    const double t82 = u8 - t25 * t78 + t42 * t70;
     const double t83 = t79 * t79 + t75 * t75 + t77 * t77;
-    const double t84 = t75 * t66 + t77 * t67 + t79 * t73;
-    const double t85 = t75 * t80 + t77 * t81 + t79 * t82;
-    const double t86 = t66 * t80 + t67 * t81 + t73 * t82;
-    const double t87 = t66 * t66 + t67 * t67 + t73 * t73;
-    const double t88 = 1.0 / (t83 * t87 - t84 * t84);
-    const double t89 = t25 + (t87 * t85 - t84 * t86) * t88;
-    const double t90 = t33 * t89;
-    const double t91 = t41 * t89;
-    const double t92 = t37 * t89;
-    const double t93 = t34 + t90;
-    const double t94 = t42 + t91;
-    const double t95 = t31 + (t85 * t84 - t83 * t86) * t88;
+    const double t84 = t75 * t71 + t77 * t72 + t79 * t73;
+    const double t85 = t71 * t71 + t72 * t72 + t73 * t73;
+    const double t86 = t75 * t80 + t77 * t81 + t79 * t82;
+    const double t87 = t71 * t80 + t72 * t81 + t73 * t82;
+    const double t88 = 1.0 / (t83 * t85 - t84 * t84);
+    const double t89 = t25 + (t85 * t86 - t84 * t87) * t88;
+    const double t90 = t32 * t89;
+    const double t91 = t40 * t89;
+    const double t92 = t36 * t89;
+    const double t93 = t33 + t90;
+    const double t94 = t41 + t91;
+    const double t95 = t42 + (t86 * t84 - t83 * t87) * t88;
     const double t96 = t48 * t89;
     const double t97 = t58 * t89;
     const double t98 = t52 * t89;
-    const double t99 = t38 + t92;
-    const double t100 = t35 * t89;
+    const double t99 = t37 + t92;
+    const double t100 = t34 * t89;
     const double t101 = t43 * t89;
     const double t102 = u5 + t97;
-    const double t103 = t39 * t89;
+    const double t103 = t38 * t89;
     const double t104 = t53 + t98;
     const double t105 = t95 * (t28 - t89 * t93);
     const double t106 = t95 * (t24 - t89 * t94);
@@ -670,12 +670,12 @@ FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[
     const double t122 = u7 - t89 * t111 + t95 * t113;
     const double t123 = t115 * t115 + t116 * t116 + t114 * t114;
     const double t124 = t117 * t114 + t115 * t118 + t116 * t119;
-    const double t125 = t120 * t114 + t115 * t121 + t116 * t122;
-    const double t126 = t117 * t120 + t118 * t121 + t119 * t122;
-    const double t127 = t117 * t117 + t118 * t118 + t119 * t119;
-    const double t128 = 1.0 / (t123 * t127 - t124 * t124);
-    *xi = t95 + (t125 * t124 - t123 * t126) * t128;
-    *eta = t89 + (t125 * t127 - t124 * t126) * t128;
+    const double t125 = t117 * t117 + t118 * t118 + t119 * t119;
+    const double t126 = t120 * t114 + t115 * t121 + t116 * t122;
+    const double t127 = t117 * t120 + t118 * t121 + t119 * t122;
+    const double t128 = 1.0 / (t123 * t125 - t124 * t124);
+    *xi = t95 + (t126 * t124 - t123 * t127) * t128;
+    *eta = t89 + (t126 * t125 - t124 * t127) * t128;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -718,14 +718,14 @@ FOOTPOINT_LOOP void footpoint_quad9_medium_n(size_t n, const double *const x[30]
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad9_medium_points[][34] = {
-    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8801406114263683, -0.77760103105567069, 1.072015704553587e-14, 2.2817304846655242e-15},
-    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.97759118142112733, 0.35284691787981298, 1.3516116166567095e-15, 1.2352890542348522e-15},
-    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379981049636556, -0.5040943814563098, 1.6036203767673172e-15, 2.0685072949213094e-15},
-    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.8640658629275576, -0.013830794632976389, 1.2073310906206101e-14, 1.9442075399374208e-14},
-    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.916324155788562, 0.31204025397159091, 4.0166661700191596e-15, 1.7625842001117319e-15},
-    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.07612342989014341, 1.1187849243819441, 6.596314559659545e-15, 8.0534085416301569e-15},
-    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76588759396225137, -0.11515072337740005, 1.0828558593452701e-15, 3.7478853344441534e-16},
-    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.11565918640089637, -0.51770848581619788, 3.1985391354009682e-14, 1.6868215161990688e-14},
+    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8801406114263683, -0.77760103105567069, 1.0720157045536085e-14, 2.2817304846655474e-15},
+    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.97759118142112733, 0.35284691787981298, 1.3516116166567097e-15, 1.2352890542348534e-15},
+    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379981049636556, -0.5040943814563098, 1.6036203767673594e-15, 2.0685072949213118e-15},
+    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.8640658629275576, -0.013830794632976389, 1.2073310906205795e-14, 1.9442075399374514e-14},
+    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.916324155788562, 0.31204025397159091, 4.0166661700191557e-15, 1.7625842001117366e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.07612342989014341, 1.1187849243819441, 6.5963145596591199e-15, 8.0534085416298934e-15},
+    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76588759396225137, -0.11515072337740005, 1.082855859345229e-15, 3.7478853344440267e-16},
+    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.11565918640089637, -0.51770848581619788, 3.1985391354006652e-14, 1.686821516198913e-14},
 };
 #endif
 
@@ -767,122 +767,122 @@ FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double x
     const double t29 = xC[1] - xD[1];
     const double t30 = t17 - 0.5 * (t16 + t18) + t27;
     const double t31 = t2 + 0.5 * (t16 - t18);
-    const double t32 = u2 - t17;
     const double u3 = 2.0 * xI[0];
-    const double t33 = xH[0] + xF[0] - u3;
-    const double t34 = (t14 * t7 - t15 * t8) * t12;
-    const double t35 = xA[2] - xB[2];
-    const double t36 = t20 - 0.5 * (t22 + t23) + t26;
-    const double t37 = t1 + 0.5 * (t22 - t23);
-    const double t38 = t20 - u1;
-    const double t39 = xA[1] - xB[1];
-    const double t40 = t30 * t21;
-    const double t41 = xC[0] - xD[0];
-    const double t42 = t24 - 0.5 * (t19 + t25) + t33;
-    const double t43 = t5 + 0.5 * (t19 - t25);
+    const double t32 = xH[0] + xF[0] - u3;
+    const double t33 = u2 - t17;
+    const double t34 = xA[2] - xB[2];
+    const double t35 = t20 - 0.5 * (t22 + t23) + t26;
+    const double t36 = t1 + 0.5 * (t22 - t23);
+    const double t37 = t20 - u1;
+    const double t38 = xA[1] - xB[1];
+    const double t39 = t30 * t21;
+    const double t40 = xC[0] - xD[0];
+    const double t41 = t24 - 0.5 * (t19 + t25) + t32;
+    const double t42 = t5 + 0.5 * (t19 - t25);
+    const double t43 = (t14 * t7 - t15 * t8) * t12;
     const double t44 = u3 - t24;
-    const double t45 = t36 * t21;
+    const double t45 = t35 * t21;
     const double t46 = xA[0] - xB[0];
-    const double t47 = t42 * t21;
-    const double t48 = t3 - 0.5 * (t28 - t35);
-    const double t49 = 0.5 * (t28 + t35);
-    const double t50 = t37 - t45;
-    const double t51 = t34 * (t26 + t21 * t50);
-    const double t52 = t4 - 0.5 * (t29 - t39);
-    const double t53 = t29 + t39;
-    const double t54 = t31 - t40;
-    const double t55 = t34 * (t27 + t21 * t54);
+    const double t47 = t41 * t21;
+    const double t48 = t3 - 0.5 * (t28 - t34);
+    const double t49 = 0.5 * (t28 + t34);
+    const double t50 = t36 - t45;
+    const double t51 = t43 * (t26 + t21 * t50);
+    const double t52 = t4 - 0.5 * (t29 - t38);
+    const double t53 = t29 + t38;
+    const double t54 = t31 - t39;
+    const double t55 = t43 * (t27 + t21 * t54);
     const double t56 = t48 * t21;
     const double t57 = t52 * t21;
-    const double t58 = t6 - 0.5 * (t41 - t46);
-    const double t59 = t41 + t46;
-    const double t60 = t43 - t47;
-    const double t61 = t34 * (t33 + t21 * t60);
+    const double t58 = t6 - 0.5 * (t40 - t46);
+    const double t59 = t40 + t46;
+    const double t60 = t42 - t47;
+    const double t61 = t43 * (t32 + t21 * t60);
     const double t62 = t58 * t21;
-    const double t63 = t38 * t21;
+    const double t63 = t37 * t21;
     const double t64 = t49 - t56;
     const double t65 = t3 + t21 * t64 - t51;
-    const double t66 = t51 - t65;
-    const double t67 = t32 * t21;
+    const double t66 = t33 * t21;
     const double u4 = 0.5 * t53;
-    const double t68 = u4 - t57;
-    const double t69 = t4 + t21 * t68 - t55;
-    const double t70 = t69 - t55;
+    const double t67 = u4 - t57;
+    const double t68 = t4 + t21 * t67 - t55;
     const double u5 = 0.5 * t59;
-    const double t71 = u5 - t62;
-    const double t72 = t6 + t21 * t71 - t61;
-    const double t73 = t72 - t61;
-    const double t74 = t44 * t21;
+    const double t69 = u5 - t62;
+    const double t70 = t6 + t21 * t69 - t61;
+    const double t71 = t51 - t65;
+    const double t72 = t68 - t55;
+    const double t73 = t44 * t21;
+    const double t74 = t70 - t61;
     const double t75 = t1 - t63;
-    const double t76 = t75 - t63 + t34 * (t64 - t56 - t34 * (t50 - t45));
-    const double t77 = t2 + t67;
-    const double t78 = t67 + t77 + t34 * (t68 - t57 + t34 * (t40 - t54));
-    const double t79 = t5 + t74;
-    const double t80 = t74 + t79 + t34 * (t71 - t62 + t34 * (t47 - t60));
+    const double t76 = t75 - t63 + t43 * (t64 - t56 - t43 * (t50 - t45));
+    const double t77 = t2 + t66;
+    const double t78 = t66 + t77 + t43 * (t67 - t57 + t43 * (t39 - t54));
+    const double t79 = t5 + t73;
+    const double t80 = t73 + t79 + t43 * (t69 - t62 + t43 * (t47 - t60));
     const double u6 = 2.0 * t10;
-    const double t81 = t21 * t75 - u6 + t34 * t65;
+    const double t81 = t21 * t75 - u6 + t43 * t65;
     const double u7 = 2.0 * t11;
-    const double t82 = u7 - t21 * t77 - t34 * t69;
+    const double t82 = u7 - t21 * t77 - t43 * t68;
     const double u8 = 2.0 * t13;
-    const double t83 = u8 - t21 * t79 - t34 * t72;
-    const double t84 = t76 * t66 - t78 * t70 - t80 * t73;
+    const double t83 = u8 - t21 * t79 - t43 * t70;
+    const double t84 = t76 * t71 - t78 * t72 - t80 * t74;
     const double t85 = t76 * t76 + t78 * t78 + t80 * t80;
-    const double t86 = t78 * t82 - t76 * t81 + t80 * t83;
-    const double t87 = t81 * t66 + t82 * t70 + t83 * t73;
-    const double t88 = t66 * t66 + t70 * t70 + t73 * t73;
-    const double t89 = 1.0 / (t85 * t88 - t84 * t84);
-    const double t90 = t21 + (t87 * t84 + t86 * t88) * t89;
-    const double t91 = t34 + (t86 * t84 + t85 * t87) * t89;
+    const double t86 = t71 * t71 + t72 * t72 + t74 * t74;
+    const double t87 = t78 * t82 - t76 * t81 + t80 * t83;
+    const double t88 = t81 * t71 + t82 * t72 + t83 * t74;
+    const double t89 = 1.0 / (t85 * t86 - t84 * t84);
+    const double t90 = t21 + (t88 * t84 + t87 * t86) * t89;
+    const double t91 = t43 + (t87 * t84 + t85 * t88) * t89;
     const double t92 = t30 * t90;
     const double t93 = t31 - t92;
     const double t94 = t27 + t90 * t93;
     const double t95 = t91 * (t92 - t93);
-    const double t96 = t36 * t90;
-    const double t97 = t37 - t96;
+    const double t96 = t35 * t90;
+    const double t97 = t36 - t96;
     const double t98 = t26 + t90 * t97;
     const double t99 = t91 * (t97 - t96);
-    const double t100 = t42 * t90;
-    const double t101 = t43 - t100;
-    const double t102 = t33 + t90 * t101;
+    const double t100 = t41 * t90;
+    const double t101 = t42 - t100;
+    const double t102 = t32 + t90 * t101;
     const double t103 = t91 * (t100 - t101);
     const double t104 = t52 * t90;
     const double t105 = t48 * t90;
     const double t106 = t58 * t90;
     const double t107 = u5 - t106;
-    const double t108 = t107 - t106 + t103;
-    const double t109 = t49 - 2.0 * t105 - t99;
-    const double t110 = t38 * t90;
+    const double t108 = t49 - 2.0 * t105 - t99;
+    const double t109 = t107 - t106 + t103;
+    const double t110 = t37 * t90;
     const double t111 = t1 - t110;
     const double t112 = u4 - 2.0 * t104 + t95;
-    const double t113 = t32 * t90;
+    const double t113 = t33 * t90;
     const double t114 = t2 + t113;
-    const double t115 = t111 - t110 + t91 * t109;
-    const double t116 = t91 * t98;
-    const double t117 = t3 + t49 * t90 - t90 * t105 - t116;
-    const double t118 = t117 - t116;
-    const double t119 = t90 * t111 - u6 + t91 * t117;
-    const double t120 = t91 * t94;
-    const double t121 = t4 + t90 * (u4 - t104) - t120;
-    const double t122 = t120 - t121;
-    const double t123 = t44 * t90;
-    const double t124 = t5 + t123;
+    const double t115 = t91 * t98;
+    const double t116 = t3 + t49 * t90 - t90 * t105 - t115;
+    const double t117 = t116 - t115;
+    const double t118 = t91 * t94;
+    const double t119 = t4 + t90 * (u4 - t104) - t118;
+    const double t120 = t118 - t119;
+    const double t121 = t44 * t90;
+    const double t122 = t5 + t121;
+    const double t123 = t111 - t110 + t91 * t108;
+    const double t124 = t90 * t111 - u6 + t91 * t116;
     const double t125 = t91 * t102;
     const double t126 = t6 + t90 * t107 - t125;
     const double t127 = t126 - t125;
     const double t128 = t113 + t114 + t91 * t112;
-    const double t129 = u7 - t90 * t114 - t91 * t121;
-    const double t130 = t123 + t124 + t91 * t108;
-    const double t131 = u8 - t90 * t124 - t91 * t126;
-    const double t132 = t115 * t118 - t128 * t122 + t130 * t127 + (t109 - t99) * t119 - (t95 + t112) * t129 - (t103
-        + t108) * t131;
-    const double t133 = 2.0 * ((t38 + t91 * (t48 - t36 * t91)) * t119 + (t32 - t91 * (t52 - t30 * t91)) * t129 +
-        (t44 - t91 * (t58 - t42 * t91)) * t131) - t115 * t115 - t130 * t130 - t128 * t128;
-    const double t134 = t118 * t118 - 2.0 * (t98 * t119 - t94 * t129 - t102 * t131) + t122 * t122 + t127 * t127;
-    const double t135 = t115 * t119 - t128 * t129 - t130 * t131;
-    const double t136 = t118 * t119 + t122 * t129 - t127 * t131;
-    const double t137 = 1.0 / (t133 * t134 + t132 * t132);
-    *xi = (t136 * t133 + t135 * t132) * t137 - t91;
-    *eta = t90 + (t135 * t134 - t136 * t132) * t137;
+    const double t129 = u7 - t90 * t114 - t91 * t119;
+    const double t130 = t121 + t122 + t91 * t109;
+    const double t131 = u8 - t90 * t122 - t91 * t126;
+    const double t132 = t123 * t117 - t128 * t120 + t130 * t127 + (t108 - t99) * t124 - (t95 + t112) * t129 - (t103
+        + t109) * t131;
+    const double t133 = t117 * t117 - 2.0 * (t98 * t124 - t94 * t129 - t102 * t131) + t120 * t120 + t127 * t127;
+    const double t134 = 2.0 * ((t37 + t91 * (t48 - t35 * t91)) * t124 + (t33 - t91 * (t52 - t30 * t91)) * t129 +
+        (t44 - t91 * (t58 - t41 * t91)) * t131) - t123 * t123 - t130 * t130 - t128 * t128;
+    const double t135 = t123 * t124 - t128 * t129 - t130 * t131;
+    const double t136 = t117 * t124 + t120 * t129 - t127 * t131;
+    const double t137 = 1.0 / (t134 * t133 + t132 * t132);
+    *xi = (t136 * t134 + t135 * t132) * t137 - t91;
+    *eta = t90 + (t135 * t133 - t136 * t132) * t137;
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -925,14 +925,14 @@ FOOTPOINT_LOOP void footpoint_quad9_balanced_n(size_t n, const double *const x[3
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad9_balanced_points[][34] = {
-    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8894030174862035, -0.7795175859378729, 1.3178420745641143e-14, 2.9079197792639314e-15},
-    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -1.0094428855951538, 0.40081237941112619, 2.2944310479357375e-15, 3.5504780576478479e-15},
-    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379863004432367, -0.50408572414600183, 2.1193955047581275e-15, 2.1479525754918777e-15},
-    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.63355493501951698, -0.26146165100016877, 5.4214919158097445e-15, 7.3002594875836261e-15},
-    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9112097489001456, 0.30893141129218371, 4.1200376908302069e-15, 1.9824877176644696e-15},
-    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.11103727248633848, 1.318541496730619, 7.357169972362911e-15, 1.2600931480108572e-14},
-    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.77359164541157366, -0.120132094807172, 1.527703710790728e-15, 1.5168336339816269e-15},
-    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.71810061011114323, -0.27533543217703355, 8.5360910856357383e-15, 6.9260668936970415e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8894030174862035, -0.7795175859378729, 1.3178420745641222e-14, 2.9079197792638762e-15},
+    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -1.0094428855951538, 0.40081237941112619, 2.2944310479357465e-15, 3.5504780576478479e-15},
+    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379863004432367, -0.50408572414600183, 2.1193955047582036e-15, 2.1479525754919211e-15},
+    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.63355493501951698, -0.26146165100016877, 5.4214919158099205e-15, 7.3002594875834667e-15},
+    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9112097489001456, 0.30893141129218371, 4.1200376908301911e-15, 1.9824877176644732e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.11103727248633848, 1.318541496730619, 7.3571699723629473e-15, 1.2600931480108783e-14},
+    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.77359164541157366, -0.120132094807172, 1.5277037107907258e-15, 1.5168336339816151e-15},
+    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.71810061011114323, -0.27533543217703355, 8.5360910856358961e-15, 6.9260668936969129e-15},
 };
 #endif
 
@@ -973,137 +973,137 @@ FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3]
     const double t28 = 0.5 * (xC[2] - xD[2]);
     const double t29 = t18 - 0.5 * (t16 + t19) + t26;
     const double t30 = 0.5 * (t16 - t19) - t1;
-    const double t31 = u1 - t18;
-    const double t32 = xC[1] - xD[1];
-    const double t33 = t20 - 0.5 * (t17 + t21) + t27;
-    const double t34 = t2 + 0.5 * (t17 - t21);
-    const double t35 = t20 - u2;
+    const double t31 = xC[1] - xD[1];
+    const double t32 = t20 - 0.5 * (t17 + t21) + t27;
+    const double t33 = t2 + 0.5 * (t17 - t21);
     const double u3 = 2.0 * xI[0];
-    const double t36 = xH[0] + xF[0] - u3;
-    const double t37 = (t14 * t7 - t15 * t8) * t12;
-    const double t38 = 0.5 * (xB[2] - xA[2]);
-    const double t39 = t29 * t23;
-    const double t40 = xA[1] - xB[1];
-    const double t41 = t33 * t23;
-    const double t42 = xC[0] - xD[0];
-    const double t43 = t24 - 0.5 * (t22 + t25) + t36;
-    const double t44 = t5 + 0.5 * (t22 - t25);
+    const double t34 = xH[0] + xF[0] - u3;
+    const double t35 = u1 - t18;
+    const double t36 = t20 - u2;
+    const double t37 = 0.5 * (xB[2] - xA[2]);
+    const double t38 = t29 * t23;
+    const double t39 = xA[1] - xB[1];
+    const double t40 = t32 * t23;
+    const double t41 = xC[0] - xD[0];
+    const double t42 = t24 - 0.5 * (t22 + t25) + t34;
+    const double t43 = t5 + 0.5 * (t22 - t25);
+    const double t44 = (t14 * t7 - t15 * t8) * t12;
     const double t45 = t24 - u3;
     const double t46 = xA[0] - xB[0];
-    const double t47 = t43 * t23;
-    const double t48 = t3 - t28 - t38;
-    const double t49 = t38 - t28;
-    const double t50 = t37 * (t26 - t23 * (t30 + t39));
-    const double t51 = 0.5 * (t32 - t40) - t4;
-    const double t52 = t32 + t40;
-    const double t53 = t34 + t41;
-    const double t54 = t37 * (t27 - t23 * t53);
+    const double t47 = t42 * t23;
+    const double t48 = t3 - t28 - t37;
+    const double t49 = t37 - t28;
+    const double t50 = t44 * (t26 - t23 * (t30 + t38));
+    const double t51 = 0.5 * (t31 - t39) - t4;
+    const double t52 = t31 + t39;
+    const double t53 = t33 + t40;
+    const double t54 = t44 * (t27 - t23 * t53);
     const double t55 = t48 * t23;
     const double t56 = t51 * t23;
-    const double t57 = 0.5 * (t42 - t46) - t6;
-    const double t58 = t42 + t46;
-    const double t59 = t44 + t47;
-    const double t60 = t37 * (t36 - t23 * t59);
+    const double t57 = 0.5 * (t41 - t46) - t6;
+    const double t58 = t41 + t46;
+    const double t59 = t43 + t47;
+    const double t60 = t44 * (t34 - t23 * t59);
     const double t61 = t57 * t23;
-    const double t62 = t31 * t23;
+    const double t62 = t35 * t23;
     const double t63 = t55 - t49;
     const double t64 = t23 * t63 - t3 + t50;
-    const double t65 = t50 + t64;
-    const double t66 = t35 * t23;
+    const double t65 = t36 * t23;
     const double u4 = 0.5 * t52;
-    const double t67 = u4 - t56;
-    const double t68 = t23 * t67 - t4 + t54;
-    const double t69 = t54 + t68;
+    const double t66 = u4 - t56;
+    const double t67 = t23 * t66 - t4 + t54;
+    const double t68 = t50 + t64;
+    const double t69 = t54 + t67;
     const double t70 = t45 * t23;
     const double u5 = 0.5 * t58;
     const double t71 = u5 - t61;
     const double t72 = t23 * t71 - t6 + t60;
     const double t73 = t60 + t72;
     const double t74 = t1 + t62;
-    const double t75 = t37 * (t55 - t37 * (t30 + 2.0 * t39) + t63) - t62 - t74;
-    const double t76 = t2 + t66;
-    const double t77 = t37 * (t56 - t67 + t37 * (t41 + t53)) - t66 - t76;
+    const double t75 = t44 * (t55 - t44 * (t30 + 2.0 * t38) + t63) - t62 - t74;
+    const double t76 = t2 + t65;
+    const double t77 = t44 * (t56 - t66 + t44 * (t40 + t53)) - t65 - t76;
     const double t78 = t5 + t70;
-    const double t79 = t37 * (t61 - t71 + t37 * (t47 + t59)) - t70 - t78;
+    const double t79 = t44 * (t61 - t71 + t44 * (t47 + t59)) - t70 - t78;
     const double u6 = 2.0 * t10;
-    const double t80 = t37 * t64 - u6 - t23 * t74;
+    const double t80 = t44 * t64 - u6 - t23 * t74;
     const double u7 = 2.0 * t11;
-    const double t81 = u7 + t23 * t76 + t37 * t68;
+    const double t81 = u7 + t23 * t76 + t44 * t67;
     const double u8 = 2.0 * t13;
-    const double t82 = u8 + t23 * t78 + t37 * t72;
-    const double t83 = t75 * t65 - t77 * t69 - t79 * t73;
+    const double t82 = u8 + t23 * t78 + t44 * t72;
+    const double t83 = t75 * t68 - t77 * t69 - t79 * t73;
     const double t84 = t75 * t75 + t77 * t77 + t79 * t79;
-    const double t85 = t75 * t80 - t77 * t81 - t79 * t82;
-    const double t86 = t80 * t65 + t81 * t69 + t82 * t73;
-    const double t87 = t65 * t65 + t69 * t69 + t73 * t73;
-    const double t88 = 1.0 / (t84 * t87 - t83 * t83);
-    const double t89 = t23 + (t86 * t83 - t85 * t87) * t88;
-    const double t90 = t37 + (t85 * t83 - t84 * t86) * t88;
-    const double t91 = t29 * t89;
-    const double t92 = t33 * t89;
-    const double t93 = t43 * t89;
-    const double t94 = t30 + t91;
+    const double t85 = t68 * t68 + t69 * t69 + t73 * t73;
+    const double t86 = t75 * t80 - t77 * t81 - t79 * t82;
+    const double t87 = t80 * t68 + t81 * t69 + t82 * t73;
+    const double t88 = 1.0 / (t84 * t85 - t83 * t83);
+    const double t89 = t23 + (t87 * t83 - t86 * t85) * t88;
+    const double t90 = t29 * t89;
+    const double t91 = t32 * t89;
+    const double t92 = t44 + (t86 * t83 - t84 * t87) * t88;
+    const double t93 = t42 * t89;
+    const double t94 = t30 + t90;
     const double t95 = t26 - t89 * t94;
-    const double t96 = t34 + t92;
+    const double t96 = t33 + t91;
     const double t97 = t27 - t89 * t96;
     const double t98 = t48 * t89;
     const double t99 = t51 * t89;
-    const double t100 = t44 + t93;
-    const double t101 = t36 - t89 * t100;
+    const double t100 = t43 + t93;
+    const double t101 = t34 - t89 * t100;
     const double t102 = t57 * t89;
-    const double t103 = t31 * t89;
-    const double t104 = t90 * (t91 + t94);
-    const double t105 = t90 * (t92 + t96);
-    const double t106 = t90 * (t93 + t100);
+    const double t103 = t35 * t89;
+    const double t104 = t92 * (t90 + t94);
+    const double t105 = t92 * (t91 + t96);
+    const double t106 = t92 * (t93 + t100);
     const double t107 = t98 - t49;
     const double t108 = t98 + t107 - t104;
-    const double t109 = t35 * t89;
+    const double t109 = t36 * t89;
     const double t110 = u4 - t99;
     const double t111 = t110 - t99 - t105;
-    const double t112 = t90 * t95;
+    const double t112 = t92 * t95;
     const double t113 = t3 - t89 * t107 - t112;
     const double t114 = t113 - t112;
-    const double t115 = t90 * t97;
+    const double t115 = t92 * t97;
     const double t116 = t4 - t89 * t110 - t115;
     const double t117 = t116 - t115;
     const double t118 = t45 * t89;
     const double t119 = u5 - t102;
     const double t120 = t119 - t102 - t106;
     const double t121 = t1 + t103;
-    const double t122 = t103 + t121 - t90 * t108;
-    const double t123 = u6 + t89 * t121 + t90 * t113;
-    const double t124 = t2 + t109;
-    const double t125 = t90 * t101;
-    const double t126 = t6 - t89 * t119 - t125;
-    const double t127 = t126 - t125;
-    const double t128 = t109 + t124 + t90 * t111;
-    const double t129 = u7 + t89 * t124 - t90 * t116;
-    const double t130 = t5 + t118;
-    const double t131 = t118 + t130 + t90 * t120;
-    const double t132 = u8 + t89 * t130 - t90 * t126;
-    const double t133 = 0.5 * (t122 * t114 - t128 * t117 - t131 * t127 - (t108 - t104) * t123 + (t111 - t105) * t129
+    const double t122 = t2 + t109;
+    const double t123 = t92 * t101;
+    const double t124 = t6 - t89 * t119 - t123;
+    const double t125 = t124 - t123;
+    const double t126 = t103 + t121 - t92 * t108;
+    const double t127 = u6 + t89 * t121 + t92 * t113;
+    const double t128 = t5 + t118;
+    const double t129 = t109 + t122 + t92 * t111;
+    const double t130 = u7 + t89 * t122 - t92 * t116;
+    const double t131 = t118 + t128 + t92 * t120;
+    const double t132 = u8 + t89 * t128 - t92 * t124;
+    const double t133 = 0.5 * (t126 * t114 - t129 * t117 - t131 * t125 - (t108 - t104) * t127 + (t111 - t105) * t130
         + (t120 - t106) * t132);
-    const double t134 = (t90 * (t51 + t33 * t90) - t35) * t129 - 0.5 * (t122 * t122 + t128 * t128 + t131 * t131) -
-        (t31 + t90 * (t29 * t90 - t48)) * t123 + (t90 * (t57 + t43 * t90) - t45) * t132;
-    const double t135 = t97 * t129 + 0.5 * (t114 * t114 + t117 * t117 + t127 * t127) - t95 * t123 + t101 * t132;
-    const double t136 = t122 * t123 + t128 * t129 + t131 * t132;
-    const double t137 = t114 * t123 - t117 * t129 - t127 * t132;
+    const double t134 = (t92 * (t51 + t32 * t92) - t36) * t130 - 0.5 * (t126 * t126 + t129 * t129 + t131 * t131) -
+        (t35 + t92 * (t29 * t92 - t48)) * t127 + (t92 * (t57 + t42 * t92) - t45) * t132;
+    const double t135 = t97 * t130 + 0.5 * (t114 * t114 + t117 * t117 + t125 * t125) - t95 * t127 + t101 * t132;
+    const double t136 = t126 * t127 + t129 * t130 + t131 * t132;
+    const double t137 = t114 * t127 - t117 * t130 - t125 * t132;
     const double t138 = 1.0 / (2.0 * (t134 * t135 + t133 * t133));
     const double t139 = (t137 * t133 - t136 * t135) * t138 - t89;
     const double t140 = t29 * t139;
-    const double t141 = t33 * t139;
-    const double t142 = t43 * t139;
+    const double t141 = t32 * t139;
+    const double t142 = t42 * t139;
     const double t143 = t30 - t140;
-    const double t144 = t34 - t141;
+    const double t144 = t33 - t141;
     const double t145 = t48 * t139;
     const double t146 = t51 * t139;
-    const double t147 = t44 - t142;
-    const double t148 = (t136 * t133 + t137 * t134) * t138 - t90;
+    const double t147 = t43 - t142;
+    const double t148 = (t136 * t133 + t137 * t134) * t138 - t92;
     const double t149 = t57 * t139;
     const double t150 = t49 + t145;
-    const double t151 = t31 * t139;
+    const double t151 = t35 * t139;
     const double t152 = u4 + t146;
-    const double t153 = t35 * t139;
+    const double t153 = t36 * t139;
     const double t154 = t148 * (t26 + t139 * t143);
     const double t155 = t148 * (t27 + t139 * t144);
     const double t156 = u5 + t149;
@@ -1112,7 +1112,7 @@ FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3]
     const double t159 = t4 + t139 * t152 + t155;
     const double t160 = t1 - t151;
     const double t161 = t153 - t2;
-    const double t162 = t148 * (t36 + t139 * t147);
+    const double t162 = t148 * (t34 + t139 * t147);
     const double t163 = t6 + t139 * t156 + t162;
     const double t164 = t157 - t5;
     const double t165 = t160 - t151 + t148 * (t148 * (t143 - t140) - t145 - t150);
@@ -1167,14 +1167,14 @@ FOOTPOINT_LOOP void footpoint_quad9_fine_n(size_t n, const double *const x[30],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad9_fine_points[][34] = {
-    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8829675981519993, -0.77809765489079097, 1.2125620741788733e-14, 2.7490312211943088e-15},
-    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.95842651567753456, 0.28455605277056645, 3.954844351398085e-15, 7.9951170793718279e-15},
-    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379143809300643, -0.50390708522796535, 1.6059016823100804e-15, 1.9251520963861112e-15},
-    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.66477678606185842, -0.21520472337929877, 3.9338042835900241e-15, 3.8155379224350101e-15},
-    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101825581804417, 0.30917298829715434, 3.717415408283716e-15, 1.8629812822375337e-15},
-    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.14852634620204413, 1.2908019220127112, 1.0741857338330397e-14, 1.0600758177587e-14},
-    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76389751762198266, -0.11528823866197875, 9.1798716332033515e-16, 6.8320410596119574e-16},
-    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.79084143051779632, -0.3470974022809728, 8.2745273212044136e-15, 5.4649164344600353e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8829675981519993, -0.77809765489079097, 1.2125620741788733e-14, 2.7490312211943056e-15},
+    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.95842651567753456, 0.28455605277056645, 3.954844351398081e-15, 7.9951170793718137e-15},
+    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379143809300643, -0.50390708522796535, 1.6059016823100875e-15, 1.9251520963861136e-15},
+    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.66477678606185842, -0.21520472337929877, 3.9338042835900486e-15, 3.8155379224349983e-15},
+    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101825581804417, 0.30917298829715434, 3.7174154082837128e-15, 1.8629812822375321e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.14852634620204413, 1.2908019220127112, 1.0741857338330403e-14, 1.0600758177586905e-14},
+    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76389751762198266, -0.11528823866197875, 9.1798716332034165e-16, 6.8320410596119505e-16},
+    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.79084143051779632, -0.3470974022809728, 8.2745273212043678e-15, 5.4649164344600463e-15},
 };
 #endif
 
@@ -1192,25 +1192,25 @@ FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double x
     const double t7 = t3 * t3 + t4 * t4 + t6 * t6;
     const double t8 = t3 * t1 + t4 * t2 + t6 * t5;
     const double t9 = t1 * t1 + t2 * t2 + t5 * t5;
-    const double t10 = 1.0 / (0.5 * (t8 * t8 - t7 * t9));
-    const double t11 = xS[2] - xI[2];
-    const double t12 = xS[1] - xI[1];
+    const double t10 = xS[2] - xI[2];
+    const double t11 = xS[1] - xI[1];
+    const double t12 = 1.0 / (0.5 * (t8 * t8 - t7 * t9));
     const double t13 = xS[0] - xI[0];
-    const double t14 = t11 * t1 + t12 * t2 + t13 * t5;
-    const double t15 = t11 * t3 + t12 * t4 + t13 * t6;
-    const double t16 = (t14 * t8 - t15 * t9) * t10;
-    const double t17 = xD[2] + xC[2];
-    const double t18 = xD[1] + xC[1];
+    const double t14 = t10 * t1 + t11 * t2 + t13 * t5;
+    const double t15 = t10 * t3 + t11 * t4 + t13 * t6;
+    const double t16 = xD[2] + xC[2];
+    const double t17 = xD[1] + xC[1];
+    const double t18 = (t14 * t8 - t15 * t9) * t12;
     const double t19 = xG[2] + xE[2];
     const double t20 = xB[2] + xA[2];
     const double t21 = xG[1] + xE[1];
     const double t22 = xB[1] + xA[1];
     const double t23 = xD[0] + xC[0];
-    const double t24 = (t14 * t7 - t15 * t8) * t10;
-    const double t25 = xD[2] - xC[2];
-    const double t26 = xC[1] - xD[1];
-    const double t27 = xG[0] + xE[0];
-    const double t28 = xB[0] + xA[0];
+    const double t24 = xD[2] - xC[2];
+    const double t25 = xC[1] - xD[1];
+    const double t26 = xG[0] + xE[0];
+    const double t27 = xB[0] + xA[0];
+    const double t28 = (t14 * t7 - t15 * t8) * t12;
     const double t29 = xB[2] - xA[2];
     const double u1 = 2.0 * xI[2];
     const double t30 = xH[2] + xF[2] - u1;
@@ -1218,70 +1218,70 @@ FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double x
     const double u2 = 2.0 * xI[1];
     const double t32 = xH[1] + xF[1] - u2;
     const double t33 = xD[0] - xC[0];
-    const double t34 = t19 - 0.5 * (t17 + t20) + t30;
-    const double t35 = 0.5 * (t17 - t20) - t3;
+    const double t34 = t19 - 0.5 * (t16 + t20) + t30;
+    const double t35 = 0.5 * (t16 - t20) - t3;
     const double t36 = t19 - u1;
-    const double t37 = t21 - 0.5 * (t18 + t22) + t32;
-    const double t38 = 0.5 * (t18 - t22) - t4;
+    const double t37 = t21 - 0.5 * (t17 + t22) + t32;
+    const double t38 = 0.5 * (t17 - t22) - t4;
     const double t39 = u2 - t21;
     const double t40 = xB[0] - xA[0];
     const double u3 = 2.0 * xI[0];
     const double t41 = xH[0] + xF[0] - u3;
-    const double t42 = 0.5 * (t25 - t29) - t1;
-    const double t43 = 0.5 * (t25 + t29);
-    const double t44 = t34 * t16;
-    const double t45 = t2 + 0.5 * (t26 + t31);
-    const double t46 = t31 - t26;
-    const double t47 = t37 * t16;
-    const double t48 = t27 - 0.5 * (t23 + t28) + t41;
-    const double t49 = 0.5 * (t23 - t28) - t6;
-    const double t50 = u3 - t27;
-    const double t51 = t42 * t16;
+    const double t42 = 0.5 * (t24 - t29) - t1;
+    const double t43 = 0.5 * (t24 + t29);
+    const double t44 = t34 * t18;
+    const double t45 = t2 + 0.5 * (t25 + t31);
+    const double t46 = t31 - t25;
+    const double t47 = t37 * t18;
+    const double t48 = t26 - 0.5 * (t23 + t27) + t41;
+    const double t49 = 0.5 * (t23 - t27) - t6;
+    const double t50 = u3 - t26;
+    const double t51 = t42 * t18;
     const double t52 = t44 - t35;
-    const double t53 = t24 * (t30 - t16 * t52);
-    const double t54 = t45 * t16;
+    const double t53 = t28 * (t30 - t18 * t52);
+    const double t54 = t45 * t18;
     const double t55 = t47 - t38;
-    const double t56 = t24 * (t32 - t16 * t55);
+    const double t56 = t28 * (t32 - t18 * t55);
     const double t57 = 0.5 * (t33 - t40) - t5;
     const double t58 = t33 + t40;
-    const double t59 = t48 * t16;
+    const double t59 = t48 * t18;
     const double t60 = t43 + t51;
-    const double t61 = t53 - t1 - t16 * t60;
+    const double t61 = t53 - t1 - t18 * t60;
     const double t62 = t53 + t61;
     const double u4 = 0.5 * t46;
     const double t63 = u4 - t54;
-    const double t64 = t56 - t2 - t16 * t63;
+    const double t64 = t56 - t2 - t18 * t63;
     const double t65 = t56 + t64;
-    const double t66 = t57 * t16;
+    const double t66 = t57 * t18;
     const double t67 = t59 - t49;
-    const double t68 = t24 * (t41 - t16 * t67);
-    const double t69 = t36 * t16;
-    const double t70 = t39 * t16;
+    const double t68 = t28 * (t41 - t18 * t67);
+    const double t69 = t36 * t18;
+    const double t70 = t39 * t18;
     const double u5 = 0.5 * t58;
     const double t71 = u5 + t66;
-    const double t72 = t68 - t5 - t16 * t71;
+    const double t72 = t68 - t5 - t18 * t71;
     const double t73 = t68 + t72;
     const double t74 = t3 + t69;
-    const double t75 = t69 + t74 - t24 * (t51 + t60 + t24 * (t44 + t52));
+    const double t75 = t69 + t74 - t28 * (t51 + t60 + t28 * (t44 + t52));
     const double t76 = t70 - t4;
-    const double t77 = t24 * (t54 - t63 - t24 * (t47 + t55)) - t70 - t76;
-    const double t78 = t50 * t16;
-    const double u6 = 2.0 * t11;
-    const double t79 = t16 * t74 - u6 + t24 * t61;
-    const double u7 = 2.0 * t12;
-    const double t80 = t24 * t64 - u7 - t16 * t76;
-    const double t81 = t6 - t78;
-    const double t82 = t81 - t78 - t24 * (t66 + t71 + t24 * (t59 + t67));
+    const double t77 = t28 * (t54 - t63 - t28 * (t47 + t55)) - t70 - t76;
+    const double t78 = t50 * t18;
+    const double t79 = t6 - t78;
+    const double t80 = t79 - t78 - t28 * (t66 + t71 + t28 * (t59 + t67));
+    const double u6 = 2.0 * t10;
+    const double t81 = t18 * t74 - u6 + t28 * t61;
+    const double u7 = 2.0 * t11;
+    const double t82 = t28 * t64 - u7 - t18 * t76;
     const double u8 = 2.0 * t13;
-    const double t83 = t16 * t81 - u8 + t24 * t72;
-    const double t84 = t75 * t62 + t77 * t65 + t82 * t73;
-    const double t85 = t75 * t75 + t77 * t77 + t82 * t82;
-    const double t86 = t75 * t79 + t77 * t80 + t82 * t83;
-    const double t87 = t62 * t79 + t65 * t80 + t73 * t83;
-    const double t88 = t62 * t62 + t65 * t65 + t73 * t73;
-    const double t89 = 1.0 / (t85 * t88 - t84 * t84);
-    const double t90 = t16 - (t86 * t88 - t84 * t87) * t89;
-    const double t91 = t24 - (t85 * t87 - t86 * t84) * t89;
+    const double t83 = t18 * t79 - u8 + t28 * t72;
+    const double t84 = t75 * t62 + t77 * t65 + t80 * t73;
+    const double t85 = t75 * t75 + t77 * t77 + t80 * t80;
+    const double t86 = t62 * t62 + t65 * t65 + t73 * t73;
+    const double t87 = t75 * t81 + t77 * t82 + t80 * t83;
+    const double t88 = t62 * t81 + t65 * t82 + t73 * t83;
+    const double t89 = 1.0 / (t85 * t86 - t84 * t84);
+    const double t90 = t18 - (t87 * t86 - t84 * t88) * t89;
+    const double t91 = t28 - (t85 * t88 - t87 * t84) * t89;
     const double t92 = t48 * t90;
     const double t93 = t34 * t90;
     const double t94 = t37 * t90;
@@ -1314,22 +1314,22 @@ FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double x
     const double t121 = t120 - t1 - t90 * t108;
     const double t122 = t120 + t121;
     const double t123 = t3 + t113;
-    const double t124 = t91 * t109 - t113 - t123;
-    const double t125 = t90 * t123 - u6 + t91 * t121;
-    const double t126 = t91 * t103;
-    const double t127 = t126 - t2 - t90 * t110;
-    const double t128 = t126 + t127;
-    const double t129 = t39 * t90;
-    const double t130 = t129 - t4;
-    const double t131 = t129 + t130 + t91 * t111;
-    const double t132 = t91 * t127 - u7 - t90 * t130;
-    const double t133 = 2.0 * ((t91 * (t42 + t34 * t91) - t36) * t125 + (t39 + t91 * (t37 * t91 - t45)) * t132 +
-        (t50 + t91 * (t57 + t48 * t91)) * t119) - t118 * t118 - t124 * t124 - t131 * t131;
-    const double t134 = t122 * t122 + t128 * t128 + t116 * t116 + 2.0 * (t99 * t125 + t103 * t132 + t95 * t119);
-    const double t135 = (t96 - t107) * t119 - t124 * t122 - t131 * t128 - t118 * t116 - (t100 + t109) * t125 - (t104
+    const double t124 = t91 * t103;
+    const double t125 = t124 - t2 - t90 * t110;
+    const double t126 = t124 + t125;
+    const double t127 = t39 * t90;
+    const double t128 = t91 * t109 - t113 - t123;
+    const double t129 = t90 * t123 - u6 + t91 * t121;
+    const double t130 = t127 - t4;
+    const double t131 = t127 + t130 + t91 * t111;
+    const double t132 = t91 * t125 - u7 - t90 * t130;
+    const double t133 = 2.0 * ((t91 * (t42 + t34 * t91) - t36) * t129 + (t39 + t91 * (t37 * t91 - t45)) * t132 +
+        (t50 + t91 * (t57 + t48 * t91)) * t119) - t118 * t118 - t128 * t128 - t131 * t131;
+    const double t134 = t122 * t122 + t126 * t126 + t116 * t116 + 2.0 * (t99 * t129 + t103 * t132 + t95 * t119);
+    const double t135 = (t96 - t107) * t119 - t128 * t122 - t131 * t126 - t118 * t116 - (t100 + t109) * t129 - (t104
         + t111) * t132;
-    const double t136 = t122 * t125 + t128 * t132 + t116 * t119;
-    const double t137 = t124 * t125 + t131 * t132 + t118 * t119;
+    const double t136 = t122 * t129 + t126 * t132 + t116 * t119;
+    const double t137 = t128 * t129 + t131 * t132 + t118 * t119;
     const double t138 = 1.0 / (t133 * t134 + t135 * t135);
     const double t139 = t90 - (t137 * t134 + t136 * t135) * t138;
     const double t140 = (t136 * t133 - t137 * t135) * t138 - t91;
@@ -1353,35 +1353,35 @@ FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double x
     const double t158 = t140 * (t155 - t156);
     const double t159 = t39 * t139;
     const double t160 = t159 - t4;
-    const double t161 = t159 + t160 - t140 * t151;
-    const double t162 = t57 * t139;
-    const double t163 = u5 + t162;
-    const double t164 = t162 + t163 - t158;
+    const double t161 = t57 * t139;
+    const double t162 = t159 + t160 - t140 * t151;
+    const double t163 = u5 + t161;
+    const double t164 = t161 + t163 - t158;
     const double t165 = t36 * t139;
     const double t166 = t3 + t165;
     const double t167 = t140 * t143;
     const double t168 = t2 + t139 * t150 + t167;
     const double t169 = t167 + t168;
     const double t170 = t140 * t168 - u7 - t139 * t160;
-    const double t171 = t165 + t166 + t140 * t154;
-    const double t172 = t140 * t147;
-    const double t173 = t1 + t139 * t153 + t172;
-    const double t174 = t172 + t173;
-    const double t175 = t139 * t166 - u6 + t140 * t173;
-    const double t176 = t50 * t139;
-    const double t177 = t6 - t176;
-    const double t178 = t176 - t177 - t140 * t164;
-    const double t179 = t140 * t157;
-    const double t180 = t5 + t139 * t163 + t179;
-    const double t181 = t179 + t180;
-    const double t182 = t139 * t177 - u8 + t140 * t180;
-    const double t183 = 0.5 * (t174 * t174 + t169 * t169 + t181 * t181) + t147 * t175 + t143 * t170 + t157 * t182;
+    const double t171 = t140 * t147;
+    const double t172 = t1 + t139 * t153 + t171;
+    const double t173 = t171 + t172;
+    const double t174 = t165 + t166 + t140 * t154;
+    const double t175 = t139 * t166 - u6 + t140 * t172;
+    const double t176 = t140 * t157;
+    const double t177 = t5 + t139 * t163 + t176;
+    const double t178 = t176 + t177;
+    const double t179 = t50 * t139;
+    const double t180 = t6 - t179;
+    const double t181 = t179 - t180 - t140 * t164;
+    const double t182 = t139 * t180 - u8 + t140 * t177;
+    const double t183 = 0.5 * (t173 * t173 + t169 * t169 + t178 * t178) + t147 * t175 + t143 * t170 + t157 * t182;
     const double t184 = 2.0 * ((t39 + t140 * (t45 + t37 * t140)) * t170 - (t36 + t140 * (t42 - t34 * t140)) * t175 +
-        (t50 - t140 * (t57 - t48 * t140)) * t182) - t171 * t171 - t161 * t161 - t178 * t178;
-    const double t185 = (t151 - t144) * t170 + t171 * t174 - t161 * t169 - t178 * t181 + (t154 - t148) * t175 +
+        (t50 - t140 * (t57 - t48 * t140)) * t182) - t174 * t174 - t162 * t162 - t181 * t181;
+    const double t185 = (t151 - t144) * t170 + t174 * t173 - t162 * t169 - t181 * t178 + (t154 - t148) * t175 +
         (t164 - t158) * t182;
-    const double t186 = 0.5 * (t174 * t175 + t169 * t170 + t181 * t182);
-    const double t187 = t161 * t170 - t171 * t175 + t178 * t182;
+    const double t186 = 0.5 * (t173 * t175 + t169 * t170 + t178 * t182);
+    const double t187 = t162 * t170 - t174 * t175 + t181 * t182;
     const double t188 = 0.5 * t185;
     const double t189 = 1.0 / (t184 * t183 + t185 * t188);
     *xi = (t186 * t184 - t187 * t188) * t189 - t140;
@@ -1428,14 +1428,14 @@ FOOTPOINT_LOOP void footpoint_quad9_accurate_n(size_t n, const double *const x[3
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad9_accurate_points[][34] = {
-    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8836484927768469, -0.77832023427685904, 1.031420945108673e-14, 2.2046819339293925e-15},
-    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.98940983726844756, 0.35294092981660985, 1.5594091598509353e-15, 1.4273657214202032e-15},
-    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379109997124641, -0.50389998953757487, 1.5134481734926754e-15, 1.920441234252127e-15},
-    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.74225783990761596, -0.10350980580762338, 4.774880088303232e-15, 8.5033850951837939e-15},
-    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101876167714797, 0.30922170894032741, 3.6528676976486961e-15, 1.8000195922662428e-15},
-    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.12790822599561175, 1.3279305777748343, 1.1749854428168446e-15, 3.5517959334970155e-15},
-    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76097296690914695, -0.11409129823984961, 6.6147232596888986e-16, 2.5659910541319246e-16},
-    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.72403665319973165, -0.35076201260844075, 7.6749587689285886e-15, 6.5965266281653167e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8836484927768469, -0.77832023427685904, 1.0314209451084567e-14, 2.2046819339292596e-15},
+    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.98940983726844756, 0.35294092981660985, 1.5594091598509203e-15, 1.4273657214201852e-15},
+    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379109997124641, -0.50389998953757487, 1.5134481734926756e-15, 1.920441234252127e-15},
+    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.74225783990761596, -0.10350980580762338, 4.7748800883054834e-15, 8.5033850951844661e-15},
+    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101876167714797, 0.30922170894032741, 3.6528676976474663e-15, 1.8000195922659123e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.12790822599561175, 1.3279305777748343, 1.1749854428139428e-15, 3.5517959335012256e-15},
+    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76097296690914695, -0.11409129823984961, 6.6147232596898058e-16, 2.5659910541316583e-16},
+    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.72403665319973165, -0.35076201260844075, 7.6749587689325503e-15, 6.5965266281625739e-15},
 };
 #endif
 
@@ -1475,223 +1475,223 @@ FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3
     const double t28 = xC[1] - xD[1];
     const double u2 = 2.0 * xI[1];
     const double t29 = xH[1] + xF[1] - u2;
-    const double t30 = (t14 * t7 + t15 * t8) * t12;
-    const double t31 = xA[2] - xB[2];
-    const double t32 = t18 - 0.5 * (t16 + t19) + t27;
-    const double t33 = t1 + 0.5 * (t16 - t19);
-    const double t34 = u1 - t18;
-    const double t35 = xA[1] - xB[1];
-    const double t36 = t20 - 0.5 * (t17 + t21) + t29;
-    const double t37 = t2 + 0.5 * (t17 - t21);
-    const double t38 = u2 - t20;
-    const double t39 = xC[0] - xD[0];
+    const double t30 = xA[2] - xB[2];
+    const double t31 = t18 - 0.5 * (t16 + t19) + t27;
+    const double t32 = t1 + 0.5 * (t16 - t19);
+    const double t33 = u1 - t18;
+    const double t34 = xA[1] - xB[1];
+    const double t35 = t20 - 0.5 * (t17 + t21) + t29;
+    const double t36 = t2 + 0.5 * (t17 - t21);
+    const double t37 = u2 - t20;
+    const double t38 = xC[0] - xD[0];
     const double u3 = 2.0 * xI[0];
-    const double t40 = xH[0] + xF[0] - u3;
-    const double t41 = t32 * t23;
-    const double t42 = t36 * t23;
+    const double t39 = xH[0] + xF[0] - u3;
+    const double t40 = (t14 * t7 + t15 * t8) * t12;
+    const double t41 = t31 * t23;
+    const double t42 = t35 * t23;
     const double t43 = xA[0] - xB[0];
-    const double t44 = t24 - 0.5 * (t22 + t25) + t40;
+    const double t44 = t24 - 0.5 * (t22 + t25) + t39;
     const double t45 = t5 + 0.5 * (t22 - t25);
     const double t46 = u3 - t24;
-    const double t47 = 0.5 * (t26 - t31) - t3;
-    const double t48 = 0.5 * (t26 + t31);
-    const double t49 = t33 - t41;
-    const double t50 = t30 * (t27 + t23 * t49);
-    const double t51 = 0.5 * (t28 - t35) - t4;
-    const double t52 = 0.5 * (t28 + t35);
-    const double t53 = t37 - t42;
-    const double t54 = t30 * (t29 + t23 * t53);
+    const double t47 = 0.5 * (t26 - t30) - t3;
+    const double t48 = 0.5 * (t26 + t30);
+    const double t49 = t32 - t41;
+    const double t50 = t40 * (t27 + t23 * t49);
+    const double t51 = 0.5 * (t28 - t34) - t4;
+    const double t52 = 0.5 * (t28 + t34);
+    const double t53 = t36 - t42;
+    const double t54 = t40 * (t29 + t23 * t53);
     const double t55 = t44 * t23;
     const double t56 = t47 * t23;
     const double t57 = t51 * t23;
-    const double t58 = 0.5 * (t39 - t43) - t6;
-    const double t59 = t39 + t43;
+    const double t58 = 0.5 * (t38 - t43) - t6;
+    const double t59 = t38 + t43;
     const double t60 = t45 - t55;
-    const double t61 = t30 * (t40 + t23 * t60);
+    const double t61 = t40 * (t39 + t23 * t60);
     const double t62 = t48 + t56;
     const double t63 = t3 + t23 * t62 + t50;
     const double t64 = t52 + t57;
     const double t65 = t4 + t23 * t64 + t54;
     const double t66 = t58 * t23;
-    const double t67 = t50 + t63;
-    const double t68 = t54 + t65;
-    const double t69 = t34 * t23;
-    const double t70 = t38 * t23;
+    const double t67 = t33 * t23;
+    const double t68 = t37 * t23;
     const double u4 = 0.5 * t59;
-    const double t71 = u4 + t66;
-    const double t72 = t6 + t23 * t71 + t61;
-    const double t73 = t61 + t72;
-    const double t74 = t46 * t23;
-    const double t75 = t1 + t69;
-    const double t76 = t69 + t75 - t30 * (t56 + t62 + t30 * (t49 - t41));
-    const double t77 = t2 + t70;
-    const double t78 = t70 + t77 - t30 * (t57 + t64 + t30 * (t53 - t42));
-    const double t79 = t5 + t74;
-    const double t80 = t74 + t79 - t30 * (t66 + t71 + t30 * (t60 - t55));
-    const double t81 = t30 * t63 - t10 - t23 * t75;
-    const double t82 = t11 - t23 * t77 + t30 * t65;
-    const double t83 = t13 - t23 * t79 + t30 * t72;
-    const double t84 = t76 * t67 + t78 * t68 + t80 * t73;
+    const double t69 = u4 + t66;
+    const double t70 = t6 + t23 * t69 + t61;
+    const double t71 = t50 + t63;
+    const double t72 = t54 + t65;
+    const double t73 = t46 * t23;
+    const double t74 = t61 + t70;
+    const double t75 = t1 + t67;
+    const double t76 = t67 + t75 - t40 * (t56 + t62 + t40 * (t49 - t41));
+    const double t77 = t2 + t68;
+    const double t78 = t68 + t77 - t40 * (t57 + t64 + t40 * (t53 - t42));
+    const double t79 = t5 + t73;
+    const double t80 = t73 + t79 - t40 * (t66 + t69 + t40 * (t60 - t55));
+    const double t81 = t40 * t63 - t10 - t23 * t75;
+    const double t82 = t11 - t23 * t77 + t40 * t65;
+    const double t83 = t13 - t23 * t79 + t40 * t70;
+    const double t84 = t76 * t71 + t78 * t72 + t80 * t74;
     const double t85 = t76 * t76 + t78 * t78 + t80 * t80;
-    const double t86 = t76 * t81 + t78 * t82 + t80 * t83;
-    const double t87 = t67 * t81 + t68 * t82 + t73 * t83;
-    const double t88 = t67 * t67 + t68 * t68 + t73 * t73;
-    const double t89 = 1.0 / (t85 * t88 - t84 * t84);
-    const double t90 = t23 + (t88 * t86 - t84 * t87) * t89;
-    const double t91 = t30 + (t86 * t84 - t85 * t87) * t89;
-    const double t92 = t32 * t90;
-    const double t93 = t36 * t90;
+    const double t86 = t71 * t71 + t72 * t72 + t74 * t74;
+    const double t87 = t76 * t81 + t78 * t82 + t80 * t83;
+    const double t88 = t71 * t81 + t72 * t82 + t74 * t83;
+    const double t89 = 1.0 / (t85 * t86 - t84 * t84);
+    const double t90 = t23 + (t86 * t87 - t84 * t88) * t89;
+    const double t91 = t31 * t90;
+    const double t92 = t35 * t90;
+    const double t93 = t40 + (t87 * t84 - t85 * t88) * t89;
     const double t94 = t44 * t90;
-    const double t95 = t33 - t92;
-    const double t96 = t95 - t92;
+    const double t95 = t32 - t91;
+    const double t96 = t95 - t91;
     const double t97 = t27 + t90 * t95;
-    const double t98 = t37 - t93;
-    const double t99 = t98 - t93;
+    const double t98 = t36 - t92;
+    const double t99 = t98 - t92;
     const double t100 = t29 + t90 * t98;
     const double t101 = t47 * t90;
     const double t102 = t51 * t90;
     const double t103 = t45 - t94;
     const double t104 = t103 - t94;
-    const double t105 = t40 + t90 * t103;
+    const double t105 = t39 + t90 * t103;
     const double t106 = t58 * t90;
-    const double t107 = t34 * t90;
+    const double t107 = t33 * t90;
     const double t108 = t48 + t101;
-    const double t109 = t38 * t90;
+    const double t109 = t37 * t90;
     const double t110 = t52 + t102;
-    const double t111 = t91 * t96;
+    const double t111 = t93 * t96;
     const double t112 = t101 + t108 + t111;
-    const double t113 = t91 * t99;
+    const double t113 = t93 * t99;
     const double t114 = t102 + t110 + t113;
     const double t115 = t46 * t90;
     const double t116 = u4 + t106;
-    const double t117 = t91 * t97;
+    const double t117 = t93 * t97;
     const double t118 = t3 + t90 * t108 + t117;
     const double t119 = t117 + t118;
-    const double t120 = t91 * t100;
+    const double t120 = t93 * t100;
     const double t121 = t4 + t90 * t110 + t120;
     const double t122 = t120 + t121;
-    const double t123 = t111 + t112;
-    const double t124 = t1 + t107;
-    const double t125 = t107 + t124 - t91 * t112;
-    const double t126 = t10 + t90 * t124 - t91 * t118;
-    const double t127 = t2 + t109;
-    const double t128 = t91 * t104;
-    const double t129 = t106 + t116 + t128;
-    const double t130 = t91 * t105;
-    const double t131 = t6 + t90 * t116 + t130;
-    const double t132 = t130 + t131;
-    const double t133 = t113 + t114;
-    const double t134 = t109 + t127 - t91 * t114;
-    const double t135 = t90 * t127 - t11 - t91 * t121;
-    const double t136 = t5 + t115;
-    const double t137 = t128 + t129;
-    const double t138 = t115 + t136 - t91 * t129;
-    const double t139 = t90 * t136 - t13 - t91 * t131;
-    const double t140 = t32 * t91;
-    const double t141 = t36 * t91;
-    const double t142 = t34 + t91 * (t140 - t47);
-    const double t143 = t44 * t91;
-    const double t144 = t38 + t91 * (t141 - t51);
-    const double t145 = t46 + t91 * (t143 - t58);
-    const double t146 = t125 * t119 + t134 * t122 + t138 * t132 + t123 * t126 + t133 * t135 + t137 * t139;
-    const double t147 = t125 * t125 + t134 * t134 + t138 * t138 + 2.0 * (t142 * t126 + t144 * t135 + t145 * t139);
-    const double t148 = 2.0 * (t97 * t126 + t100 * t135 + t105 * t139) - t119 * t119 - t122 * t122 - t132 * t132;
-    const double t149 = t97 * t125 + t100 * t134 + t105 * t138 + t96 * t126 + t99 * t135 + t104 * t139 - t123 * t119
-        - t133 * t122 - t137 * t132;
-    const double t150 = 2.0 / (t148 * t147 + t146 * t146);
-    const double t151 = t119 * t126 + t122 * t135 + t132 * t139;
-    const double t152 = t125 * t126 + t134 * t135 + t138 * t139;
-    const double t153 = t123 * t125 + t133 * t134 + t137 * t138 - (2.0 * t140 - t47) * t126 + (t51 - 2.0 * t141) *
-        t135 - (2.0 * t143 - t58) * t139 + t142 * t119 + t144 * t122 + t145 * t132;
-    const double t154 = (t151 * t146 + t152 * t148) * t150;
-    const double t155 = (t151 * t147 - t152 * t146) * t150;
-    const double t156 = (3.0 * (t142 * t125 + t144 * t134 + t145 * t138)) * t154 - t153 * t155;
+    const double t123 = t1 + t107;
+    const double t124 = t2 + t109;
+    const double t125 = t93 * t104;
+    const double t126 = t106 + t116 + t125;
+    const double t127 = t93 * t105;
+    const double t128 = t6 + t90 * t116 + t127;
+    const double t129 = t127 + t128;
+    const double t130 = t111 + t112;
+    const double t131 = t107 + t123 - t93 * t112;
+    const double t132 = t10 + t90 * t123 - t93 * t118;
+    const double t133 = t5 + t115;
+    const double t134 = t113 + t114;
+    const double t135 = t109 + t124 - t93 * t114;
+    const double t136 = t90 * t124 - t11 - t93 * t121;
+    const double t137 = t31 * t93;
+    const double t138 = t125 + t126;
+    const double t139 = t115 + t133 - t93 * t126;
+    const double t140 = t90 * t133 - t13 - t93 * t128;
+    const double t141 = t35 * t93;
+    const double t142 = t33 + t93 * (t137 - t47);
+    const double t143 = t44 * t93;
+    const double t144 = t37 + t93 * (t141 - t51);
+    const double t145 = t46 + t93 * (t143 - t58);
+    const double t146 = t131 * t119 + t135 * t122 + t139 * t129 + t130 * t132 + t134 * t136 + t138 * t140;
+    const double t147 = t131 * t131 + t135 * t135 + t139 * t139 + 2.0 * (t142 * t132 + t144 * t136 + t145 * t140);
+    const double t148 = 2.0 * (t97 * t132 + t100 * t136 + t105 * t140) - t119 * t119 - t122 * t122 - t129 * t129;
+    const double t149 = 2.0 / (t148 * t147 + t146 * t146);
+    const double t150 = t97 * t131 + t100 * t135 + t105 * t139 + t96 * t132 + t99 * t136 + t104 * t140 - t130 * t119
+        - t134 * t122 - t138 * t129;
+    const double t151 = t119 * t132 + t122 * t136 + t129 * t140;
+    const double t152 = t131 * t132 + t135 * t136 + t139 * t140;
+    const double t153 = t130 * t131 + t134 * t135 + t138 * t139 - (2.0 * t137 - t47) * t132 + (t51 - 2.0 * t141) *
+        t136 - (2.0 * t143 - t58) * t140 + t142 * t119 + t144 * t122 + t145 * t129;
+    const double t154 = (t151 * t146 + t152 * t148) * t149;
+    const double t155 = (t151 * t147 - t152 * t146) * t149;
+    const double t156 = (3.0 * (t142 * t131 + t144 * t135 + t145 * t139)) * t154 - t153 * t155;
     const double t157 = t147 - t156;
-    const double t158 = (3.0 * (t97 * t119 + t100 * t122 + t105 * t132)) * t155 - t149 * t154;
-    const double t159 = t149 * t155 + t153 * t154;
+    const double t158 = (3.0 * (t97 * t119 + t100 * t122 + t105 * t129)) * t155 - t150 * t154;
+    const double t159 = t150 * t155 + t153 * t154;
     const double t160 = t159 - t146;
     const double t161 = t148 + t158;
     const double t162 = 0.25 * (t154 * t159 - t155 * t158) - t151;
     const double t163 = t152 - 0.25 * (t154 * t156 - t155 * t159);
     const double t164 = 1.0 / (t160 * t160 + t161 * t157);
     const double t165 = (t160 * t162 + t161 * t163) * t164 - t90;
-    const double t166 = t91 + (t157 * t162 - t160 * t163) * t164;
-    const double t167 = t32 * t165;
-    const double t168 = t33 + t167;
-    const double t169 = t167 + t168;
-    const double t170 = t27 - t165 * t168;
-    const double t171 = t36 * t165;
-    const double t172 = t37 + t171;
-    const double t173 = t171 + t172;
-    const double t174 = t29 - t165 * t172;
+    const double t166 = t31 * t165;
+    const double t167 = t32 + t166;
+    const double t168 = t35 * t165;
+    const double t169 = t93 + (t157 * t162 - t160 * t163) * t164;
+    const double t170 = t36 + t168;
+    const double t171 = t166 + t167;
+    const double t172 = t27 - t165 * t167;
+    const double t173 = t168 + t170;
+    const double t174 = t29 - t165 * t170;
     const double t175 = t44 * t165;
     const double t176 = t45 + t175;
     const double t177 = t175 + t176;
-    const double t178 = t40 - t165 * t176;
+    const double t178 = t39 - t165 * t176;
     const double t179 = t47 * t165;
     const double t180 = t48 - t179;
     const double t181 = t51 * t165;
     const double t182 = t52 - t181;
-    const double t183 = t32 * t166;
-    const double t184 = t58 * t165;
-    const double t185 = u4 - t184;
-    const double t186 = t36 * t166;
-    const double t187 = t34 * t165;
-    const double t188 = t1 - t187;
-    const double t189 = t38 * t165;
-    const double t190 = t2 - t189;
-    const double t191 = t44 * t166;
-    const double t192 = t166 * t169;
-    const double t193 = t180 - t179 + t192;
-    const double t194 = t166 * t173;
-    const double t195 = t182 - t181 + t194;
-    const double t196 = t46 * t165;
-    const double t197 = t5 - t196;
-    const double t198 = t166 * t170;
-    const double t199 = t3 - t165 * t180 + t198;
-    const double t200 = t198 + t199;
-    const double t201 = t166 * t174;
-    const double t202 = t4 - t165 * t182 + t201;
-    const double t203 = t201 + t202;
-    const double t204 = t192 + t193;
-    const double t205 = t188 - t187 - t166 * t193;
-    const double t206 = t165 * t188 - t10 + t166 * t199;
-    const double t207 = t166 * t177;
-    const double t208 = t185 - t184 + t207;
-    const double t209 = t166 * t178;
-    const double t210 = t6 - t165 * t185 + t209;
-    const double t211 = t209 + t210;
-    const double t212 = t194 + t195;
-    const double t213 = t190 - t189 - t166 * t195;
-    const double t214 = t11 + t165 * t190 + t166 * t202;
-    const double t215 = t207 + t208;
-    const double t216 = t197 - t196 - t166 * t208;
-    const double t217 = t13 + t165 * t197 + t166 * t210;
-    const double t218 = t34 + t166 * (t183 - t47);
-    const double t219 = t38 + t166 * (t186 - t51);
-    const double t220 = t46 + t166 * (t191 - t58);
-    const double t221 = t204 * t206 - t205 * t200 - t213 * t203 - t216 * t211 + t212 * t214 + t215 * t217;
-    const double t222 = 2.0 * (t218 * t206 + t219 * t214 + t220 * t217) - t205 * t205 - t213 * t213 - t216 * t216;
-    const double t223 = t200 * t200 + t203 * t203 + t211 * t211 + 2.0 * (t170 * t206 + t174 * t214 + t178 * t217);
-    const double t224 = t170 * t205 + t174 * t213 + t178 * t216 - t169 * t206 - t173 * t214 - t177 * t217 - t204 *
-        t200 - t212 * t203 - t215 * t211;
-    const double t225 = 2.0 / (t223 * t222 + t221 * t221);
-    const double t226 = t200 * t206 + t203 * t214 + t211 * t217;
-    const double t227 = t205 * t206 + t213 * t214 + t216 * t217;
-    const double t228 = t204 * t205 + t212 * t213 + t215 * t216 + (2.0 * t183 - t47) * t206 + (2.0 * t186 - t51) *
-        t214 + (2.0 * t191 - t58) * t217 + t218 * t200 + t219 * t203 + t220 * t211;
-    const double t229 = (t226 * t221 + t227 * t223) * t225;
-    const double t230 = (t227 * t221 - t226 * t222) * t225;
-    const double t231 = t228 * t230 + (3.0 * (t218 * t205 + t219 * t213 + t220 * t216)) * t229;
+    const double t183 = t58 * t165;
+    const double t184 = u4 - t183;
+    const double t185 = t31 * t169;
+    const double t186 = t33 * t165;
+    const double t187 = t1 - t186;
+    const double t188 = t37 * t165;
+    const double t189 = t2 - t188;
+    const double t190 = t35 * t169;
+    const double t191 = t169 * t171;
+    const double t192 = t180 - t179 + t191;
+    const double t193 = t169 * t173;
+    const double t194 = t182 - t181 + t193;
+    const double t195 = t46 * t165;
+    const double t196 = t5 - t195;
+    const double t197 = t169 * t172;
+    const double t198 = t3 - t165 * t180 + t197;
+    const double t199 = t197 + t198;
+    const double t200 = t169 * t174;
+    const double t201 = t4 - t165 * t182 + t200;
+    const double t202 = t200 + t201;
+    const double t203 = t44 * t169;
+    const double t204 = t169 * t177;
+    const double t205 = t184 - t183 + t204;
+    const double t206 = t169 * t178;
+    const double t207 = t6 - t165 * t184 + t206;
+    const double t208 = t206 + t207;
+    const double t209 = t191 + t192;
+    const double t210 = t187 - t186 - t169 * t192;
+    const double t211 = t165 * t187 - t10 + t169 * t198;
+    const double t212 = t193 + t194;
+    const double t213 = t189 - t188 - t169 * t194;
+    const double t214 = t11 + t165 * t189 + t169 * t201;
+    const double t215 = t204 + t205;
+    const double t216 = t196 - t195 - t169 * t205;
+    const double t217 = t13 + t165 * t196 + t169 * t207;
+    const double t218 = t33 + t169 * (t185 - t47);
+    const double t219 = t37 + t169 * (t190 - t51);
+    const double t220 = t46 + t169 * (t203 - t58);
+    const double t221 = t209 * t211 - t210 * t199 - t213 * t202 - t216 * t208 + t212 * t214 + t215 * t217;
+    const double t222 = 2.0 * (t218 * t211 + t219 * t214 + t220 * t217) - t210 * t210 - t213 * t213 - t216 * t216;
+    const double t223 = t199 * t199 + t202 * t202 + t208 * t208 + 2.0 * (t172 * t211 + t174 * t214 + t178 * t217);
+    const double t224 = 2.0 / (t223 * t222 + t221 * t221);
+    const double t225 = t172 * t210 + t174 * t213 + t178 * t216 - t171 * t211 - t173 * t214 - t177 * t217 - t209 *
+        t199 - t212 * t202 - t215 * t208;
+    const double t226 = t199 * t211 + t202 * t214 + t208 * t217;
+    const double t227 = t210 * t211 + t213 * t214 + t216 * t217;
+    const double t228 = t209 * t210 + t212 * t213 + t215 * t216 + (2.0 * t185 - t47) * t211 + (2.0 * t190 - t51) *
+        t214 + (2.0 * t203 - t58) * t217 + t218 * t199 + t219 * t202 + t220 * t208;
+    const double t229 = (t226 * t221 + t227 * t223) * t224;
+    const double t230 = (t227 * t221 - t226 * t222) * t224;
+    const double t231 = t228 * t230 + (3.0 * (t218 * t210 + t219 * t213 + t220 * t216)) * t229;
     const double t232 = t222 + t231;
-    const double t233 = (3.0 * (t170 * t200 + t174 * t203 + t178 * t211)) * t230 + t224 * t229;
-    const double t234 = t224 * t230 - t228 * t229;
+    const double t233 = (3.0 * (t172 * t199 + t174 * t202 + t178 * t208)) * t230 + t225 * t229;
+    const double t234 = t225 * t230 - t228 * t229;
     const double t235 = t221 - t234;
     const double t236 = t223 + t233;
     const double t237 = t227 + 0.25 * (t229 * t231 - t230 * t234);
     const double t238 = 0.25 * (t229 * t234 + t230 * t233) - t226;
     const double t239 = 1.0 / (t235 * t235 + t236 * t232);
-    *xi = t166 + (t232 * t238 + t235 * t237) * t239;
+    *xi = t169 + (t232 * t238 + t235 * t237) * t239;
     *eta = -(t165 + (t236 * t237 - t235 * t238) * t239);
 }
 
@@ -1735,14 +1735,14 @@ FOOTPOINT_LOOP void footpoint_quad9_sharp_n(size_t n, const double *const x[30],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad9_sharp_points[][34] = {
-    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8836682386473511, -0.77832133179531238, 1.0647335163110397e-14, 2.2817936507513179e-15},
-    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.98563042811492352, 0.34643396878027299, 9.9733331405048123e-16, 6.6251194529015136e-16},
-    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379109618357264, -0.5038999179858068, 1.5038772214225809e-15, 1.9156691609084352e-15},
-    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.77078082026900108, -0.012205752405447462, 1.5256032997405689e-11, 2.2568294065464521e-11},
-    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101846216442779, 0.30922108509167617, 3.6324848020094458e-15, 1.8324870178355488e-15},
-    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.12807102883390814, 1.3260964853083934, 3.3344897793773003e-15, 1.1012184479937348e-14},
-    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76068754746373834, -0.11392609881429941, 5.9667913536141852e-16, 1.8307951784138456e-16},
-    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.3668384137062527, -0.43603073904790246, 4.0497279546299532e-12, 1.527389097376469e-12},
+    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8836682386473511, -0.77832133179531238, 1.0647335163119108e-14, 2.2817936507523351e-15},
+    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.98563042811492352, 0.34643396878027299, 9.9733331405069383e-16, 6.6251194529019761e-16},
+    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379109618357264, -0.5038999179858068, 1.5038772214232841e-15, 1.9156691609086186e-15},
+    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.77078082026900108, -0.012205752405447462, 1.5256032997405501e-11, 2.2568294065464725e-11},
+    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101846216442779, 0.30922108509167617, 3.6324848020093432e-15, 1.8324870178352679e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.12807102883390814, 1.3260964853083934, 3.3344897793759881e-15, 1.1012184479943882e-14},
+    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76068754746373834, -0.11392609881429941, 5.9667913536215522e-16, 1.8307951784139523e-16},
+    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.3668384137062527, -0.43603073904790246, 4.0497279546314557e-12, 1.5273890973771734e-12},
 };
 #endif
 
@@ -1782,85 +1782,85 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
     const double t27 = xB[0] + xA[0];
     const double u3 = 4.0 * xI[0];
     const double t28 = 2.0 * (xH[0] + xF[0]) - u3;
-    const double t29 = (t14 * t7 - t15 * t8) * t12;
-    const double t30 = xD[2] - xC[2];
-    const double t31 = xB[2] - xA[2];
-    const double t32 = 4.0 * (t17 + t18 - t16 - t23);
-    const double t33 = 2.0 * (t18 - t17) + 4.0 * t1;
-    const double t34 = t16 - u1;
-    const double t35 = xD[1] - xC[1];
-    const double t36 = xB[1] - xA[1];
-    const double t37 = 4.0 * (t19 - t20 - t21 + t24);
-    const double t38 = 2.0 * (t21 - t20) + 4.0 * t2;
+    const double t29 = xD[2] - xC[2];
+    const double t30 = xB[2] - xA[2];
+    const double t31 = 4.0 * (t17 + t18 - t16 - t23);
+    const double t32 = 2.0 * (t18 - t17) + 4.0 * t1;
+    const double t33 = t16 - u1;
+    const double t34 = xD[1] - xC[1];
+    const double t35 = xB[1] - xA[1];
+    const double t36 = 4.0 * (t19 - t20 - t21 + t24);
+    const double t37 = 2.0 * (t21 - t20) + 4.0 * t2;
+    const double t38 = (t14 * t7 - t15 * t8) * t12;
     const double t39 = u2 - t19;
-    const double t40 = t32 * t22;
-    const double t41 = t37 * t22;
+    const double t40 = t31 * t22;
+    const double t41 = t36 * t22;
     const double t42 = xD[0] - xC[0];
     const double t43 = xB[0] - xA[0];
     const double t44 = 4.0 * (t26 + t27 - t25 - t28);
     const double t45 = 2.0 * (t26 - t27) - 4.0 * t5;
     const double t46 = t25 - u3;
-    const double t47 = 2.0 * (t30 - t31) - 4.0 * t3;
-    const double t48 = t30 + t31;
-    const double t49 = 2.0 * (t35 - t36) - 4.0 * t4;
-    const double t50 = t35 + t36;
+    const double t47 = 2.0 * (t29 - t30) - 4.0 * t3;
+    const double t48 = t29 + t30;
+    const double t49 = 2.0 * (t34 - t35) - 4.0 * t4;
+    const double t50 = t34 + t35;
     const double t51 = t44 * t22;
     const double t52 = t47 * t22;
-    const double t53 = t40 - t33;
+    const double t53 = t40 - t32;
     const double t54 = t49 * t22;
-    const double t55 = t38 + t41;
+    const double t55 = t37 + t41;
     const double t56 = 2.0 * (t42 - t43) - 4.0 * t6;
     const double t57 = t42 + t43;
     const double t58 = t56 * t22;
     const double t59 = t45 + t51;
-    const double t60 = t34 * t22;
-    const double t61 = t29 * (t23 + t22 * t53);
-    const double t62 = t29 * (t24 - t22 * t55);
-    const double t63 = t29 * (t28 + t22 * t59);
+    const double t60 = t33 * t22;
+    const double t61 = t38 * (t23 + t22 * t53);
+    const double t62 = t38 * (t24 - t22 * t55);
+    const double t63 = t38 * (t28 + t22 * t59);
     const double t64 = t48 + t52;
     const double t65 = t61 - t3 - t22 * t64;
-    const double t66 = t61 + t65;
-    const double t67 = t39 * t22;
-    const double t68 = t50 + t54;
-    const double t69 = t62 - t4 - t22 * t68;
-    const double t70 = t62 + t69;
+    const double t66 = t39 * t22;
+    const double t67 = t50 + t54;
+    const double t68 = t62 - t4 - t22 * t67;
+    const double t69 = t61 + t65;
+    const double t70 = t62 + t68;
     const double t71 = t46 * t22;
     const double t72 = t57 + t58;
     const double t73 = t63 - t6 - t22 * t72;
     const double t74 = t63 + t73;
     const double t75 = t1 + t60;
-    const double t76 = t29 * (t52 + t64 - t29 * (t40 + t53)) - t60 - t75;
-    const double t77 = t67 - t2;
-    const double t78 = t67 + t77 + t29 * (t54 + t68 + t29 * (t41 + t55));
+    const double t76 = t38 * (t52 + t64 - t38 * (t40 + t53)) - t60 - t75;
+    const double t77 = t66 - t2;
+    const double t78 = t66 + t77 + t38 * (t54 + t67 + t38 * (t41 + t55));
     const double t79 = t5 + t71;
-    const double t80 = t29 * (t58 + t72 - t29 * (t51 + t59)) - t71 - t79;
-    const double t81 = t22 * t75 - t10 + t29 * t65;
-    const double t82 = t29 * t69 - t11 - t22 * t77;
-    const double t83 = t22 * t79 - t13 + t29 * t73;
-    const double t84 = t76 * t66 + t78 * t70 + t80 * t74;
+    const double t80 = t38 * (t58 + t72 - t38 * (t51 + t59)) - t71 - t79;
+    const double t81 = t22 * t75 - t10 + t38 * t65;
+    const double t82 = t38 * t68 - t11 - t22 * t77;
+    const double t83 = t22 * t79 - t13 + t38 * t73;
+    const double t84 = t76 * t69 + t78 * t70 + t80 * t74;
     const double t85 = t76 * t76 + t78 * t78 + t80 * t80;
-    const double t86 = t76 * t81 + t78 * t82 + t80 * t83;
-    const double t87 = t66 * t81 + t70 * t82 + t74 * t83;
-    const double t88 = t66 * t66 + t70 * t70 + t74 * t74;
-    const double t89 = 1.0 / (t85 * t88 - t84 * t84);
-    const double t90 = t22 - (t87 * t84 - t86 * t88) * t89;
-    const double t91 = t29 + (t86 * t84 - t87 * t85) * t89;
-    const double t92 = t32 * t90;
-    const double t93 = t37 * t90;
+    const double t86 = t69 * t69 + t70 * t70 + t74 * t74;
+    const double t87 = t76 * t81 + t78 * t82 + t80 * t83;
+    const double t88 = t69 * t81 + t70 * t82 + t74 * t83;
+    const double t89 = 1.0 / (t85 * t86 - t84 * t84);
+    const double t90 = t22 - (t88 * t84 - t87 * t86) * t89;
+    const double t91 = t38 + (t87 * t84 - t88 * t85) * t89;
+    const double t92 = t31 * t90;
+    const double t93 = t36 * t90;
     const double t94 = t44 * t90;
     const double t95 = t47 * t90;
-    const double t96 = t92 - t33;
+    const double t96 = t92 - t32;
     const double t97 = t92 + t96;
     const double t98 = t23 + t90 * t96;
     const double t99 = t49 * t90;
-    const double t100 = t38 + t93;
+    const double t100 = t37 + t93;
     const double t101 = t93 + t100;
     const double t102 = t24 - t90 * t100;
     const double t103 = t56 * t90;
     const double t104 = t45 + t94;
     const double t105 = t94 + t104;
     const double t106 = t28 + t90 * t104;
-    const double t107 = t34 * t90;
+    const double t107 = t33 * t90;
     const double t108 = t48 + t95;
     const double t109 = t39 * t90;
     const double t110 = t50 + t99;
@@ -1876,68 +1876,68 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
     const double t120 = t118 + t119;
     const double t121 = t46 * t90;
     const double t122 = t57 + t103;
-    const double t123 = t111 - t112;
-    const double t124 = t1 + t107;
-    const double t125 = t107 + t124 - t91 * t112;
-    const double t126 = t90 * t124 - t10 + t91 * t114;
-    const double t127 = t2 - t109;
-    const double t128 = t91 * t105;
-    const double t129 = t103 + t122 - t128;
-    const double t130 = t91 * t106;
-    const double t131 = t130 - t6 - t90 * t122;
-    const double t132 = t130 + t131;
-    const double t133 = t116 + t117;
-    const double t134 = t127 - t109 - t91 * t117;
-    const double t135 = t90 * t127 - t11 + t91 * t119;
-    const double t136 = t5 + t121;
-    const double t137 = t32 * t91;
-    const double t138 = t128 - t129;
-    const double t139 = t121 + t136 - t91 * t129;
-    const double t140 = t90 * t136 - t13 + t91 * t131;
-    const double t141 = t37 * t91;
-    const double t142 = t91 * (t47 - t137) - t34;
+    const double t123 = t1 + t107;
+    const double t124 = t2 - t109;
+    const double t125 = t91 * t105;
+    const double t126 = t103 + t122 - t125;
+    const double t127 = t91 * t106;
+    const double t128 = t127 - t6 - t90 * t122;
+    const double t129 = t127 + t128;
+    const double t130 = t111 - t112;
+    const double t131 = t107 + t123 - t91 * t112;
+    const double t132 = t90 * t123 - t10 + t91 * t114;
+    const double t133 = t5 + t121;
+    const double t134 = t31 * t91;
+    const double t135 = t116 + t117;
+    const double t136 = t124 - t109 - t91 * t117;
+    const double t137 = t90 * t124 - t11 + t91 * t119;
+    const double t138 = t36 * t91;
+    const double t139 = t125 - t126;
+    const double t140 = t121 + t133 - t91 * t126;
+    const double t141 = t90 * t133 - t13 + t91 * t128;
+    const double t142 = t91 * (t47 - t134) - t33;
     const double t143 = t44 * t91;
-    const double t144 = t39 + t91 * (t49 + t141);
+    const double t144 = t39 + t91 * (t49 + t138);
     const double t145 = t91 * (t56 - t143) - t46;
-    const double t146 = t133 * t135 - t125 * t115 - t134 * t120 - t139 * t132 - t123 * t126 - t138 * t140;
-    const double t147 = t125 * t125 + t134 * t134 + t139 * t139 - 2.0 * (t142 * t126 + t144 * t135 + t145 * t140);
-    const double t148 = t115 * t115 + t120 * t120 + t132 * t132 + 2.0 * (t98 * t126 + t102 * t135 + t106 * t140);
+    const double t146 = t135 * t137 - t131 * t115 - t136 * t120 - t140 * t129 - t130 * t132 - t139 * t141;
+    const double t147 = t131 * t131 + t136 * t136 + t140 * t140 - 2.0 * (t142 * t132 + t144 * t137 + t145 * t141);
+    const double t148 = t115 * t115 + t120 * t120 + t129 * t129 + 2.0 * (t98 * t132 + t102 * t137 + t106 * t141);
     const double t149 = 2.0 / (t147 * t148 - t146 * t146);
-    const double t150 = t125 * t126 + t134 * t135 + t139 * t140;
-    const double t151 = t115 * t126 + t120 * t135 + t132 * t140;
-    const double t152 = t101 * t135 - t98 * t125 - t102 * t134 - t106 * t139 - t97 * t126 - t105 * t140 - t123 *
-        t115 + t133 * t120 - t138 * t132;
-    const double t153 = (t47 - 2.0 * t137) * t126 + (t49 + 2.0 * t141) * t135 + (t56 - 2.0 * t143) * t140 - t123 *
-        t125 + t133 * t134 - t138 * t139 + t142 * t115 + t144 * t120 + t145 * t132;
+    const double t150 = t131 * t132 + t136 * t137 + t140 * t141;
+    const double t151 = t115 * t132 + t120 * t137 + t129 * t141;
+    const double t152 = t101 * t137 - t98 * t131 - t102 * t136 - t106 * t140 - t97 * t132 - t105 * t141 - t130 *
+        t115 + t135 * t120 - t139 * t129;
+    const double t153 = (t47 - 2.0 * t134) * t132 + (t49 + 2.0 * t138) * t137 + (t56 - 2.0 * t143) * t141 - t130 *
+        t131 + t135 * t136 - t139 * t140 + t142 * t115 + t144 * t120 + t145 * t129;
     const double t154 = (t151 * t146 + t150 * t148) * t149;
     const double t155 = (t150 * t146 + t151 * t147) * t149;
-    const double t156 = t152 * t154 - (3.0 * (t98 * t115 + t102 * t120 + t106 * t132)) * t155;
+    const double t156 = t152 * t154 - (3.0 * (t98 * t115 + t102 * t120 + t106 * t129)) * t155;
     const double t157 = t148 + t156;
     const double t158 = t152 * t155 + t153 * t154;
-    const double t159 = t153 * t155 + (3.0 * (t142 * t125 + t144 * t134 + t145 * t139)) * t154;
+    const double t159 = t153 * t155 + (3.0 * (t142 * t131 + t144 * t136 + t145 * t140)) * t154;
     const double t160 = t158 - t146;
     const double t161 = t147 + t159;
-    const double t162 = t151 + 0.25 * (t154 * t158 + t155 * t156);
-    const double t163 = t150 + 0.25 * (t154 * t159 + t155 * t158);
+    const double t162 = t150 + 0.25 * (t154 * t159 + t155 * t158);
+    const double t163 = t151 + 0.25 * (t154 * t158 + t155 * t156);
     const double t164 = 1.0 / (t161 * t157 - t160 * t160);
-    const double t165 = t90 - (t157 * t163 - t160 * t162) * t164;
-    const double t166 = t91 + (t160 * t163 - t161 * t162) * t164;
-    const double t167 = t32 * t165;
-    const double t168 = t37 * t165;
+    const double t165 = t90 - (t157 * t162 - t160 * t163) * t164;
+    const double t166 = t91 + (t160 * t162 - t161 * t163) * t164;
+    const double t167 = t31 * t165;
+    const double t168 = t36 * t165;
     const double t169 = t44 * t165;
     const double t170 = t47 * t165;
-    const double t171 = t167 - t33;
+    const double t171 = t167 - t32;
     const double t172 = t167 + t171;
     const double t173 = t23 + t165 * t171;
     const double t174 = t49 * t165;
-    const double t175 = t38 + t168;
+    const double t175 = t37 + t168;
     const double t176 = t168 + t175;
     const double t177 = t24 - t165 * t175;
     const double t178 = t56 * t165;
     const double t179 = t45 + t169;
     const double t180 = t169 + t179;
     const double t181 = t28 + t165 * t179;
-    const double t182 = t34 * t165;
+    const double t182 = t33 * t165;
     const double t183 = t48 + t170;
     const double t184 = t39 * t165;
     const double t185 = t50 + t174;
@@ -1953,59 +1953,59 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
     const double t195 = t193 + t194;
     const double t196 = t46 * t165;
     const double t197 = t57 + t178;
-    const double t198 = t186 - t187;
-    const double t199 = t1 + t182;
-    const double t200 = t182 + t199 - t166 * t187;
-    const double t201 = t165 * t199 - t10 + t166 * t189;
-    const double t202 = t2 - t184;
-    const double t203 = t166 * t180;
-    const double t204 = t178 + t197 - t203;
-    const double t205 = t166 * t181;
-    const double t206 = t205 - t6 - t165 * t197;
-    const double t207 = t205 + t206;
-    const double t208 = t191 + t192;
-    const double t209 = t202 - t184 - t166 * t192;
-    const double t210 = t165 * t202 - t11 + t166 * t194;
-    const double t211 = t5 + t196;
-    const double t212 = t32 * t166;
-    const double t213 = t203 - t204;
-    const double t214 = t196 + t211 - t166 * t204;
-    const double t215 = t165 * t211 - t13 + t166 * t206;
-    const double t216 = t37 * t166;
-    const double t217 = t166 * (t47 - t212) - t34;
+    const double t198 = t1 + t182;
+    const double t199 = t2 - t184;
+    const double t200 = t166 * t180;
+    const double t201 = t178 + t197 - t200;
+    const double t202 = t166 * t181;
+    const double t203 = t202 - t6 - t165 * t197;
+    const double t204 = t202 + t203;
+    const double t205 = t186 - t187;
+    const double t206 = t182 + t198 - t166 * t187;
+    const double t207 = t165 * t198 - t10 + t166 * t189;
+    const double t208 = t5 + t196;
+    const double t209 = t31 * t166;
+    const double t210 = t191 + t192;
+    const double t211 = t199 - t184 - t166 * t192;
+    const double t212 = t165 * t199 - t11 + t166 * t194;
+    const double t213 = t36 * t166;
+    const double t214 = t200 - t201;
+    const double t215 = t196 + t208 - t166 * t201;
+    const double t216 = t165 * t208 - t13 + t166 * t203;
+    const double t217 = t166 * (t47 - t209) - t33;
     const double t218 = t44 * t166;
-    const double t219 = t39 + t166 * (t49 + t216);
+    const double t219 = t39 + t166 * (t49 + t213);
     const double t220 = t166 * (t56 - t218) - t46;
-    const double t221 = t208 * t210 - t200 * t190 - t209 * t195 - t214 * t207 - t198 * t201 - t213 * t215;
-    const double t222 = 2.0 * (t217 * t201 + t219 * t210 + t220 * t215) - t200 * t200 - t209 * t209 - t214 * t214;
-    const double t223 = t190 * t190 + t195 * t195 + t207 * t207 + 2.0 * (t173 * t201 + t177 * t210 + t181 * t215);
+    const double t221 = t210 * t212 - t206 * t190 - t211 * t195 - t215 * t204 - t205 * t207 - t214 * t216;
+    const double t222 = 2.0 * (t217 * t207 + t219 * t212 + t220 * t216) - t206 * t206 - t211 * t211 - t215 * t215;
+    const double t223 = t190 * t190 + t195 * t195 + t204 * t204 + 2.0 * (t173 * t207 + t177 * t212 + t181 * t216);
     const double t224 = 2.0 / (t221 * t221 + t222 * t223);
-    const double t225 = t200 * t201 + t209 * t210 + t214 * t215;
-    const double t226 = t190 * t201 + t195 * t210 + t207 * t215;
-    const double t227 = t176 * t210 - t173 * t200 - t177 * t209 - t181 * t214 - t172 * t201 - t180 * t215 - t198 *
-        t190 + t208 * t195 - t213 * t207;
-    const double t228 = (t47 - 2.0 * t212) * t201 + (t49 + 2.0 * t216) * t210 + (t56 - 2.0 * t218) * t215 - t198 *
-        t200 + t208 * t209 - t213 * t214 + t217 * t190 + t219 * t195 + t220 * t207;
+    const double t225 = t206 * t207 + t211 * t212 + t215 * t216;
+    const double t226 = t190 * t207 + t195 * t212 + t204 * t216;
+    const double t227 = t176 * t212 - t173 * t206 - t177 * t211 - t181 * t215 - t172 * t207 - t180 * t216 - t205 *
+        t190 + t210 * t195 - t214 * t204;
+    const double t228 = (t47 - 2.0 * t209) * t207 + (t49 + 2.0 * t213) * t212 + (t56 - 2.0 * t218) * t216 - t205 *
+        t206 + t210 * t211 - t214 * t215 + t217 * t190 + t219 * t195 + t220 * t204;
     const double t229 = (t226 * t221 + t225 * t223) * t224;
     const double t230 = (t225 * t221 - t226 * t222) * t224;
-    const double t231 = (3.0 * (t173 * t190 + t177 * t195 + t181 * t207)) * t230 - t227 * t229;
+    const double t231 = (3.0 * (t173 * t190 + t177 * t195 + t181 * t204)) * t230 - t227 * t229;
     const double t232 = t223 + t231;
     const double t233 = t227 * t230 + t228 * t229;
-    const double t234 = t228 * t230 + (3.0 * (t217 * t200 + t219 * t209 + t220 * t214)) * t229;
+    const double t234 = t228 * t230 + (3.0 * (t217 * t206 + t219 * t211 + t220 * t215)) * t229;
     const double t235 = t221 + t233;
     const double t236 = t222 + t234;
-    const double t237 = t226 + 0.25 * (t229 * t233 - t230 * t231);
-    const double t238 = t225 + 0.25 * (t229 * t234 + t230 * t233);
+    const double t237 = t225 + 0.25 * (t229 * t234 + t230 * t233);
+    const double t238 = t226 + 0.25 * (t229 * t233 - t230 * t231);
     const double t239 = 1.0 / (t235 * t235 + t236 * t232);
-    const double t240 = t165 + (t235 * t237 + t232 * t238) * t239;
-    const double t241 = t166 - (t236 * t237 - t235 * t238) * t239;
-    const double t242 = t32 * t240;
-    const double t243 = t242 - t33;
+    const double t240 = t165 + (t235 * t238 + t232 * t237) * t239;
+    const double t241 = t166 - (t236 * t238 - t235 * t237) * t239;
+    const double t242 = t31 * t240;
+    const double t243 = t242 - t32;
     const double t244 = t242 + t243;
-    const double t245 = t23 + t240 * t243;
-    const double t246 = t37 * t240;
-    const double t247 = t38 + t246;
-    const double t248 = t246 + t247;
+    const double t245 = t36 * t240;
+    const double t246 = t23 + t240 * t243;
+    const double t247 = t37 + t245;
+    const double t248 = t245 + t247;
     const double t249 = t24 - t240 * t247;
     const double t250 = t44 * t240;
     const double t251 = t45 + t250;
@@ -2015,66 +2015,66 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
     const double t255 = t48 + t254;
     const double t256 = t49 * t240;
     const double t257 = t50 + t256;
-    const double t258 = t32 * t241;
-    const double t259 = t37 * t241;
-    const double t260 = t56 * t240;
-    const double t261 = t57 + t260;
-    const double t262 = t44 * t241;
-    const double t263 = t34 * t240;
-    const double t264 = t1 + t263;
-    const double t265 = t39 * t240;
-    const double t266 = t265 - t2;
+    const double t258 = t56 * t240;
+    const double t259 = t57 + t258;
+    const double t260 = t31 * t241;
+    const double t261 = t36 * t241;
+    const double t262 = t33 * t240;
+    const double t263 = t1 + t262;
+    const double t264 = t39 * t240;
+    const double t265 = t264 - t2;
+    const double t266 = t44 * t241;
     const double t267 = t241 * t244;
     const double t268 = t254 + t255 - t267;
     const double t269 = t241 * t248;
     const double t270 = t256 + t257 + t269;
     const double t271 = t46 * t240;
     const double t272 = t5 + t271;
-    const double t273 = t267 - t268;
-    const double t274 = t241 * t268 - t263 - t264;
-    const double t275 = t241 * t245;
-    const double t276 = t275 - t3 - t240 * t255;
-    const double t277 = t241 * t249;
-    const double t278 = t277 - t4 - t240 * t257;
-    const double t279 = t241 * t252;
-    const double t280 = t260 + t261 - t279;
-    const double t281 = t275 + t276;
-    const double t282 = t240 * t264 - t10 + t241 * t276;
-    const double t283 = t277 + t278;
-    const double t284 = t269 + t270;
-    const double t285 = t265 + t266 + t241 * t270;
-    const double t286 = t241 * t278 - t11 - t240 * t266;
-    const double t287 = t241 * t253;
-    const double t288 = t287 - t6 - t240 * t261;
-    const double t289 = t287 + t288;
-    const double t290 = t279 - t280;
-    const double t291 = t241 * t280 - t271 - t272;
-    const double t292 = t240 * t272 - t13 + t241 * t288;
-    const double t293 = t241 * (t47 - t258) - t34;
-    const double t294 = t39 + t241 * (t49 + t259);
-    const double t295 = t241 * (t56 - t262) - t46;
-    const double t296 = t274 * t282 + t285 * t286 + t291 * t292;
-    const double t297 = t281 * t282 + t283 * t286 + t289 * t292;
-    const double t298 = t245 * t274 + t249 * t285 + t253 * t291 - t244 * t282 + t248 * t286 - t252 * t292 - t273 *
-        t281 + t284 * t283 - t290 * t289;
+    const double t273 = t241 * t246;
+    const double t274 = t273 - t3 - t240 * t255;
+    const double t275 = t241 * t249;
+    const double t276 = t275 - t4 - t240 * t257;
+    const double t277 = t241 * t252;
+    const double t278 = t258 + t259 - t277;
+    const double t279 = t267 - t268;
+    const double t280 = t241 * t268 - t262 - t263;
+    const double t281 = t241 * t253;
+    const double t282 = t281 - t6 - t240 * t259;
+    const double t283 = t273 + t274;
+    const double t284 = t240 * t263 - t10 + t241 * t274;
+    const double t285 = t275 + t276;
+    const double t286 = t269 + t270;
+    const double t287 = t264 + t265 + t241 * t270;
+    const double t288 = t241 * t276 - t11 - t240 * t265;
+    const double t289 = t281 + t282;
+    const double t290 = t277 - t278;
+    const double t291 = t241 * t278 - t271 - t272;
+    const double t292 = t240 * t272 - t13 + t241 * t282;
+    const double t293 = t241 * (t47 - t260) - t33;
+    const double t294 = t39 + t241 * (t49 + t261);
+    const double t295 = t241 * (t56 - t266) - t46;
+    const double t296 = t280 * t284 + t287 * t288 + t291 * t292;
+    const double t297 = t283 * t284 + t285 * t288 + t289 * t292;
+    const double t298 = t246 * t280 + t249 * t287 + t253 * t291 - t244 * t284 + t248 * t288 - t252 * t292 - t279 *
+        t283 + t286 * t285 - t290 * t289;
     const double t299 = t239 * (t232 * t296 - t235 * t297);
     const double t300 = t239 * (t235 * t296 + t236 * t297);
-    const double t301 = (t47 - 2.0 * t258) * t282 + (t49 + 2.0 * t259) * t286 + (t56 - 2.0 * t262) * t292 + t273 *
-        t274 - t284 * t285 + t290 * t291 + t293 * t281 + t294 * t283 + t295 * t289;
-    const double t302 = (3.0 * (t245 * t281 + t249 * t283 + t253 * t289)) * t300 - t299 * t298;
-    const double t303 = t281 * t281 + t283 * t283 + t289 * t289 + 2.0 * (t245 * t282 + t249 * t286 + t253 * t292 -
+    const double t301 = (t47 - 2.0 * t260) * t284 + (t49 + 2.0 * t261) * t288 + (t56 - 2.0 * t266) * t292 + t279 *
+        t280 - t286 * t287 + t290 * t291 + t293 * t283 + t294 * t285 + t295 * t289;
+    const double t302 = (3.0 * (t246 * t283 + t249 * t285 + t253 * t289)) * t300 - t299 * t298;
+    const double t303 = t283 * t283 + t285 * t285 + t289 * t289 + 2.0 * (t246 * t284 + t249 * t288 + t253 * t292 -
         t302);
     const double t304 = t300 * t298 + t299 * t301;
-    const double t305 = t274 * t281 + t285 * t283 + t291 * t289 - t273 * t282 + t284 * t286 - t290 * t292 - 2.0 *
+    const double t305 = t280 * t283 + t287 * t285 + t291 * t289 - t279 * t284 + t286 * t288 - t290 * t292 - 2.0 *
         t304;
-    const double t306 = (3.0 * (t293 * t274 + t294 * t285 + t295 * t291)) * t299 - t300 * t301;
-    const double t307 = t274 * t274 + t285 * t285 + t291 * t291 - 2.0 * (t293 * t282 + t294 * t286 + t295 * t292 +
+    const double t306 = (3.0 * (t293 * t280 + t294 * t287 + t295 * t291)) * t299 - t300 * t301;
+    const double t307 = t280 * t280 + t287 * t287 + t291 * t291 - 2.0 * (t293 * t284 + t294 * t288 + t295 * t292 +
         t306);
-    const double t308 = t300 * t302 - t297 - t299 * t304;
-    const double t309 = t300 * t304 - t296 - t299 * t306;
+    const double t308 = t300 * t304 - t296 - t299 * t306;
+    const double t309 = t300 * t302 - t297 - t299 * t304;
     const double t310 = 1.0 / (t307 * t303 - t305 * t305);
-    *xi = 2.0 * (t241 - (t305 * t309 - t307 * t308) * t310);
-    *eta = 2.0 * (t240 + (t305 * t308 - t303 * t309) * t310);
+    *xi = 2.0 * (t241 - (t305 * t308 - t307 * t309) * t310);
+    *eta = 2.0 * (t240 + (t305 * t309 - t303 * t308) * t310);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
@@ -2117,14 +2117,14 @@ FOOTPOINT_LOOP void footpoint_quad9_full_n(size_t n, const double *const x[30],
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_quad9_full_points[][34] = {
-    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8836682386473829, -0.7783213317953197, 2.1273809967396177e-13, 4.7780221886246488e-14},
-    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.985633058277532, 0.34643761030004339, 9.9868709173000923e-16, 6.4218116481727625e-16},
-    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379109618357262, -0.50389991798580624, 1.9180500783804741e-15, 2.346042241456999e-15},
-    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.77381398219474218, 0.0088505244663128306, 5.9572963228984418e-07, 1.5916878837141355e-06},
-    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101846216408958, 0.30922108509022195, 1.2819229345498462e-14, 5.4524255294230857e-15},
-    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.1283428407065092, 1.3255089461821019, 4.4256943702955686e-13, 1.057864192775233e-12},
-    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76068754628115032, -0.11392610840373224, 6.1936479707868733e-16, 1.828741128055371e-16},
-    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.6815746581727915, -0.38461676057055283, 7.6030357762717833e-09, 2.4419245141389758e-09},
+    {0, 0, 0, 1, 0, 0, -0.9375, 8.5625, -0.2265625, -1.125, 3.5625, 0, 0.5107421875, 0.0458984375, 0.00390625, 2.1875, 3.46875, -0.53125, 1.5, 1.4375, 0.3046875, 0.6875, 2.84375, 0.25, 1.34375, 1.8125, 0.10546875, 3, 0.9375, 0.328125, 1.8836682386473829, -0.7783213317953197, 2.1273809967392224e-13, 4.7780221886182155e-14},
+    {0, 0, 0, 1, 0, 0, 4.3125, 7.6875, 0.5234375, 2.875, 6.75, 0, 0.46044921875, -0.00634765625, 0.0517578125, 1.3125, 0.09375, -0.5, 3.875, 4.6875, 0.125, -2.125, 2.78125, -0.0078125, 1.46875, 1.96875, -0.13671875, -1.125, 4, 0.515625, -0.985633058277532, 0.34643761030004339, 9.9868709173081052e-16, 6.4218116481571943e-16},
+    {0, 0, 0, 1, 0, 0, 5.75, 5.9375, 0.3984375, 3.75, 0.875, 0, 0.4970703125, -0.037109375, 0.05859375, -0.25, 2.71875, -0.171875, -2.4375, 6.625, 0.03125, 2.3125, 0.96875, 0.05859375, -0.96875, 3.59375, -0.046875, 1.5625, 0.3125, -0.25, -1.1379109618357262, -0.50389991798580624, 1.9180500783901121e-15, 2.346042241438174e-15},
+    {0, 0, 0, 1, 0, 0, -1.3125, 5.875, -0.4296875, 0.8125, 4, 0, 0.4755859375, -0.02294921875, -0.0380859375, -0.84375, 3.40625, 0.2109375, 2.375, 1.875, 0.15234375, 1.625, 1.1875, 0.12890625, 2.4375, 3.6875, -0.1328125, 2.3125, 1.9375, 0.1015625, -0.77381398219474218, 0.0088505244663128306, 5.9572963228984429e-07, 1.591687883714134e-06},
+    {0, 0, 0, 1, 0, 0, -3.5, 0.625, -0.2265625, 5.1875, 0.5, 0, 0.4736328125, -0.0322265625, 0.0625, 2.375, 0.5, -0.296875, 4.5625, 2.4375, 0.19921875, 1.3125, 4.0625, 0.3046875, 1.65625, 1.46875, -0.22265625, 0.875, 6.375, -0.25, -1.9101846216408958, 0.30922108509022195, 1.2819229345397701e-14, 5.4524255294364687e-15},
+    {0, 0, 0, 1, 0, 0, -0.9375, 1.375, 0.3046875, 3.5625, 4.8125, 0, 0.546875, 0.03271484375, 0.0263671875, 3.40625, 3.75, -0.1328125, 4.125, 1.375, 0.04296875, 2.375, 1.78125, 0.359375, 2.53125, 1.15625, -0.3359375, 5.125, 1.5625, -0.0390625, -0.1283428407065092, 1.3255089461821019, 4.4256943702875699e-13, 1.0578641927767526e-12},
+    {0, 0, 0, 1, 0, 0, -3.5625, 9.375, -0.078125, -2.5, 3.5, 0, 0.50146484375, 0.00830078125, -0.0244140625, 3.40625, 3.40625, 0.109375, 4.9375, 5.75, -0.1171875, -1.5625, 2.28125, 0.234375, -0.90625, 3.15625, -0.12890625, 2.0625, 2.9375, 0.1875, 0.76068754628115032, -0.11392610840373224, 6.1936479708056827e-16, 1.8287411280386047e-16},
+    {0, 0, 0, 1, 0, 0, -0.5625, 3.8125, 0.078125, 0.375, 0.625, 0, 0.4873046875, -0.03515625, -0.03515625, 1.28125, 2.96875, -0.375, 2.8125, 4.375, -0.01171875, -1.1875, 0.625, 0.17578125, -0.5625, 2.0625, -0.23046875, -1.625, 0.4375, -0.4375, -0.6815746581727915, -0.38461676057055283, 7.6030357762724864e-09, 2.4419245141385602e-09},
 };
 #endif
 
