@@ -16,7 +16,7 @@
 enum {
     MOST_COUNTED = 20000, /* edges of sums; beyond, no terms are shared */
     SLACK = 16,           /* cycles, four operations: about as long */
-    WINDOW = 200          /* nodes that are looked at for one place */
+    WINDOW = 1000         /* nodes that are looked at for one place */
 };
 
 static void order_nodes(struct schedule *s)
@@ -140,11 +140,10 @@ static size_t choose_place(const struct schedule *s, const struct place *place, 
                            const bool *done)
 {
     size_t best = first;
-    int most = -1, seen = 0;
-    for (size_t i = first; i < s->n && seen < WINDOW && most < INT_MAX; i++) {
+    int most = -1;
+    for (size_t i = first; i < s->n && i < first + WINDOW && most < INT_MAX; i++) {
         const struct node *n = &s->dag->node[place[i].node];
         bool ready = !done[place[i].node];
-        seen += ready;
         if (place[i].stage != place[first].stage || place[i].wait < place[first].wait - SLACK)
             break;
         for (size_t k = 0; ready && k < n->edges; k++)
