@@ -182,7 +182,7 @@ int footpoint_certify(const double xA[3], const double xB[3], const double xC[3]
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *dist);
 
-enum { FOOTPOINT_STATIONARY_MOST = 8 };
+enum { FOOTPOINT_STATIONARY_MOST = 5 };
 
 /** All points of the segment where (7), (8) hold, minima of the distance and others, -1 <= xi, eta <= 1, each to
  *  rounding: from the quintic that is left of (7), (8) when xi or eta is eliminated.  There are five at most.
