@@ -16,7 +16,8 @@
 #define BEYOND 0x1p-37 /* points that far outside, in s and t, count as on the edge */
 #define START 0x1p-18  /* width of an interval in t from which Newton's method is tried */
 #define END 0x1p-54    /* ... and to which it is narrowed if that fails */
-#define APART 1e-9     /* a point that near to one that the other family found is the same; in xi and eta */
+#define APART 1e-9     /* a point that near to one that the other family found is the same, in xi and eta ... */
+#define BLURRED 1e-3   /* ... and in the coordinate along its line, if that could not be sharpened */
 #define MARGIN 0x1p-40 /* for the rounding of bounds */
 #define SHARP 1e-10    /* a reach below is that of one point */
 
@@ -198,32 +199,42 @@ static int is_inside(const double z[2])
     return fabs(z[0]) <= 1.0 && fabs(z[1]) <= 1.0;
 }
 
+/* Newton's method from z; 1 if it leads to the root of a single interval. */
+static int settle(const double *const x[5], const struct bilinear *f, const struct family *family,
+                  const struct roots_interval *interval, double z[2])
+{
+    double to[2] = {z[0], z[1]}, radius;
+    if (!is_inside(z) || !footpoint_bilinear_refine(x, f, to, &radius))
+        return 0;
+    const double t = line_of(family, to);
+    if (t < interval->low - DBL_EPSILON || t > interval->high + DBL_EPSILON)
+        return 0;
+    z[0] = clamp_near(to[0]);
+    z[1] = clamp_near(to[1]);
+    return 1;
+}
+
 /* The root of a single interval.  0 if its point is outside. */
 static int find(const double *const x[5], const struct bilinear *f, const struct family *family,
                 struct roots_interval *interval, struct stationary_point *point)
 {
-    double z[2], low[2], high[2], radius;
+    double low[2], high[2];
     footpoint_roots_narrow(interval, START);
     if (is_outside(&family->lines, interval->low, interval->high))
         return 0;
-    point_of_line(family, 0.5 * (interval->low + interval->high), z);
     point->reach = point->variation = 0.0;
-    if (is_inside(z) && footpoint_bilinear_refine(x, f, z, &radius)) {
-        const double t = line_of(family, z);
-        if (interval->low <= t && t <= interval->high) {
-            point->z[0] = clamp_near(z[0]);
-            point->z[1] = clamp_near(z[1]);
+    for (int exactly = 0; exactly < 2; exactly++) {
+        point_of_line(family, 0.5 * (interval->low + interval->high), point->z);
+        point->blur[0] = point->blur[1] = APART;
+        if (settle(x, f, family, interval, point->z))
             return is_inside(point->z);
-        }
+        footpoint_roots_narrow(interval, END);
     }
-    footpoint_roots_narrow(interval, END);
-    point_of_line(family, 0.5 * (interval->low + interval->high), point->z);
     point_of_line(family, interval->low, low);
     point_of_line(family, interval->high, high);
-    if (!is_inside(point->z))
-        return 0;
     point->reach = between(x, f, low, high);
-    return 1;
+    point->blur[family->exchanged] = BLURRED;
+    return is_inside(point->z);
 }
 
 /* ---- where nothing is known ---- */
@@ -257,6 +268,7 @@ static void represent(const double *const x[5], const struct bilinear *f, const 
     static const double at[] = {0.5, 0.0, 0.25, 0.75, 1.0};
     double first = 0.0;
     point->reach = point->variation = 0.0;
+    point->blur[0] = point->blur[1] = APART;
     for (int k = 0; k < 5; k++) {
         double z[2];
         point_of_line(family, interval->low + at[k] * (interval->high - interval->low), z);
@@ -288,32 +300,38 @@ static int find_pair(const double *const x[5], const struct bilinear *f, const s
     return 1;
 }
 
-static int is_known(const struct stationary_point point[], int count, const struct stationary_point *new)
+/* Keeps the last of count + 1 points unless it is one of the first `known`, of which the sharper stays. */
+static int keep(struct stationary_point point[], int known, int count)
 {
-    for (int k = 0; k < count; k++)
-        if (fabs(point[k].z[0] - new->z[0]) <= APART && fabs(point[k].z[1] - new->z[1]) <= APART)
-            return 1;
-    return 0;
+    const struct stationary_point new = point[count];
+    for (int k = 0; k < known; k++) {
+        struct stationary_point *const old = &point[k];
+        if (fabs(old->z[0] - new.z[0]) <= bilinear_larger(old->blur[0], new.blur[0]) &&
+            fabs(old->z[1] - new.z[1]) <= bilinear_larger(old->blur[1], new.blur[1])) {
+            if (new.blur[0] + new.blur[1] < old->blur[0] + old->blur[1])
+                *old = new;
+            return count;
+        }
+    }
+    return count + 1;
 }
 
 int footpoint_bilinear_stationary(const double *const x[5], const struct bilinear *f, struct stationary_point point[])
 {
     struct family family[2];
-    int count = 0;
+    int count = 0, first = 0;
     for (int k = 0; k < 2; k++) {
-        const int before = count;
         isolate(x, f->exponent, k, &family[k]);
         for (int i = 0; i < family[k].count; i++)
-            if (family[k].interval[i].single && find(x, f, &family[k], &family[k].interval[i], &point[count]) &&
-                !is_known(point, k == 0 ? 0 : before, &point[count]))
-                count++;
+            if (family[k].interval[i].single && find(x, f, &family[k], &family[k].interval[i], &point[count]))
+                count = k == 0 ? count + 1 : keep(point, first, count);
+        first = k == 0 ? count : first;
     }
     for (int i = 0; i < family[0].count; i++)
         for (int j = 0; j < family[1].count; j++)
             if (!family[0].interval[i].single && !family[1].interval[j].single && count < STATIONARY_MOST &&
-                find_pair(x, f, family, &family[0].interval[i], &family[1].interval[j], &point[count]) &&
-                !is_known(point, count, &point[count]))
-                count++;
+                find_pair(x, f, family, &family[0].interval[i], &family[1].interval[j], &point[count]))
+                count = keep(point, count, count);
     return count;
 }
 

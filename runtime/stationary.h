@@ -8,6 +8,7 @@ enum { STATIONARY_MOST = 32 };
 
 struct stationary_point {
     double z[2];      /* xi, eta, in [-1,1] */
+    double blur[2];   /* within which another is the same */
     double reach;     /* the points that it stands for are that near in space, over m: 0 for one, known to rounding */
     double variation; /* of their distances from xS, over m */
 };
