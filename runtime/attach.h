@@ -8,6 +8,7 @@
 #ifndef FOOTPOINT_ATTACH_H
 #define FOOTPOINT_ATTACH_H
 
+#include "ieee.h"
 #include "vector.h"
 
 /* Not for callers of the library. */

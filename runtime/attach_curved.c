@@ -5,8 +5,8 @@
  * triangle or square is found exactly, and the step to it is halved until f falls.  Where the Hessian is not positive
  * definite it gives way to Gauss and Newton's, damped.  It starts from the closest point of the plane or bilinear face
  * of the corners, or from a node that is nearer. */
-#include "../generated/footpoint_quad4.h"
 #include "attach_curved.h"
+#include "../generated/footpoint_quad4.h"
 
 #include <float.h>
 

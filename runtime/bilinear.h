@@ -8,14 +8,8 @@
 #ifndef FOOTPOINT_BILINEAR_H
 #define FOOTPOINT_BILINEAR_H
 
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "footpoint: proofs need IEEE arithmetic; compile this file without -ffast-math, -Ofast and -ffinite-math-only"
-#endif
-#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "footpoint: proofs need IEEE arithmetic; compile this file without -fassociative-math and -freciprocal-math"
-#endif
-
 #include "footpoint.h"
+#include "ieee.h"
 #include "twofold.h"
 #include "vector.h"
 

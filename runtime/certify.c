@@ -73,8 +73,8 @@ static int is_definite(double h11, double h12, double h22, double ac, double bc,
  *     |u a' + v b|^2 - 2 u v c3.d = u^2 a'.a' + 2 u v (a'.b - c3.d) + v^2 b.b,
  * a quadratic form in (u,v) whose coefficients depend on v alone, with the determinant q(v).  Where that is positive
  * for all v of the segment, no point is nearer; the same with xi and eta exchanged.  The margin covers rounding, and a
- * shift of the point by slack, which changes h11, h12, h22 by at most 2 (|a.c3| + |b.c3| + c3.c3 slack) slack.  An eighth
- * of that, over m^2, covers the coefficient of v^2, whose terms are at most `sum` over m^2. */
+ * shift of the point by slack, which changes h11, h12, h22 by at most 2 (|a.c3| + |b.c3| + c3.c3 slack) slack.  An
+ * eighth of that, over m^2, covers the coefficient of v^2, whose terms are at most `sum` over m^2. */
 int footpoint_bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta,
                                   double slack, double floor)
 {

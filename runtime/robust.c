@@ -1,7 +1,8 @@
 /* The closest point of a segment, with certainty: the iteration-free search; one step of Newton's method with the proof
  * of certify.c; and the test that no other point is nearer.  On ordinary meshes that is all.  Where a foot point is not
- * inside, the nearest point of the four edges is tried, with the same test.  Else all candidates are compared with twice
- * the digits: the nearest points of the edges, and all stationary points, which stationary.c proves complete. */
+ * inside, the nearest point of the four edges is tried, with the same test.  Else all candidates are compared with
+ * twice the digits: the nearest points of the edges, and all stationary points, a list that stationary.c proves
+ * complete. */
 #include "stationary.h"
 
 #include "../generated/footpoint_quad4.h"

@@ -1,5 +1,5 @@
-/* Roots by Descartes' rule of signs and halving (Vincent, Collins and Akritas; in Bernstein's basis, Lane and Riesenfeld
- * 1981): a polynomial has at most as many roots in ]0,1[ as its coefficients change sign, and as many but for an even
+/* Roots by Descartes' rule of signs and halving (Vincent, Collins and Akritas; in Bernstein's basis, Lane and
+ * Riesenfeld 1981): a polynomial has at most as many roots in ]0,1[ as its coefficients change sign, and as many but for an even
  * number; so no change proves that there is none and one that there is one.  Signs count only where they are beyond the
  * error of the coefficient.  Halving takes means, of coefficients and of the bounds on their errors alike; its own
  * rounding, 5 x 2^-101 of the means of sizes a time, is part of the bounds from the start. */
@@ -9,7 +9,7 @@
 
 enum { HALVINGS = 64, LAST = ROOTS_DEGREE };
 
-#define FIRST (67.0 / 128.0) /* where the first cut is: halvings thereafter miss the roots that symmetry makes frequent */
+#define FIRST (67.0 / 128.0) /* where the first cut is: later ones then miss the roots that symmetry makes frequent */
 
 enum verdict { NO_ROOT, ONE_ROOT, SOME_ROOTS, NOTHING_KNOWN };
 
@@ -113,21 +113,35 @@ int footpoint_roots_isolate(const struct roots_polynomial *whole, struct roots_i
     return count;
 }
 
+/* Halves a single interval once.  0 if what is in its middle is nearer to 0 than `errors` of its bounds, or there is no
+ * number. */
+static int halve(struct roots_interval *interval, double errors)
+{
+    const double middle = 0.5 * (interval->low + interval->high);
+    struct roots_polynomial right = interval->local, left;
+    split(&right, 0.5, &left);
+    if (!(fabs(right.c[0].high) > errors * right.error[0]) || !(interval->low < middle && middle < interval->high))
+        return 0;
+    if ((right.c[0].high > 0.0) == (left.c[0].high > 0.0)) {
+        interval->low = middle;
+        interval->local = right;
+    } else {
+        interval->high = middle;
+        interval->local = left;
+    }
+    return 1;
+}
+
 void footpoint_roots_narrow(struct roots_interval *interval, double width)
 {
-    while (interval->single && interval->high - interval->low > width) {
-        const double middle = 0.5 * (interval->low + interval->high);
-        struct roots_polynomial right = interval->local, left;
-        split(&right, 0.5, &left);
-        const int sign = sign_of(&right, 0);
-        if (sign == 0 || !(interval->low < middle && middle < interval->high))
-            return;
-        if (sign == sign_of(&left, 0)) {
-            interval->low = middle;
-            interval->local = right;
-        } else {
-            interval->high = middle;
-            interval->local = left;
-        }
-    }
+    while (interval->single && interval->high - interval->low > width && halve(interval, 1.0))
+        ;
+}
+
+double footpoint_roots_middle(const struct roots_interval *interval)
+{
+    struct roots_interval rest = *interval;
+    while (halve(&rest, 0.0))
+        ;
+    return 0.5 * (rest.low + rest.high);
 }

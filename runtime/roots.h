@@ -1,5 +1,5 @@
-/* The real roots in [0,1] of a quintic, told apart with proof; for the files of this folder alone.  The polynomial is in
- * Bernstein's basis,
+/* The real roots in [0,1] of a quintic, told apart with proof; for the files of this folder alone.  The polynomial is
+ * in Bernstein's basis,
  *     p(t) = sum over k of binomial(5,k) t^k (1-t)^(5-k) c[k],
  * with coefficients of twice the precision and a bound on the error of each. */
 #ifndef FOOTPOINT_ROOTS_H
@@ -31,6 +31,9 @@ int footpoint_roots_isolate(const struct roots_polynomial *p, struct roots_inter
 
 /** Halves a single interval until it is at most `width` wide, or the sign at its middle cannot be told. */
 void footpoint_roots_narrow(struct roots_interval *interval, double width);
+
+/** Where in a single interval the root is, as well as can be told: bounds on errors are amply above them. */
+double footpoint_roots_middle(const struct roots_interval *interval);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

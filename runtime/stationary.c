@@ -101,8 +101,9 @@ static void product_of(const struct lines *l, struct twofold product[])
 
 static void size_of(const struct lines *l, double product[])
 {
-    const double a[2] = {length(l->along[0]), length(l->along[1])}, e[2] = {length(l->e[0]), length(l->e[1])};
     const double across = length(l->across), twist = length(l->twist);
+    const double a[2] = {length(l->along[0]) + BEYOND * twist, length(l->along[1]) + BEYOND * twist};
+    const double e[2] = {length(l->e[0]) + BEYOND * across, length(l->e[1]) + BEYOND * across};
     double q[3] = {0.0}, p[3] = {0.0}, u[3] = {0.0}, v[4] = {0.0};
     add_size(1, a, 1, a, q);
     add_size(1, a, 1, e, p);
@@ -214,14 +215,29 @@ static int settle(const double *const x[5], const struct bilinear *f, const stru
     return 1;
 }
 
+/* Whether the root of a single interval is that of one of the points. */
+static int is_known(const struct family *family, const struct roots_interval *interval,
+                    const struct stationary_point point[], int count)
+{
+    for (int k = 0; k < count; k++) {
+        const double t = line_of(family, point[k].z);
+        if (point[k].reach <= 0.0 && interval->low + APART < t && t < interval->high - APART)
+            return 1;
+    }
+    return 0;
+}
+
 /* The root of a single interval.  0 if its point is outside. */
 static int find(const double *const x[5], const struct bilinear *f, const struct family *family,
                 struct roots_interval *interval, struct stationary_point *point)
 {
+    static const double width[] = {0x1p-2, 0x1p-6, START};
     double low[2], high[2];
-    footpoint_roots_narrow(interval, START);
-    if (is_outside(&family->lines, interval->low, interval->high))
-        return 0;
+    for (int k = 0; k < 3; k++) {
+        footpoint_roots_narrow(interval, width[k]);
+        if (is_outside(&family->lines, interval->low, interval->high))
+            return 0;
+    }
     point->reach = point->variation = 0.0;
     for (int exactly = 0; exactly < 2; exactly++) {
         point_of_line(family, 0.5 * (interval->low + interval->high), point->z);
@@ -230,6 +246,7 @@ static int find(const double *const x[5], const struct bilinear *f, const struct
             return is_inside(point->z);
         footpoint_roots_narrow(interval, END);
     }
+    point_of_line(family, footpoint_roots_middle(interval), point->z);
     point_of_line(family, interval->low, low);
     point_of_line(family, interval->high, high);
     point->reach = between(x, f, low, high);
@@ -323,7 +340,8 @@ int footpoint_bilinear_stationary(const double *const x[5], const struct bilinea
     for (int k = 0; k < 2; k++) {
         isolate(x, f->exponent, k, &family[k]);
         for (int i = 0; i < family[k].count; i++)
-            if (family[k].interval[i].single && find(x, f, &family[k], &family[k].interval[i], &point[count]))
+            if (family[k].interval[i].single && !is_known(&family[k], &family[k].interval[i], point, first) &&
+                find(x, f, &family[k], &family[k].interval[i], &point[count]))
                 count = k == 0 ? count + 1 : keep(point, first, count);
         first = k == 0 ? count : first;
     }
