@@ -1,8 +1,8 @@
 /* Roots by Descartes' rule of signs and halving (Vincent, Collins and Akritas; in Bernstein's basis, Lane and
- * Riesenfeld 1981): a polynomial has at most as many roots in ]0,1[ as its coefficients change sign, and as many but for an even
- * number; so no change proves that there is none and one that there is one.  Signs count only where they are beyond the
- * error of the coefficient.  Halving takes means, of coefficients and of the bounds on their errors alike; its own
- * rounding, 5 x 2^-101 of the means of sizes a time, is part of the bounds from the start. */
+ * Riesenfeld 1981): a polynomial has at most as many roots in ]0,1[ as its coefficients change sign, and as many but
+ * for an even number; so no change proves that there is none and one that there is one.  Signs count only where they
+ * are beyond the error of the coefficient.  Halving takes means, of coefficients and of the bounds on their errors
+ * alike; its own rounding, 5 x 2^-101 of the means of sizes a time, is part of the bounds from the start. */
 #include "roots.h"
 
 #include <stddef.h>
