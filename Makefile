@@ -283,7 +283,7 @@ DATADIR    := $(BINDIR)/../share/footpoint
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base.h)
 # What C++ may include is meant for others.
 PUBLIC  := $(shell grep -l 'extern "C"' runtime/*.h)
-LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
+LIBRARY := runtime/footpoint.h runtime/footpoint-batch.h
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := $(addprefix evolve/footpoint-,evolve.1 pga.1 perceptron.1) \
            $(addprefix codegen/footpoint-,codegen.1 calibrate.1) tests/footpoint-bench.1

@@ -22,7 +22,7 @@ mkdir "$work/project"
 cat > "$work/project/use.c" <<'C'
 #include "footpoint.h"
 #include "footpoint/footpoint_quad4.h"
-#include "footpoint/quad4.h"
+#include "footpoint/footpoint-quad4-geometry.h"
 #include <stdio.h>
 
 int main(void)
