@@ -48,7 +48,7 @@ evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c k
 evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c)) \
                $(addprefix runtime/,bezier.c gregory.c normals.c)
 pga_mpi     := evolve/pga_main.c evolve/migrate.c
-genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
+genome_lib  := codegen/base.c codegen/outfile.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
 runtime_lib := $(wildcard runtime/*.c)
 # Geometry of segments, which scenes are made of, too.
 geometry    := $(filter-out runtime/quad4.c,$(wildcard runtime/quad*.c runtime/tri*.c))
@@ -112,7 +112,7 @@ $(BIN)/footpoint-codegen: $(call object,codegen/codegen_main.c $(codegen_lib))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_codegen)
 
-$(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.c)
+$(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.c codegen/outfile.c)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_calibrate)
 

@@ -17,7 +17,7 @@ usage 'no time' "--time-limit 0 is out of range" '--time-limit 0'
 usage 'odd time' "--time-limit needs seconds or H:MM:SS, not '1:99'" '--time-limit 1:99'
 usage 'odd topology' "--topology knows no 'star'" '--topology star'
 usage 'more migrants than individuals' '--migrate-fraction 1.5 is out of range (0 to 0.5)' '--migrate-fraction 1.5'
-usage 'one file for two things' '--checkpoint and --log are the same file' '--checkpoint f --log f'
+usage 'one file for two things' '--checkpoint and --log are one file: f' '--checkpoint f --log f'
 
 # Without interruption, then in two parts on other numbers of ranks: genomes and log.
 "$evolve" $options --generations 60 -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
