@@ -48,17 +48,18 @@ libraries="$libraries -lspooles -larpack -llapack -lblas -lpthread -lm"
     exit 1
 }
 
-# Both with a wrapper about the search; ours comes out of the library, by name, before CalculiX's archive has its turn.
+# Both with a wrapper about the search; ours comes out of its library before CalculiX's archive has its turn.
 source=$folder/CalculiX/ccx_2.20/src
+ours="$BIN/libfootpoint_ccx.a $BIN/libfootpoint.a"
 link() { gfortran -O2 -fopenmp "$source/ccx_2.20.o" "$@" "$source/ccx_2.20.a" $libraries; }
 recorded() { link -Wl,--wrap=attach_2d_ "$work/record.o" "$@"; }
 ${CC:-gcc} -O2 -D_DEFAULT_SOURCE -c tests/calculix/record.c -o "$work/record.o" &&
-    recorded -o "$work/original" && recorded -Wl,-u,attach_2d_ "$BIN/libfootpoint.a" -o "$work/ours" &&
-    link -Wl,-u,attach_2d_ "$BIN/libfootpoint.a" -o "$work/plain" &&
+    recorded -o "$work/original" && recorded -Wl,-u,attach_2d_ $ours -o "$work/ours" &&
+    link -Wl,-u,attach_2d_ $ours -o "$work/plain" &&
     nm "$work/plain" | grep -q footpoint_attach_quad4 &&
     objcopy --redefine-sym attach_2d_=original_attach_2d_ "$source/attach_2d.o" "$work/original_attach_2d.o" &&
     ${CC:-gcc} -O2 -D_DEFAULT_SOURCE tests/calculix/replay.c "$work/original_attach_2d.o" "$source/distattach_2d.o" \
-        "$BIN/libfootpoint.a" -lgfortran -lm -o "$work/replay"
+        $ours -lgfortran -lm -o "$work/replay"
 report $((! $?)) 'CalculiX links with either search'
 
 # ---- models ---------------------------------------------------------------------------------------------------------
