@@ -1,8 +1,8 @@
-/* Batches of pairs, and several slave nodes over one segment; see footpoint_batch.h.  Full blocks of pairs whose
+/* Batches of pairs, and several slave nodes over one segment; see footpoint-batch.h.  Full blocks of pairs whose
  * indices are in range, and that all come out well, take the short way; all others are gathered and judged pair by
  * pair. */
 #include "batch_block.h"
-#include "quad4.h"
+#include "footpoint-quad4-geometry.h"
 
 /* Where answers go: one of loc, locf. */
 struct answers {
