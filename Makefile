@@ -322,7 +322,7 @@ MANDIR     ?= $(PREFIX)/share/man
 DATADIR    := $(BINDIR)/../share/footpoint
 
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base.h)
-LIBRARY := runtime/footpoint.h runtime/footpoint-batch.h
+LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
 HEADERS := $(GENERATED) $(filter-out $(LIBRARY),$(sort $(wildcard runtime/footpoint-*.h))) runtime/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := $(addprefix evolve/footpoint-,evolve.1 pga.1 perceptron.1) \

@@ -1,4 +1,4 @@
-/* Batches of pairs, and several slave nodes over one segment; see footpoint-batch.h.  Full blocks of pairs whose
+/* Batches of pairs, and several slave nodes over one segment; see footpoint_batch.h.  Full blocks of pairs whose
  * indices are in range, and that all come out well, take the short way; all others are gathered and judged pair by
  * pair. */
 #include "batch_block.h"

@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_BATCH_BLOCK_H
 #define FOOTPOINT_BATCH_BLOCK_H
 
-#include "footpoint-batch.h"
+#include "footpoint_batch.h"
 
 /* Pairs of a block: few enough for the processor to look ahead into the next one, and a multiple of LANES, which no
  * instruction set exceeds.  Nodes are fetched into the cache that many pairs before they are gathered. */

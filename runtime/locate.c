@@ -1,5 +1,5 @@
 /* The iteration-free search of one pair, and of many in the plainest arrays; see footpoint.h. */
-#include "footpoint-batch.h"
+#include "footpoint_batch.h"
 
 #include "check.h"
 

@@ -2,7 +2,7 @@
  * interleaved in one run: arrays far larger than any cache, pairs in the order of the mesh and in random order.
  *     bench_pairs [EDGE [ROUNDS]]     EDGE x EDGE segments, one slave node over each
  * prints lines  order,layout,index,what,ns,ratio  with the least ns per pair and its ratio to the loop's. */
-#include "../runtime/footpoint-batch.h"
+#include "../runtime/footpoint_batch.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * status it names, writes nothing unless that is FOOTPOINT_OK, and then finite numbers; a batch gives the bits of the
  * generated functions.  Built with clang -fsanitize=fuzzer, or with replay_main.c. */
 #include "../../generated/footpoint_quad4.h"
-#include "../../runtime/footpoint-batch.h"
+#include "../../runtime/footpoint_batch.h"
 
 #include <stdint.h>
 #include <stdio.h>
