@@ -9,9 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* NULL where the scene has none, which a mesh will do for. */
 static bool read_segment(const struct scene_reader *r, const config_setting_t *s, const struct segment_kind **segment)
 {
     char *name = NULL;
+    if (!s)
+        return true;
     if (!key_string(r, s, "segment", &name))
         return false;
     *segment = segment_find(name);
@@ -34,16 +37,21 @@ static bool read_reference(const struct scene_reader *r, const config_setting_t 
 static bool read_scene(const struct scene_reader *r, config_setting_t *root, struct scene *scene, char **mesh,
                        size_t *size)
 {
-    static const char *const required[] = {"segment", "order",    "norm",    "precision",
-                                           "seed",    "training", "heldout", NULL};
-    static const char *const optional[] = {"reference", "frame", "tiers", "lattice", "shapes", "mesh", NULL};
+    static const char *const required[] = {"order", "norm", "precision", "seed", "training", "heldout", NULL};
+    static const char *const optional[] = {"segment", "reference", "frame", "tiers", "lattice", "shapes", "mesh", NULL};
     static const char *const order[] = {"any", "nearest", "nearest-shorter"};
     static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
     long long training, heldout, seed;
+    config_setting_t *source;
     int which;
-    if (!keys_check(r, root, "scene", required, optional) ||
-        !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment) ||
-        !key_word(r, config_setting_get_member(root, "order"), "order", order, 3, &which))
+    if (!keys_check(r, root, "scene", required, optional) || !(source = scene_find_source(r, root, scene)) ||
+        !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment))
+        return false;
+    if (scene->source == SOURCE_MESH && !scene_read_mesh(r, source, scene, mesh, size))
+        return false;
+    if (!scene->segment)
+        return key_fail(r, root, "scene lacks 'segment'");
+    if (!key_word(r, config_setting_get_member(root, "order"), "order", order, 3, &which))
         return false;
     scene->order = (enum corner_order)which;
     if (scene->order != CORNERS_ANY && !scene->segment->turns)
@@ -66,7 +74,7 @@ static bool read_scene(const struct scene_reader *r, config_setting_t *root, str
     scene->seed = (uint64_t)seed;
     scene->training = (size_t)training;
     scene->heldout = (size_t)heldout;
-    return scene_read_source(r, root, scene, mesh, size) && scene_read_tiers(r, root, scene);
+    return (scene->source == SOURCE_MESH || scene_read_source(r, source, scene)) && scene_read_tiers(r, root, scene);
 }
 
 /* Line of an @include directive, or 0.  The digest covers one text, so that a scene has no others. */

@@ -117,28 +117,40 @@ static void append_faces(char **data, size_t *size, const struct mesh_face *face
 }
 
 /* What the mesh contributes to the scene's digest: its nodes and contact pairs, whatever files they stand in. */
-static bool read_mesh_content(const char *path, char **data, size_t *size, struct diag *d)
+static void append_mesh(char **data, size_t *size, const struct mesh *m)
 {
-    struct mesh *m = mesh_read(path, d);
-    if (!m)
-        return false;
     append(data, size, m->xyz, m->nodes * sizeof *m->xyz);
     for (size_t i = 0; i < m->pairs; i++) {
         append(data, size, m->pair[i].slave, m->pair[i].slaves * sizeof *m->pair[i].slave);
         append_faces(data, size, m->pair[i].master, m->pair[i].masters);
     }
-    mesh_free(m);
-    return true;
+}
+
+/* The scene's kind of segment is the one that it names, or what all master faces are. */
+static bool choose_segment(const struct scene_reader *r, const config_setting_t *group, struct mesh *m,
+                           struct scene *scene)
+{
+    char faces[200];
+    const struct segment_kind *kind = mesh_segment(m, faces, sizeof faces);
+    if (scene->segment)
+        return mesh_keep_faces(m, scene->segment) > 0 ||
+               key_fail(r, group, "no master face is of segment '%s'; there are %s", scene->segment->name, faces);
+    scene->segment = kind;
+    return kind ||
+           key_fail(r, group, "master faces of several kinds: %s; choose one of them, segment = \"...\";", faces);
 }
 
 /* The mesh file's path is relative to the scene's folder. */
-static bool read_mesh(const struct scene_reader *r, config_setting_t *g, struct mesh_pairs *m, char **data,
-                      size_t *size)
+bool scene_read_mesh(const struct scene_reader *r, config_setting_t *g, struct scene *scene, char **data, size_t *size)
 {
     static const char *const required[] = {"file", "distance", NULL}, *const optional[] = {NULL};
+    struct mesh_pairs *m = &scene->mesh;
     const config_setting_t *s;
     const char *slash = strrchr(r->path, '/');
     char path[1024], *file = NULL;
+    if (scene->segment && *scene->segment->normals)
+        return key_fail(r, g, "segments '%s' come from 'lattice' or 'shapes', not from a mesh file",
+                        scene->segment->name);
     if (!keys_check(r, g, "mesh", required, optional) ||
         !key_number(r, config_setting_get_member(g, "distance"), "distance", 1e-300, 1e300, &m->distance))
         return false;
@@ -153,41 +165,45 @@ static bool read_mesh(const struct scene_reader *r, config_setting_t *g, struct 
     m->file = new_text(path, strlen(path));
     if (access(path, R_OK) != 0)
         return key_fail(r, s, "cannot read mesh file '%s'", path);
-    return read_mesh_content(path, data, size, r->d);
+    struct mesh *read = mesh_read(path, r->d);
+    if (!read)
+        return false;
+    append_mesh(data, size, read);
+    const bool chosen = choose_segment(r, g, read, scene);
+    mesh_free(read);
+    return chosen;
 }
 
-/* Exactly one of lattice, shapes and mesh. */
-bool scene_read_source(const struct scene_reader *r, config_setting_t *root, struct scene *scene, char **mesh,
-                       size_t *size)
+config_setting_t *scene_find_source(const struct scene_reader *r, config_setting_t *root, struct scene *scene)
 {
     static const char *const source[] = {"lattice", "shapes", "mesh"};
     config_setting_t *found = NULL;
     for (int i = 0; i < 3; i++) {
         config_setting_t *s = config_setting_get_member(root, source[i]);
-        if (s && found)
-            return key_fail(r, s, "both '%s' and '%s'; a scene has one of lattice, shapes and mesh",
-                            config_setting_name(found), source[i]);
-        if (s && !config_setting_is_group(s))
-            return key_fail(r, s, "'%s' must be a group, { ... }", source[i]);
+        if (s && found) {
+            key_fail(r, s, "both '%s' and '%s'; a scene has one of lattice, shapes and mesh",
+                     config_setting_name(found), source[i]);
+            return NULL;
+        }
+        if (s && !config_setting_is_group(s)) {
+            key_fail(r, s, "'%s' must be a group, { ... }", source[i]);
+            return NULL;
+        }
         if (s) {
             found = s;
             scene->source = (enum scene_source)i;
         }
     }
     if (!found)
-        return diag_at(r->d, r->path, 0, 0, "none of lattice, shapes and mesh; a scene has one of them");
-    if (scene->source == SOURCE_MESH && *scene->segment->normals)
-        return key_fail(r, found, "segments '%s' come from 'lattice' or 'shapes', not from a mesh file",
-                        scene->segment->name);
-    switch (scene->source) {
-    case SOURCE_LATTICE:
-        if (scene->segment->surface && !*scene->segment->normals)
-            return key_fail(r, found, "a 'lattice' is of segments quad4, gregory and bezier");
-        return read_lattice(r, found, scene->segment, &scene->lattice);
-    case SOURCE_RANDOM:
-        return read_shapes(r, found, scene->segment, &scene->shapes);
-    case SOURCE_MESH:
-        break;
-    }
-    return read_mesh(r, found, &scene->mesh, mesh, size);
+        diag_at(r->d, r->path, 0, 0, "none of lattice, shapes and mesh; a scene has one of them");
+    return found;
+}
+
+bool scene_read_source(const struct scene_reader *r, config_setting_t *group, struct scene *scene)
+{
+    if (scene->source == SOURCE_RANDOM)
+        return read_shapes(r, group, scene->segment, &scene->shapes);
+    if (scene->segment->surface && !*scene->segment->normals)
+        return key_fail(r, group, "a 'lattice' is of segments quad4, gregory and bezier");
+    return read_lattice(r, group, scene->segment, &scene->lattice);
 }

@@ -40,8 +40,27 @@ scene 's/max_length = 30/max_length = 30; budget = 0.5/'; refused 'budget below 
 
 mesh() { sed 's|^shapes.*|mesh: { file = "m.inp"; distance = '"$1"'; };|' tests/scenes/small.scene > "$work/s.scene"; }
 mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: cannot read mesh file '$work/m.inp'"
-printf '*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n*ELEMENT, TYPE=B31\n1, 1, 2\n' > "$work/m.inp"
-refused 'unsupported element' "$work/m.inp:4: error: element type 'B31' is not supported"
+cp tests/meshes/wedges.inp "$work/m.inp"; mesh 0.5
+sed -i 's/^S_BOTTOM, S2/PLANE, S1/' "$work/m.inp"
+expect 'a master face on a plane element' 1 '' '*' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
+grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface is of type CPS8R; faces are known of C3D4, " \
+    "$work/stderr"; report $((! $?)) 'is refused where its surface names it, with what is supported'
+
+# Among beams, masses and springs: master faces of two kinds, of which the scene chooses one.
+cp tests/meshes/wedges.inp "$work/m.inp"
+sed -i '/^segment/d' "$work/s.scene"
+refused 'faces of two kinds' "$work/s.scene:9: error: master faces of several kinds: 2 of tri3, 1 of quad4; choose one of them, segment = \"...\";"
+mesh 0.5; sed -i 's/"quad4"/"tri6"/; s/"nearest"/"any"/' "$work/s.scene"
+refused 'faces of neither' "$work/s.scene:10: error: no master face is of segment 'tri6'; there are 2 of tri3, 1 of quad4"
+tri3() { sed "$1"'; /^frame/,$d; s|^shapes.*|mesh: { file = "m.inp"; distance = 0.5; };|; s/"nearest"/"any"/; s/^reference.*/reference = [0.2, 0.2];/' \
+    tests/scenes/small.scene > "$work/s.scene"
+    echo 'tiers = ({ name = "exact"; frame = "tri3"; terminals = ["exact_xi", "exact_eta"]; max_length = 1; functions = "polynomial"; });' >> "$work/s.scene"; }
+tri3 's/"quad4"/"tri3"/'
+expect 'one kind is chosen' 0 '*' '' "$evolve" --scene "$work/s.scene" --from-scratch -o "$work/chosen.gen" --generations 1 --quiet
+sed -i '/^S_TOP/d' "$work/m.inp"; tri3 '/^segment/d'
+expect 'the only kind need not be named' 0 '*' '' "$evolve" --scene "$work/s.scene" --from-scratch -o "$work/only.gen" --generations 1 --quiet
+grep -q '^segment tri3 ' "$work/chosen.gen" && grep -q '^segment tri3 ' "$work/only.gen"; report $((! $?)) 'segments are triangles'
+rm -f "$work/o.gen"
 cp tests/meshes/punch.inp "$work/m.inp"; mesh 1e-9
 refused 'no pair is near enough' "$work/m.inp: error: no slave node within a distance of 1e-09 over a master face"
 
