@@ -81,9 +81,8 @@ static bool complete_scene(struct run *r, struct diag *d)
 {
     if (r->scene->tiers > 0)
         return true;
-    if (!draw_training(r, d))
+    if (!draw_training(r, d) || !scene_follow(r->options->root, r->scene, r->vary.kind, d))
         return false;
-    scene_follow(r->scene, r->vary.kind);
     r->follows = true;
     return true;
 }
@@ -97,6 +96,8 @@ static bool load(struct run *r, struct diag *d)
         !choose_paths(r, d))
         return false;
     const bool first = r->team->rank == 0;
+    if (first && r->scene->warnings)
+        fputs(r->scene->warnings, stderr);
     const bool good =
         (!first || (probe(r->output, d) && probe(o->checkpoint, d) && probe(o->front, d) && keep_start(r, d))) &&
         complete_scene(r, d) && load_archive(r, d);

@@ -21,10 +21,12 @@ expect 'unknown scene' 3 '' './evolve/scenes/nowhere.scene: error: cannot open: 
 scene 's/^norm/colour/';           refused 'unknown key' "$work/s.scene:5: error: unknown key 'colour' in scene"
 scene 's/"20 deg"/20.0/';          refused 'angle without a unit' "$work/s.scene:10: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""
 scene 's/"20 deg"/"20 mm"/';       refused 'wrong unit' "$work/s.scene:10: error: 'skew' has the unknown unit 'mm'; deg or rad"
-scene 's/aspect = 2.0/aspect = 0.5/'; refused 'out of range' "$work/s.scene:10: error: 'aspect' must be in 1..1000"
+scene 's/aspect = 2.0/aspect = 0.5/'; refused 'out of range' "$work/s.scene:10: error: 'aspect' must be in 1..1000; 5.0 is usual"
 scene 's/training  = 700/training  = 0/'; refused 'zero samples' "$work/s.scene:8: error: 'training' must be in 1..100000000"
-scene 's/"parallelogram"/"trapezium"/'; refused 'unknown frame' "$work/s.scene:13: error: tier 'steps': cannot read frame './evolve/frames/trapezium.gen'"
-scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scene:13: error: tier 'steps': frame 'tri6' is of segments tri6"
+scene 's/"parallelogram"/"trapezium"/'; frames=$(ls evolve/frames | sed 's/.gen$//' | paste -s -d , | sed 's/,/, /g')
+refused 'unknown frame' "$work/s.scene:11:9: error: tier 'steps': no frame 'trapezium'; there are $frames"
+scene 's/"similarity"/"similar"/'; refused 'unknown frame of a tier' "$work/s.scene:14:31: error: tier 'paper': no frame 'similar'; there are $frames"
+scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scene:11:9: error: tier 'steps': frame 'tri6' is of segments tri6"
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
 refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
 
@@ -123,6 +125,15 @@ lean 2 --from-scratch --generations 2 -o "$work/l2.gen" > "$work/table"
 grep -q '^lean: segments are plane (.*), frame plane: nothing to evolve for exact$' "$work/table" &&
     [ "$(grep -c '^note found_\|^note exact_' "$work/l2.gen")" = 6 ]
 report $((! $?)) 'plane segments: two tiers are evolved, one is exact'
+
+# Of other kinds, those of the scene of the kind; limits that few meshes have are told.
+printf '%s\n' 'segment = "quad8"; training = 300; heldout = 200;' \
+    'shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.2; warp = "9 deg"; curve = 0.03; shift = 0.02; overhang = 0.1;' 'gap = 3.0; };' \
+    > "$work/faces.scene"
+expect 'a scene of few words' 0 '*' "$work/faces.scene:3: warning: 'gap' is 3; 0.2 is usual" \
+    $mpirun -n 2 "$evolve" --scene "$work/faces.scene" --from-scratch --generations 2 --quiet -o "$work/faces.gen"
+grep -q '^faces: segments are quad8, frame quad8' "$work/stdout" && [ "$(grep -c '^genome' "$work/faces.gen")" = "$(grep -c 'name =' evolve/scenes/quad8.scene)" ]
+report $((! $?)) 'has the frame and the tiers of its kind'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
