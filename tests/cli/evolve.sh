@@ -95,8 +95,9 @@ expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No s
 # Growth of seeds ends early, too: what is there is written, and no checkpoint.
 expect 'no time for growth' 0 '*' 'time limit: ended at generation 0 of 50' \
     run 2 --from-scratch --generations 50 --time-limit 0.01 --checkpoint "$work/ck" -o "$work/none.gen"
+sed 's/training  = 700/training  = 100000/' tests/scenes/small.scene > "$work/large.scene"
 interrupted() { # by SIGTERM, a second after it is listened to (bit 15 of those caught)
-    "$evolve" --scene quad4 --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
+    "$evolve" --scene "$work/large.scene" --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
     pid=$! tries=200
     until grep -q '^SigCgt:.*[4-7c-f]...$' "/proc/$pid/status" || [ $((tries -= 1)) = 0 ]; do sleep 0.05; done
     sleep 1
@@ -131,9 +132,22 @@ printf '%s\n' 'segment = "quad8"; training = 300; heldout = 200;' \
     'shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.2; warp = "9 deg"; curve = 0.03; shift = 0.02; overhang = 0.1;' 'gap = 3.0; };' \
     > "$work/faces.scene"
 expect 'a scene of few words' 0 '*' "$work/faces.scene:3: warning: 'gap' is 3; 0.2 is usual" \
-    $mpirun -n 2 "$evolve" --scene "$work/faces.scene" --from-scratch --generations 2 --quiet -o "$work/faces.gen"
+    timeout 60 $mpirun -n 2 "$evolve" --scene "$work/faces.scene" --from-scratch --generations 100000000 --quiet -o "$work/faces.gen"
 grep -q '^faces: segments are quad8, frame quad8' "$work/stdout" && [ "$(grep -c '^genome' "$work/faces.gen")" = "$(grep -c 'name =' evolve/scenes/quad8.scene)" ]
 report $((! $?)) 'has the frame and the tiers of its kind'
+# Tiers of one gene are done at once, and others are evolved beside them.
+grep -q '^faces: nothing to evolve for fast coarse medium balanced fine accurate sharp: one gene, chosen among the frame.s values$' "$work/stdout" &&
+    grep -q '^faces: .*: nothing to evolve for full$' "$work/stdout" &&
+    [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 14 ] &&
+    grep -q '^xi = p_xi$' "$work/faces.gen" && grep -q '^eta = eta5t$' "$work/faces.gen"
+report $((! $?)) 'tiers of one gene need no generations'
+"$evolve" --scene "$work/faces.scene" --start "$work/faces.gen" --generations 0 --quiet -o "$work/again.gen" > /dev/null 2>&1
+cmp -s "$work/faces.gen" "$work/again.gen"; report $((! $?)) 'and their genomes come again'
+scene 's/max_length = 30/max_length = 1/; s/-0.5/0.0/g; s/nearest/any/; s/"xi0", "eta0", "p"/"p"/'
+run 2 --scene "$work/s.scene" --from-scratch --generations 5 -o "$work/one.gen" 2> /dev/null > "$work/table"
+grep -q '^s: nothing to evolve for steps: ' "$work/table" && grep -q '^note found_xi seed 5 generations 5 ' "$work/one.gen" &&
+    [ "$(grep -c '^note found_.* nothing to evolve' "$work/one.gen")" = 2 ] && grep -q '^xi = p$' "$work/one.gen" && grep -q '^eta = q$' "$work/one.gen"
+report $((! $?)) 'one tier of one gene beside one that is evolved'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
