@@ -191,6 +191,14 @@ const struct segment_kind *segment_find(const char *name)
     return NULL;
 }
 
+const struct segment_kind *segment_of_face(size_t nodes)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (!*kinds[i].normals && strlen(kinds[i].nodes) == nodes)
+            return &kinds[i];
+    return NULL;
+}
+
 size_t segment_vectors(const struct segment_kind *k)
 {
     return strlen(k->nodes) + strlen(k->normals);
