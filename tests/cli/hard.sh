@@ -15,3 +15,10 @@ hard_replay() {
         "$work/replay" tests/fuzz/closest/*
 }
 expect 'the corpus of the search functions' 0 '' '' hard_replay
+for compiler in gcc clang; do
+    command -v $compiler > /dev/null || continue
+    for file in $(grep -l '"bilinear.h"\|"stationary.h"' runtime/*.c); do
+        ! $compiler -std=c11 -D_DEFAULT_SOURCE -Ofast -c "$file" -o "$work/fast.o" 2> "$work/fast" && grep -q 'error.*proofs need IEEE arithmetic' "$work/fast" || echo "$file"
+    done > "$work/taken"
+    report $((! $(wc -l < "$work/taken"))) "nothing with proofs compiles under -Ofast, $compiler"
+done
