@@ -73,9 +73,9 @@ fi
 
 cat > "$work/hard.csv" << END
 # a case
-family,method,n,ok,outside,not_unique,refused,worst,wrong,wrong_status
-flat,newton,9,4,1,1,2,1e-3,2,1
-flat,robust,9,8,1,0,0,1e-12,0,0
+family,method,n,ok,outside,not_unique,unproved,refused,worst,wrong,wrong_status
+flat,newton,9,4,1,1,0,2,1e-3,2,1
+flat,robust,9,8,1,0,0,0,1e-12,0,0
 END
 flat='<td>5</td><td>3</td><td><b>3</b></td><td>1e-3</td><td>9</td><td>0</td><td>0</td><td>1e-12</td>'
 expect 'table of the hard cases' 0 "<tr><td>flat</td>$flat</tr>" '' \

@@ -13,8 +13,9 @@ struct hard_family {
     const char *name;
     const char *what; /* a few words for the table */
     void (*draw)(uint64_t *stream, struct hard_case *h);
-    void (*draw_float)(uint64_t *stream, struct hard_case *h); /* within the range of float */
+    void (*draw_float)(uint64_t *stream, struct hard_case *h); /* within the range of float, or NULL */
     int finite;                                                /* whether all coordinates are numbers */
+    int sized;                                                 /* ... and neither denormal nor near 1e308 */
 };
 
 extern const struct hard_family hard_families[];

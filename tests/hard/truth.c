@@ -1,12 +1,19 @@
-/* Truth by brute force; see truth.h.  For each of many lines eta = const the nearest point of -1 <= xi <= 1 is known in
- * closed form; where a line is nearer than its neighbours, a golden section narrows eta down; the same with xi and eta
- * exchanged.  From there a projected Newton iteration in extended precision. */
+/* Truth by subdivision; see truth.h and boxes.h.  A closest point is a stationary point or lies on an edge, where it is
+ * known in closed form; all of them that are nearly as near as the best are polished by a projected Newton iteration in
+ * extended precision.  Where the list of stationary points has gaps, subdivision by bounds on the distance tells how
+ * near the segment comes; any other case can be put to that test, too. */
 #include "truth.h"
 
-#include <math.h>
-#include <string.h>
+#include "boxes.h"
 
-enum { LINES = 160, SECTIONS = 45, NEWTON_STEPS = 60 };
+#include <math.h>
+
+enum { NEWTON_STEPS = 60, LEAVES = 12 };
+
+#define NEARLY 2e-10L /* heights above the least that are polished */
+#define SINGULAR 1e-9 /* determinant over its terms, from which on roots are not sharp */
+#define SAME 1e-8     /* what such a root may be off by */
+#define ENOUGH 2e-12L /* to which the least height is known */
 
 static wide dot(const wide a[3], const wide b[3])
 {
@@ -42,8 +49,30 @@ int truth_surface_of(const struct hard_case *h, struct truth_surface *f)
         f->d0[k] = (wide)h->x[4][k] * scale - (a + b + c + d) / 4;
     }
     f->scale = (double)(1 / scale);
+    f->edge = 0;
+    for (int i = 0; i < 4; i++)
+        f->edge = fmax(f->edge, sqrt((double)(dot(edge[i], edge[i]) * scale * scale)));
     f->distance = sqrt((double)dot(f->d0, f->d0));
     return 1;
+}
+
+int truth_has_area(const struct hard_case *h)
+{
+    wide most = 0, area = 0;
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) {
+            wide a[3], b[3];
+            for (int k = 0; k < 3; k++) {
+                a[k] = (wide)h->x[(i + 1) % 4][k] - h->x[i][k];
+                b[k] = (wide)h->x[(j + 1) % 4][k] - h->x[j][k];
+            }
+            for (int k = 0; k < 3; k++) {
+                const wide n = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+                area = n * n > area ? n * n : area;
+                most = a[k] * a[k] > most ? a[k] * a[k] : most;
+            }
+        }
+    return area > (wide)1e-28 * most * most;
 }
 
 void truth_offset(const struct truth_surface *f, const wide z[2], wide d[3])
@@ -174,114 +203,143 @@ int truth_stationary(const struct truth_surface *f, const double loc[2], wide z[
     return 0;
 }
 
-/* ---- sampling ---- */
+/* ---- all of it ---- */
 
-/* c1, c2 exchanged or not, in the machine's longest quick format. */
-struct lines {
-    long double along[3], across[3], twist[3], d0[3];
-};
-
-static long double line_square(const struct lines *l, long double t, long double *s)
+static void segment_of(const struct truth_surface *f, struct boxes_segment *s)
 {
-    long double a[3], e[3], aa = 0, ae = 0, square = 0;
     for (int k = 0; k < 3; k++) {
-        a[k] = l->along[k] + t * l->twist[k];
-        e[k] = l->d0[k] - t * l->across[k];
-        aa += a[k] * a[k];
-        ae += a[k] * e[k];
+        s->c1[k] = (long double)f->c1[k];
+        s->c2[k] = (long double)f->c2[k];
+        s->c3[k] = (long double)f->c3[k];
+        s->d0[k] = (long double)f->d0[k];
     }
-    *s = aa > 0 ? ae / aa : 0;
-    *s = *s < -1 ? -1 : *s > 1 ? 1 : *s;
-    for (int k = 0; k < 3; k++) {
-        const long double d = e[k] - *s * a[k];
-        square += d * d;
-    }
-    return square;
 }
 
-static long double narrow(const struct lines *l, long double low, long double high)
+static int same(const struct truth_surface *f, const wide p[2], const wide q[2])
 {
-    const long double golden = 0.61803398874989484820L;
-    long double s, x = high - golden * (high - low), y = low + golden * (high - low);
-    long double fx = line_square(l, x, &s), fy = line_square(l, y, &s);
-    for (int n = 0; n < SECTIONS; n++) {
-        if (fx <= fy) {
-            high = y;
-            y = x;
-            fy = fx;
-            x = high - golden * (high - low);
-            fx = line_square(l, x, &s);
-        } else {
-            low = x;
-            x = y;
-            fx = fy;
-            y = low + golden * (high - low);
-            fy = line_square(l, y, &s);
-        }
-    }
-    return (low + high) / 2;
+    wide d[3], e[3];
+    truth_offset(f, p, d);
+    truth_offset(f, q, e);
+    return size_of(d[0] - e[0]) < (wide)1e-14 && size_of(d[1] - e[1]) < (wide)1e-14 &&
+           size_of(d[2] - e[2]) < (wide)1e-14;
 }
 
-static void add(struct truth *t, wide xi, wide eta)
+static void insert(struct truth *t, const struct truth_point *p)
+{
+    int k = t->count;
+    if (k == TRUTH_MOST)
+        return;
+    for (t->count++; k > 0 && t->point[k - 1].square > p->square; k--)
+        t->point[k] = t->point[k - 1];
+    t->point[k] = *p;
+}
+
+void truth_add(struct truth *t, const double loc[2])
 {
     struct truth_point p;
-    p.z[0] = clamp(xi);
-    p.z[1] = clamp(eta);
-    descend(&t->surface, &p);
+    truth_descend(&t->surface, loc, &p);
     for (int k = 0; k < t->count; k++)
-        if (size_of(t->point[k].z[0] - p.z[0]) < (wide)1e-14 && size_of(t->point[k].z[1] - p.z[1]) < (wide)1e-14)
+        if (same(&t->surface, t->point[k].z, p.z))
             return;
-    if (t->count == TRUTH_MOST)
-        return;
-    int k = t->count++;
-    for (; k > 0 && t->point[k - 1].square > p.square; k--)
-        t->point[k] = t->point[k - 1];
-    t->point[k] = p;
+    insert(t, &p);
 }
 
-/* Where the distance is flat in one direction, the sampling may have taken several minima for one: from points of that
- * direction, too. */
-static void look_along(struct truth *t)
+/* xi and eta of the nearest point of edge k. */
+static void nearest_of_edge(const struct boxes_segment *f, int k, long double z[2])
 {
-    const int count = t->count;
-    for (int k = 0; k < count; k++) {
-        const struct truth_point p = t->point[k];
-        wide g[2], h[3];
-        if (p.least > 0.01)
-            continue;
-        expand(&t->surface, p.z, g, h);
-        const wide size = size_of(h[0]) + size_of(h[1]);
-        for (wide step = (wide)0.1; step > (wide)1e-7; step /= 4)
-            for (int side = -1; side <= 1; side += 2)
-                add(t, p.z[0] - side * step * h[1] / size, p.z[1] + side * step * h[0] / size);
+    const long double side = k & 1 ? 1 : -1, *const along = k < 2 ? f->c1 : f->c2,
+                      *const across = k < 2 ? f->c2 : f->c1;
+    long double product = 0, square = 0;
+    for (int i = 0; i < 3; i++) {
+        const long double e = along[i] + side * f->c3[i];
+        product += e * (f->d0[i] - side * across[i]);
+        square += e * e;
     }
+    const long double at = square > 0 ? product / square : 0;
+    z[k >= 2] = at < -1 ? -1 : at > 1 ? 1 : at;
+    z[k < 2] = side;
 }
 
-void truth_find(const struct hard_case *h, struct truth *t)
+/* Where the equations are nearly singular, long double leaves little: again in extended precision.  0 if a root was not
+ * what it seemed. */
+static int sharpen(const struct truth_surface *f, const struct boxes_segment *s, struct boxes_list *list)
 {
+    for (int k = 0; k < list->roots; k++) {
+        long double *const root = list->root[k];
+        const double loc[2] = {(double)root[0], (double)root[1]};
+        wide z[2];
+        if (boxes_regularity(s, root) > SINGULAR)
+            continue;
+        if (!truth_stationary(f, loc, z) || size_of(z[0] - root[0]) > (wide)SAME ||
+            size_of(z[1] - root[1]) > (wide)SAME)
+            return 0;
+        root[0] = (long double)z[0];
+        root[1] = (long double)z[1];
+    }
+    return 1;
+}
+
+struct candidate {
+    long double z[2], height;
+};
+
+static struct candidate candidate_of(const struct boxes_segment *f, long double xi, long double eta)
+{
+    const struct candidate c = {{(long double)clamp(xi), (long double)clamp(eta)},
+                                boxes_height(f, (long double)clamp(xi), (long double)clamp(eta))};
+    return c;
+}
+
+void truth_find(const struct hard_case *h, enum truth_kind kind, struct truth *t)
+{
+    struct boxes_list *const list = &t->list;
+    struct candidate c[4 + BOXES_ROOTS + BOXES_LEAVES + 1];
+    int count = 0, known;
     t->count = 0;
+    t->decided = 1;
+    t->contradicted = 0;
+    t->all = 1;
+    t->list.roots = t->list.leaves = 0;
+    t->list.complete = 1;
+    t->surface.distance = 0;
     if (!truth_surface_of(h, &t->surface))
         return;
-    for (int exchanged = 0; exchanged < 2; exchanged++) {
-        struct lines l;
-        long double square[LINES + 1], s;
-        for (int k = 0; k < 3; k++) {
-            l.along[k] = (long double)(exchanged ? t->surface.c2[k] : t->surface.c1[k]);
-            l.across[k] = (long double)(exchanged ? t->surface.c1[k] : t->surface.c2[k]);
-            l.twist[k] = (long double)t->surface.c3[k];
-            l.d0[k] = (long double)t->surface.d0[k];
-        }
-        for (int i = 0; i <= LINES; i++)
-            square[i] = line_square(&l, 2.0L * i / LINES - 1, &s);
-        for (int i = 0; i <= LINES; i++) {
-            if ((i > 0 && square[i - 1] < square[i]) || (i < LINES && square[i + 1] < square[i]))
-                continue;
-            const long double low = i > 0 ? 2.0L * (i - 1) / LINES - 1 : -1,
-                              high = i < LINES ? 2.0L * (i + 1) / LINES - 1 : 1;
-            const long double line = narrow(&l, low, high);
-            (void)line_square(&l, line, &s);
-            add(t, exchanged ? line : s, exchanged ? s : line);
-        }
+    segment_of(&t->surface, &t->segment);
+    const int has_area = truth_has_area(h);
+    if (has_area)
+        boxes_find(&t->segment, list);
+    list->complete = has_area && list->complete && sharpen(&t->surface, &t->segment, list);
+    for (; count < 4; count++) {
+        long double z[2];
+        nearest_of_edge(&t->segment, count, z);
+        c[count] = candidate_of(&t->segment, z[0], z[1]);
     }
-    look_along(t);
+    for (int k = 0; k < list->roots; k++)
+        c[count++] = candidate_of(&t->segment, list->root[k][0], list->root[k][1]);
+    known = count;
+    for (int k = 0; k < list->leaves; k++)
+        c[count++] = candidate_of(&t->segment, list->leaf[k][0], list->leaf[k][1]);
+    struct candidate least = c[0];
+    for (int k = 1; k < count; k++)
+        least = c[k].height < least.height ? c[k] : least;
+    if (has_area && (!list->complete || kind == TRUTH_CHECKED)) { /* without, all points lie on the edges */
+        const long double before = least.height;
+        t->decided = boxes_lower(&t->segment, ENOUGH, least.z, &least.height);
+        t->contradicted = list->complete && least.height < before - 2 * ENOUGH;
+        c[count++] = least;
+    }
+    if (kind == TRUTH_NEAREST) {
+        t->count = 1;
+        t->point[0].z[0] = least.z[0];
+        t->point[0].z[1] = least.z[1];
+        t->point[0].square = truth_square(&t->surface, t->point[0].z);
+        return;
+    }
+    const int each = 1 + list->leaves / LEAVES;
+    t->all = list->complete && each == 1;
+    for (int k = 0; k < count; k++)
+        if (c[k].height <= least.height + NEARLY && (k < known || (k - known) % each == 0 || k == count - 1)) {
+            const double loc[2] = {(double)c[k].z[0], (double)c[k].z[1]};
+            truth_add(t, loc);
+        }
 }

@@ -1,8 +1,9 @@
-/* The closest point of a bilinear segment in extended precision, for tests: by sampling and polishing, nothing of it
+/* The closest point of a bilinear segment in extended precision, for tests: by subdivision and polishing, nothing of it
  * shared with runtime/; see truth.c. */
 #ifndef FOOTPOINT_TRUTH_H
 #define FOOTPOINT_TRUTH_H
 
+#include "boxes.h"
 #include "hard.h"
 
 /* 113 bits of mantissa where the compiler has them. */
@@ -17,6 +18,7 @@ struct truth_surface {
     wide c1[3], c2[3], c3[3], d0[3]; /* xS - r = d0 - c1 xi - c2 eta - c3 xi eta */
     double scale;                    /* mesh length / this unit */
     double distance;                 /* from the middle to xS, in this unit */
+    double edge;                     /* the longest, in this unit */
 };
 
 struct truth_point {
@@ -28,17 +30,33 @@ struct truth_point {
 
 enum { TRUTH_MOST = 64 };
 
-/** Closest points of the segment, the nearest first: local minima in -1 <= xi, eta <= 1. */
+/** Closest points of the segment, the nearest first: local minima in -1 <= xi, eta <= 1 whose distances are within
+ * 1e-10 of the least, and some others. */
 struct truth {
     struct truth_surface surface;
     int count;
+    int decided;      /* 0 if the least distance may be below that of point[0], by more than 2e-12 */
+    int all;          /* 0 if there may be other local minima as near */
+    int contradicted; /* the check found a nearer point: truth_find is in error */
     struct truth_point point[TRUTH_MOST];
+    struct boxes_segment segment; /* the surface, rounded */
+    struct boxes_list list;       /* of stationary points */
 };
 
 /** 0 if all corners coincide. */
 int truth_surface_of(const struct hard_case *h, struct truth_surface *f);
 
-void truth_find(const struct hard_case *h, struct truth *t);
+/** 0 if the corners lie in a line, to rounding, so that there is no normal. */
+int truth_has_area(const struct hard_case *h);
+
+/* All of it; the least distance proved by bounds on distances alone, too; or the nearest point alone, whose distance is
+ * right to 1e-12. */
+enum truth_kind { TRUTH_ALL, TRUTH_CHECKED, TRUTH_NEAREST };
+
+void truth_find(const struct hard_case *h, enum truth_kind kind, struct truth *t);
+
+/** The local minimum below (xi,eta), unless it is known. */
+void truth_add(struct truth *t, const double loc[2]);
 
 /** From (xi,eta), clamped to the segment, down to a local minimum. */
 void truth_descend(const struct truth_surface *f, const double loc[2], struct truth_point *p);

@@ -14,7 +14,7 @@ function get(what) { return $column[what] }
     if (!(get("method") in seen_method)) { seen_method[get("method")]; method[++methods] = get("method") }
     wrong = get("wrong") + get("wrong_status")
     cells[get("family"), get("method")] = "<td>" get("ok") + get("outside") "</td><td>" \
-        get("not_unique") + get("refused") "</td><td>" (wrong ? "<b>" wrong "</b>" : 0) "</td><td>" get("worst") "</td>"
+        get("not_unique") + get("unproved") + get("refused") "</td><td>" (wrong ? "<b>" wrong "</b>" : 0) "</td><td>" get("worst") "</td>"
     total[get("method")] += wrong
     n = get("n")
 }
