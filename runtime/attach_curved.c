@@ -57,12 +57,13 @@ static void set_serendipity(struct curved *f, const double x[][3], const double 
 }
 
 /* Whether the midside nodes are the middles of straight edges, to rounding of coordinates. */
-static int is_bilinear(const struct curved *f)
+static int is_straight(const struct curved *f, int corners)
 {
     double bent = 0.0, size = 0.0;
     for (int i = 0; i < 3; i++) {
-        size += fabs(f->k[1][i]) + fabs(f->k[2][i]) + fabs(f->k[4][i]);
-        bent += fabs(f->k[3][i]) + fabs(f->k[5][i]) + fabs(f->k[6][i]) + fabs(f->k[7][i]);
+        const double mixed = fabs(f->k[4][i]);
+        size += fabs(f->k[1][i]) + fabs(f->k[2][i]) + (corners == 4 ? mixed : 0.0);
+        bent += fabs(f->k[3][i]) + fabs(f->k[5][i]) + fabs(f->k[6][i]) + fabs(f->k[7][i]) + (corners == 3 ? mixed : 0.0);
     }
     return bent <= STRAIGHT * size;
 }
@@ -238,6 +239,8 @@ void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[
     double r[3];
     set_triangle(&f, x, xs);
     footpoint_attach_tri3(x, xs, loc);
+    if (is_straight(&f, 3))
+        return;
     prefer_node(&f, 6, x, at, xs, loc, r);
     find_closest(&f, 3, loc, r);
 }
@@ -249,7 +252,7 @@ void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc
     struct curved f;
     double r[3];
     set_serendipity(&f, x, xs);
-    if (is_bilinear(&f)) {
+    if (is_straight(&f, 4)) {
         footpoint_attach_quad4(x, xs, loc);
         return;
     }

@@ -1,7 +1,11 @@
 /* The closest point of straight edges and of a plane triangle, clamped; see attach.h. */
 #include "attach.h"
+#include "twofold.h"
 
 #include <float.h>
+
+/* The square of the sine of an angle, below which a triangle is a needle. */
+#define NEEDLE 1e-4
 
 double footpoint_attach_edges(int n, const double x[][3], const double corner[][2], const double xs[3], double loc[2])
 {
@@ -25,6 +29,29 @@ double footpoint_attach_edges(int n, const double x[][3], const double corner[][
     return best;
 }
 
+/* The foot point on a triangle of next to no area, with twice the digits: 0 if it lies outside, or if there is none. */
+static int find_widely(const double x[3][3], const double xs[3], double loc[2])
+{
+    struct twofold a[3], b[3], d[3];
+    for (int i = 0; i < 3; i++) {
+        a[i] = twofold_sum(x[1][i], -x[0][i]);
+        b[i] = twofold_sum(x[2][i], -x[0][i]);
+        d[i] = twofold_sum(xs[i], -x[0][i]);
+    }
+    const struct twofold aa = twofold_dot(a, a), ab = twofold_dot(a, b), bb = twofold_dot(b, b);
+    const struct twofold ad = twofold_dot(a, d), bd = twofold_dot(b, d);
+    const struct twofold area = twofold_subtract(twofold_multiply(aa, bb), twofold_multiply(ab, ab));
+    if (!(area.high > 0x1p-90 * aa.high * bb.high))
+        return 0;
+    const double u = twofold_divide(twofold_subtract(twofold_multiply(bb, ad), twofold_multiply(ab, bd)), area).high;
+    const double v = twofold_divide(twofold_subtract(twofold_multiply(aa, bd), twofold_multiply(ab, ad)), area).high;
+    if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0))
+        return 0;
+    loc[0] = u;
+    loc[1] = v;
+    return 1;
+}
+
 /* The distance is a quadratic function: its least point in one move; on an edge, in a second what rounding has left. */
 void footpoint_attach_tri3(const double x[3][3], const double xs[3], double loc[2])
 {
@@ -32,8 +59,9 @@ void footpoint_attach_tri3(const double x[3][3], const double xs[3], double loc[
     vector_sub(x[1], x[0], e1);
     vector_sub(x[2], x[0], e2);
     struct model m = {{0.0, 0.0}, vector_dot(e1, e1), vector_dot(e1, e2), vector_dot(e2, e2)};
-    if (!(m.h00 * m.h11 - m.h01 * m.h01 > 16.0 * DBL_EPSILON * m.h00 * m.h11)) { /* no area */
-        footpoint_attach_edges(3, x, triangle, xs, loc);
+    if (!(m.h00 * m.h11 - m.h01 * m.h01 > NEEDLE * m.h00 * m.h11)) {
+        if (!find_widely(x, xs, loc))
+            footpoint_attach_edges(3, x, triangle, xs, loc);
         return;
     }
     loc[0] = loc[1] = 0.0;

@@ -5,6 +5,7 @@
  * 1. By the argument of certify.c, with r the worst error of the banner, a foot point lies within r of (xi,eta) if
  *        |step| <= r (1 - k),   k = |H^-1| |change of H within r|;
  *    the products below are those of the step and of k with the determinant.
+ *    It counts for -2 <= xi, eta <= 2: one that lies farther out may hide one on the segment.
  * 2. No point of the segment is nearer than that foot point if, for -1 <= eta' <= 1, the convex parabola
  *        q = b.b |a + c3 (eta' - eta)|^2 - (H12 + b.c3 (eta' - eta))^2
  *    is positive (see certify.c): its tangent at eta tells; or the same with xi and eta exchanged. */
@@ -58,7 +59,7 @@ static inline int footpoint_check(const double xA[3], const double xB[3], const 
     const int near = (step_s <= room) & (step_t <= room);
     const int nearest = ((least - qt * t > 0.0) & (least + qt * (1.0 - t) > 0.0)) |
                         ((least - qs * s > 0.0) & (least + qs * (1.0 - s) > 0.0));
-    return near & nearest;
+    return near & nearest & (reach <= 1.0);
 }
 
 #endif

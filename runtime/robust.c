@@ -7,11 +7,12 @@
 
 #include "../generated/footpoint_quad4.h"
 
-#define ACCURACY 0x1p-36 /* of m1 xi and m2 eta, over m: 1e-10 of the edge in space needs no more */
-#define SAME_POINT 1e-10 /* points of space that near, over m, are one */
-#define TIE 0x1p-34      /* over m: distances that differ by less are equal; below 1e-10 */
-#define STEEP 1e-4       /* of the distance's square around a point of an edge: else rounding might move that too far */
-#define FAR_START 2.0    /* no foot point of the segment is looked for from farther away */
+#define ACCURACY 0x1p-36    /* of m1 xi and m2 eta, over m: 1e-10 of the edge in space needs no more */
+#define SAME_POINT 1e-10    /* points of space that near, over m, are one */
+#define TIE 0x1p-34         /* over m: distances that differ by less are equal; below 1e-10 */
+#define SAME_SQUARE 0x1p-96 /* of distances, over themselves and m^2: what rounding of xi and eta may hide */
+#define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
+#define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
 
 enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
 
@@ -22,7 +23,6 @@ struct answer {
 /* The nearest point of an edge. */
 struct edge_point {
     double loc[2], d[3], square;
-    int between; /* the ends of the edge */
 };
 
 static double signed_length(const double a[3], const double b[3], const double d[3])
@@ -78,7 +78,6 @@ static void nearest_of_edge(const struct bilinear *f, int k, struct edge_point *
     c->square = vector_dot(c->d, c->d);
     c->loc[k > 1] = 2.0 * t - 1.0;
     c->loc[k <= 1] = k & 1 ? 1.0 : -1.0;
-    c->between = t > 0.0 && t < 1.0;
 }
 
 /* At the end `at` of its range, -1 or 1, a coordinate leads away from xS if it turns back into the segment: the slope
@@ -113,7 +112,8 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
             best = c;
     }
     bilinear_at(f, best.loc[0], best.loc[1], &p);
-    if (best.between && !(p.error <= ACCURACY * (fabs(best.loc[0]) < 1.0 ? p.h11 : p.h22)))
+    if ((fabs(best.loc[0]) < 1.0 && !(p.error <= ACCURACY * p.h11)) ||
+        (fabs(best.loc[1]) < 1.0 && !(p.error <= ACCURACY * p.h22)))
         return 0; /* rounding may move it that far along the edge */
     if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
         return 0;
@@ -211,8 +211,8 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
     const int all = list_all(x, f, c);
     int best = 0;
     for (int k = 1; k < all; k++) {
-        const double higher = rise(&c[best], &c[k]);
-        if (higher < 0.0 || (higher <= 0.0 && c[k].least > c[best].least))
+        const double higher = rise(&c[best], &c[k]), same = SAME_SQUARE * (c[best].square.high + f->m * f->m);
+        if (higher < -same || (higher <= same && c[k].least > c[best].least) || (higher < 0.0 && c[k].least))
             best = k;
     }
     struct bilinear_point p;

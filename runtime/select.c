@@ -84,7 +84,7 @@ int footpoint_select_segment(const double *xyz, int master, int candidates, cons
 
 /* ---- by distance ---- */
 
-/* Distances that differ by less, as a fraction of the coordinates' extent, are equal but for rounding. */
+/* Distances that differ by less, as a fraction of the extent of the two segments, are equal but for rounding. */
 #define TIE (64.0 * DBL_EPSILON)
 
 /* Distance to a segment, and how far its corners are from xS: the scale of the rounding in that distance; *sure is
@@ -117,7 +117,7 @@ static int measure(const double *xyz, const int node[4], const double xS[3], dou
 int footpoint_select_closest(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
                              int *chosen, double *distance)
 {
-    double least = 0.0, margin = 0.0;
+    double least = 0.0, reach = 0.0;
     enum place best = OUTSIDE;
     int found = -1, sure = 1, status = check_master(xyz, master, candidates, xS);
     for (int s = 0; status == FOOTPOINT_OK && s < candidates; s++) {
@@ -128,12 +128,13 @@ int footpoint_select_closest(const double *xyz, int master, int candidates, cons
             status = measure(xyz, seg + 4 * (size_t)s, xS, &to, &extent, &sure);
         if (status != FOOTPOINT_OK)
             return status;
-        margin = fmax(margin, TIE * extent);
+        const double margin = TIE * fmax(extent, reach);
         if (found >= 0 && !(to < least - margin) && !(to <= least + margin && place > best))
             continue;
         found = s;
         best = place;
         least = to;
+        reach = extent;
     }
     if (status != FOOTPOINT_OK)
         return status;

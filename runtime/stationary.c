@@ -17,7 +17,8 @@
 #define START 0x1p-18  /* width of an interval in t from which Newton's method is tried */
 #define END 0x1p-54    /* ... and to which it is narrowed if that fails */
 #define APART 1e-9     /* a point that near to one that the other family found is the same, in xi and eta ... */
-#define BLURRED 1e-3   /* ... and in the coordinate along its line, if that could not be sharpened */
+#define BLURRED 2.0    /* ... along its line whatever differs, if that could not be sharpened, */
+#define NARROW 1e-11   /* ... and across it less */
 #define MARGIN 0x1p-40 /* for the rounding of bounds */
 #define SHARP 1e-10    /* a reach below is that of one point */
 
@@ -251,6 +252,7 @@ static int find(const double *const x[5], const struct bilinear *f, const struct
     point_of_line(family, interval->high, high);
     point->reach = between(x, f, low, high);
     point->blur[family->exchanged] = BLURRED;
+    point->blur[!family->exchanged] = NARROW;
     return is_inside(point->z);
 }
 
@@ -323,9 +325,9 @@ static int keep(struct stationary_point point[], int known, int count)
     const struct stationary_point new = point[count];
     for (int k = 0; k < known; k++) {
         struct stationary_point *const old = &point[k];
-        if (fabs(old->z[0] - new.z[0]) <= bilinear_larger(old->blur[0], new.blur[0]) &&
-            fabs(old->z[1] - new.z[1]) <= bilinear_larger(old->blur[1], new.blur[1])) {
-            if (new.blur[0] + new.blur[1] < old->blur[0] + old->blur[1])
+        const struct stationary_point *const loose = old->blur[0] + old->blur[1] > 2.0 * APART ? old : &new;
+        if (fabs(old->z[0] - new.z[0]) <= loose->blur[0] && fabs(old->z[1] - new.z[1]) <= loose->blur[1]) {
+            if (loose == old)
                 *old = new;
             return count;
         }
