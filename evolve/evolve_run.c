@@ -103,8 +103,7 @@ static bool load(struct run *r, struct diag *d)
         !choose_paths(r, d))
         return false;
     const bool first = r->team->rank == 0;
-    const bool good =
-        complete_scene(r, d) && (!first || (files_suit(r, d) && keep_start(r, d))) && load_archive(r, d);
+    const bool good = complete_scene(r, d) && (!first || (files_suit(r, d) && keep_start(r, d))) && load_archive(r, d);
     if (r->resume && r->start[0])
         unlink(r->start);
     return good;
