@@ -49,7 +49,8 @@ static bool load(struct search *s, struct diag *d)
     const struct pga_options *o = s->options;
     struct sample_set training = {0};
     s->scene = scene_read(o->root, o->scene, d);
-    if (!s->scene || !choose_tier(s, d) || !files_suit(s, d) || !(s->program = frame_program(o->root, s->scene, o->output, d)) ||
+    if (!s->scene || !choose_tier(s, d) || !files_suit(s, d) ||
+        !(s->program = frame_program(o->root, s->scene, o->output, d)) ||
         !scene_samples(s->scene, PART_TRAINING, &training, d))
         return false;
     struct kernel *kernel = kernel_new_widest();
