@@ -50,6 +50,24 @@ bool diag_system(struct diag *d, const char *file, const char *what)
     return false;
 }
 
+bool stdout_written(struct diag *d)
+{
+    errno = 0;
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return true;
+    if (errno == 0) /* it failed before, when there was more than a buffer holds */
+        errno = EIO;
+    return diag_system(d, "standard output", "cannot write");
+}
+
+int exit_status(bool good, struct diag *d)
+{
+    if (good && stdout_written(d))
+        return EXIT_DONE;
+    fprintf(stderr, "%s\n", d->text);
+    return (int)d->code;
+}
+
 static void out_of_memory(size_t n, size_t size)
 {
     fprintf(stderr, "error: out of memory (%zu elements of %zu bytes)\n", n, size);

@@ -27,6 +27,12 @@ bool diag_at(struct diag *d, const char *file, int line, int column, const char 
 /** The same for a failed system call on a file: "file: error: what: strerror(errno)", code EXIT_SYSTEM. */
 bool diag_system(struct diag *d, const char *file, const char *what);
 
+/** Whether all that was printed on standard output has arrived; else false with *d filled. */
+bool stdout_written(struct diag *d);
+
+/** What main() returns at its end: writes out standard output, and prints the diagnostic unless all is good. */
+int exit_status(bool good, struct diag *d);
+
 /** The value of a text of digits; false if it is anything else, or 2^64 and more. */
 bool text_whole(const char *text, unsigned long long *value);
 

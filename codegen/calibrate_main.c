@@ -200,7 +200,7 @@ static bool write_costs(const struct costs *c, enum mode mode, const char *path,
     struct outfile out;
     if (!path) {
         print_costs(c, mode, stdout);
-        return fflush(stdout) == 0 || diag_system(d, "standard output", "cannot write");
+        return true;
     }
     if (!outfile_open(&out, path, d))
         return false;
@@ -244,18 +244,15 @@ int main(int argc, char **argv)
             mode = LATENCY;
         else if (c == VERSION) {
             puts("footpoint-calibrate " FOOTPOINT_VERSION);
-            return EXIT_DONE;
+            return exit_status(true, &d);
         } else if (c == 'h') {
             fputs(usage, stdout);
-            return EXIT_DONE;
+            return exit_status(true, &d);
         } else
             return refuse("unknown option or missing value: ", argv[optind - 1]);
     }
     if (optind < argc)
         return refuse("unexpected argument: ", argv[optind]);
     const struct costs costs = measure();
-    if (write_costs(&costs, mode, output, &d))
-        return EXIT_DONE;
-    fprintf(stderr, "%s\n", d.text);
-    return (int)d.code;
+    return exit_status(write_costs(&costs, mode, output, &d), &d);
 }

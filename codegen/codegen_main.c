@@ -8,14 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool print_counts(const struct unit *u, struct diag *d)
+static void print_counts(const struct unit *u)
 {
     puts("genome,mul,div,add,sqrt,compare");
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct operations *o = &u->function[i].code.emission.ops;
         printf("%s,%ld,%ld,%ld,%ld,%ld\n", u->file->genome[i].name, o->mul, o->div, o->add, o->sqrt, o->compare);
     }
-    return fflush(stdout) == 0 || diag_system(d, "standard output", "cannot write");
 }
 
 static bool write_code(const struct unit *u, const struct codegen_options *o, struct diag *d)
@@ -75,7 +74,10 @@ static bool run(const struct codegen_options *o, struct diag *d)
     struct unit *u = good ? unit_new(f, sha256, &options, d) : NULL;
     good = u != NULL;
     if (u) {
-        good = o->output ? write_code(u, o, d) : print_counts(u, d);
+        if (o->output)
+            good = write_code(u, o, d);
+        else
+            print_counts(u);
         unit_free(u);
     }
     measure_samples_free(&samples);
@@ -89,9 +91,6 @@ int main(int argc, char **argv)
     struct diag d;
     int status;
     if (!codegen_options_read(argc, argv, &o, &status))
-        return status;
-    if (run(&o, &d))
-        return EXIT_DONE;
-    fprintf(stderr, "%s\n", d.text);
-    return (int)d.code;
+        return status == EXIT_DONE ? exit_status(true, &d) : status;
+    return exit_status(run(&o, &d), &d);
 }

@@ -52,19 +52,22 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
     *c = (struct compiled){0};
     if (o->explain)
         fprintf(o->explain, "%s\n", genome->name);
-    for (int keep = KEEP_QUOTIENTS; keep <= KEEP_ALL; keep++) {
+    bool large = false;
+    for (int keep = KEEP_QUOTIENTS; keep <= KEEP_ALL && !large; keep++) {
         struct dag *g = simplify_genome(f, genome, (enum keep_lets)keep, d);
         if (!g) {
             search_free(s);
             return false;
         }
         search_add(s, g, BEHIND, keep == KEEP_ALL ? "as written, named products whole" : "as written");
+        large = g->nodes > SEARCH_MOST_NODES;
     }
     /* Differences of a segment's nodes are exact, or nearly, wherever it lies; sums of coordinates are not. */
-    struct dag *linear = f->segment ? NULL : shape_linear(search_first(s));
+    struct dag *linear = f->segment || large ? NULL : shape_linear(search_first(s));
     if (linear)
         search_add(s, linear, 1, "linear forms written out");
-    add_factored(s);
+    if (!large)
+        add_factored(s);
     c->removed = search_run(s, &c->emission);
     search_free(s);
     if (!c->emission.out_of_range)

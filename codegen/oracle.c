@@ -1,8 +1,20 @@
 /* SHA-256 as an oracle; see oracle.h. */
 #include "oracle.h"
 
+#include <sha256.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { DIGEST = SHA256_DIGEST_LENGTH };
+
+static void hash(const void *first, size_t size, const void *second, size_t more, uint8_t digest[DIGEST])
+{
+    SHA2_CTX context;
+    SHA256Init(&context);
+    SHA256Update(&context, first, size);
+    SHA256Update(&context, second, more);
+    SHA256Final(digest, &context);
+}
 
 struct oracle oracle_new(const struct program *p, int attempt, unsigned long bits)
 {
@@ -13,48 +25,43 @@ struct oracle oracle_new(const struct program *p, int attempt, unsigned long bit
         memcpy(words + 4 * i, (const int[4]){(int)op->kind, op->a, op->b, op->input}, 4 * sizeof *words);
     }
     words[4 * p->ops] = attempt;
-    sha256_hex(words, (4 * p->ops + 1) * sizeof *words, o.seed);
+    hash(words, (4 * p->ops + 1) * sizeof *words, NULL, 0, o.seed);
     free(words);
     for (size_t i = 0; i < p->constants; i++) {
-        char *value = fmpq_get_str(NULL, 16, &p->constant[i]), *chain = new_array(strlen(value) + 65, 1);
-        memcpy(chain, o.seed, 64);
-        memcpy(chain + 64, value, strlen(value));
-        sha256_hex(chain, strlen(chain), o.seed);
+        char *value = fmpq_get_str(NULL, 16, &p->constant[i]);
+        hash(o.seed, sizeof o.seed, value, strlen(value), o.seed);
         flint_free(value);
-        free(chain);
     }
     return o;
 }
 
-/* At least 256 bits more than the prime has, so that remainders are as good as uniform. */
-static void answer(const struct oracle *o, fmpz *x, const mp_limb_t *question, size_t n)
+/* So many numbers of at least 256 bits more than the prime has, so that remainders are as good as uniform. */
+static void answer(const struct oracle *o, fmpz *const *x, size_t count, const mp_limb_t *question, size_t n)
 {
-    const size_t blocks = o->bits / 256 + 2;
-    char key[100], *digits = new_array(64 * blocks + 1, 1);
-    mp_limb_t *whole = new_array(8 + n, sizeof *whole);
-    memcpy(whole, o->seed, 64);
-    memcpy(whole + 8, question, n * sizeof *whole);
-    sha256_hex(whole, (8 + n) * sizeof *whole, key);
-    for (size_t k = 0; k < blocks; k++) {
-        snprintf(key + 64, sizeof key - 64, " %zu", k);
-        sha256_hex(key, strlen(key), digits + 64 * k);
+    const size_t blocks = (o->bits + 8 * DIGEST - 1) / (8 * DIGEST) + 1, limbs = blocks * DIGEST / sizeof(mp_limb_t);
+    uint8_t key[DIGEST];
+    mp_limb_t *number = new_array(limbs, sizeof *number);
+    hash(o->seed, sizeof o->seed, question, n * sizeof *question, key);
+    for (size_t k = 0; k < count; k++) {
+        for (size_t i = 0; i < blocks; i++)
+            hash(key, sizeof key, (const uint64_t[2]){k, i}, 16, (uint8_t *)number + DIGEST * i);
+        fmpz_set_ui_array(x[k], number, (slong)limbs);
     }
-    fmpz_set_str(x, digits, 16);
-    free(whole);
-    free(digits);
+    free(number);
 }
 
-void oracle_draw(const struct oracle *o, fmpz *x, const fmpz *prime, const mp_limb_t *question, size_t n)
+void oracle_draw(const struct oracle *o, fmpz *const x[2], const fmpz *prime, const mp_limb_t *question, size_t n)
 {
-    answer(o, x, question, n);
-    fmpz_mod(x, x, prime);
+    answer(o, x, 2, question, n);
+    for (int k = 0; k < 2; k++)
+        fmpz_mod(x[k], x[k], prime);
 }
 
 void oracle_prime(const struct oracle *o, fmpz *prime)
 {
     mp_limb_t question[2] = {'p', 0};
     do {
-        answer(o, prime, question, 2);
+        answer(o, &prime, 1, question, 2);
         fmpz_fdiv_r_2exp(prime, prime, o->bits - 1);
         fmpz_setbit(prime, o->bits - 1);
         fmpz_setbit(prime, 0);

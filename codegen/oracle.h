@@ -5,8 +5,10 @@
 
 #include "program.h"
 
+#include <stdint.h>
+
 struct oracle {
-    char seed[65];
+    uint8_t seed[32];
     unsigned long bits; /* of the prime */
 };
 
@@ -16,7 +18,7 @@ struct oracle oracle_new(const struct program *p, int attempt, unsigned long bit
 /** A prime of exactly `bits` bits, probable by FLINT's BPSW test, to which no counterexample is known. */
 void oracle_prime(const struct oracle *o, fmpz *prime);
 
-/** x = a number modulo the prime, for a question of n words. */
-void oracle_draw(const struct oracle *o, fmpz *x, const fmpz *prime, const mp_limb_t *question, size_t n);
+/** *x[0] and *x[1] = two numbers modulo the prime, for a question of n words. */
+void oracle_draw(const struct oracle *o, fmpz *const x[2], const fmpz *prime, const mp_limb_t *question, size_t n);
 
 #endif

@@ -32,6 +32,8 @@ struct field {
     fmpq *exact;   /* owned: by operation, where known; of any size up to MOST_EXACT bits */
     bool *known;   /* owned: by operation: it is a constant by its form */
     void *sizes;   /* owned: tree of rays, the results of abs by their arguments */
+    int *like;     /* owned: hash table of functions, by the values of their arguments: operation + 1 */
+    size_t places; /* of it, a power of 2 */
     bool accident; /* a divisor is 0 */
 };
 
@@ -253,19 +255,23 @@ static bool evaluate_constant(struct field *e, const struct op *o, int op)
     return true;
 }
 
+/* The operation's values are the oracle's, at either point. */
+static void draw_both(const struct field *e, const mp_limb_t *question, size_t n, int op)
+{
+    fmpz *const *value = e->points->value;
+    oracle_draw(&e->oracle, (fmpz *const[2]){&value[0][op], &value[1][op]}, e->points->prime, question, n);
+}
+
 /* The new variable that stands for a function of what key[0..3] hold, at either point. */
 static void draw_function(const struct field *e, enum op_kind kind, const fmpz *key, int op)
 {
-    const size_t limbs = (e->points->bits + FLINT_BITS - 1) / FLINT_BITS, n = 3 + 4 * limbs;
+    const size_t limbs = (e->points->bits + FLINT_BITS - 1) / FLINT_BITS, n = 2 + 4 * limbs;
     mp_limb_t *question = new_array(n, sizeof *question);
     question[0] = 'f';
     question[1] = (mp_limb_t)kind;
     for (size_t k = 0; k < 4; k++)
-        fmpz_get_ui_array(question + 3 + k * limbs, (slong)limbs, &key[k]);
-    for (size_t point = 0; point < 2; point++) {
-        question[2] = point;
-        oracle_draw(&e->oracle, &e->points->value[point][op], e->points->prime, question, n);
-    }
+        fmpz_get_ui_array(question + 2 + k * limbs, (slong)limbs, &key[k]);
+    draw_both(e, question, n, op);
     free(question);
 }
 
@@ -370,10 +376,33 @@ static bool fold(struct field *e, enum op_kind kind, int a, int b, int op)
     return folds;
 }
 
+/* Place of a function of these arguments, or of the same function of equal ones that came before. */
+static int *find_like(const struct field *e, enum op_kind kind, int a, int b)
+{
+    const struct points *x = e->points;
+    const bool commutes = kind == OP_MIN || kind == OP_MAX;
+    uint64_t h = fmpz_get_ui(&x->value[0][a]) + (b >= 0 ? fmpz_get_ui(&x->value[0][b]) : 0) + (uint64_t)kind;
+    h = (h ^ (h >> 31)) * 0x9e3779b97f4a7c15u;
+    size_t i = (h >> 20) & (e->places - 1);
+    for (; e->like[i]; i = (i + 1) & (e->places - 1)) {
+        const struct op *o = &e->program->op[e->like[i] - 1];
+        if (o->kind == kind && ((points_equal(x, a, o->a) && (b < 0 || points_equal(x, b, o->b))) ||
+                                (commutes && points_equal(x, a, o->b) && points_equal(x, b, o->a))))
+            break;
+    }
+    return &e->like[i];
+}
+
 static void evaluate_function(struct field *e, enum op_kind kind, int a, int b, int op)
 {
     if (fold(e, kind, a, b, op))
         return;
+    int *like = find_like(e, kind, a, b);
+    if (*like) {
+        copy(e, op, *like - 1);
+        return;
+    }
+    *like = op + 1;
     if (kind == OP_ABS)
         apply_abs(e, a, op);
     else if (kind == OP_PDIV)
@@ -386,9 +415,7 @@ static void evaluate_arithmetic(struct field *e, const struct op *o, int op, siz
 {
     const struct points *p = e->points;
     fmpz *v = p->value[point], *x = &v[op];
-    if (o->kind == OP_INPUT)
-        oracle_draw(&e->oracle, x, p->prime, (const mp_limb_t[3]){'x', (mp_limb_t)o->input, point}, 3);
-    else if (o->kind == OP_NEG)
+    if (o->kind == OP_NEG)
         fmpz_neg(x, &v[o->a]);
     else if (o->kind == OP_ADD)
         fmpz_add(x, &v[o->a], &v[o->b]);
@@ -410,10 +437,15 @@ static bool evaluate(const struct program *p, struct points *x, int attempt, int
                       .exact = _fmpq_vec_init((slong)p->ops),
                       .known = new_array(p->ops, sizeof *e.known)};
     oracle_prime(&e.oracle, x->prime);
+    for (e.places = 64; e.places < 2 * p->ops; e.places *= 2)
+        ;
+    e.like = new_array(e.places, sizeof *e.like);
     for (size_t i = 0; i < p->ops && !e.accident; i++) {
         const struct op *o = &p->op[i];
         if (is_function(o->kind))
             evaluate_function(&e, o->kind, o->a, o->b, (int)i);
+        else if (o->kind == OP_INPUT)
+            draw_both(&e, (const mp_limb_t[2]){'x', (mp_limb_t)o->input}, 2, (int)i);
         else if (!evaluate_constant(&e, o, (int)i))
             for (size_t point = 0; point < 2; point++)
                 evaluate_arithmetic(&e, o, (int)i, point);
@@ -422,6 +454,7 @@ static bool evaluate(const struct program *p, struct points *x, int attempt, int
     tdestroy(e.sizes, free_ray);
     _fmpq_vec_clear(e.exact, (slong)p->ops);
     free(e.known);
+    free(e.like);
     return !e.accident;
 }
 

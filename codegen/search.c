@@ -285,6 +285,10 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
             share_multiples(g);
         if (multiples == 0)
             c->estimate = emit(s, g, c, SCALES_KEPT);
+        if (g->nodes > SEARCH_MOST_NODES) {
+            c->cost = c->estimate;
+            break;
+        }
         if (c->estimate <= limit) {
             const double cost = emit(s, g, c, SCALES_SINGLE);
             c->cost = cost < c->cost ? cost : c->cost;

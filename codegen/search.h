@@ -4,6 +4,9 @@
 
 #include "compile.h"
 
+/** A genome of more nodes is compiled as it is written: no other shapes of it, and one emission. */
+enum { SEARCH_MOST_NODES = 100000 };
+
 struct search;
 
 struct search *search_new(const struct genome_file *f, const struct compile_options *o);

@@ -51,6 +51,8 @@ int main(int argc, char **argv)
         else if (team.rank == 0)
             printf("footpoint-evolve %s\n", FOOTPOINT_VERSION);
     }
+    if (team.rank == 0 && d.code == EXIT_DONE)
+        stdout_written(&d);
     if (team.rank == 0 && d.code != EXIT_DONE && d.text[0])
         fprintf(stderr, "%s\n", d.text);
     team_free(&team);

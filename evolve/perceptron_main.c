@@ -157,7 +157,5 @@ int main(int argc, char **argv)
         good = run(&o, &d);
     else if (good)
         fputs(o.action == PERCEPTRON_HELP ? perceptron_help : "footpoint-perceptron " FOOTPOINT_VERSION "\n", stdout);
-    if (!good)
-        fprintf(stderr, "%s\n", d.text);
-    return good ? EXIT_DONE : (int)d.code;
+    return exit_status(good, &d);
 }

@@ -268,6 +268,7 @@ int main(int argc, char **argv)
         good = run(&search, &d);
     else if (good && team.rank == 0)
         fputs(o.action == PGA_HELP ? pga_help : "footpoint-pga " FOOTPOINT_VERSION "\n", stdout);
+    good = good && (team.rank > 0 || stdout_written(&d));
     if (team.rank == 0 && !good)
         fprintf(stderr, "%s\n", d.text);
     team_free(&team);

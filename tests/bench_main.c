@@ -186,10 +186,10 @@ int main(int argc, char **argv)
             break;
         case 'h':
             print_usage(stdout);
-            return EXIT_DONE;
+            return exit_status(true, &d);
         case 'v':
             printf("footpoint-bench %s\n", FOOTPOINT_VERSION);
-            return EXIT_DONE;
+            return exit_status(true, &d);
         default:
             return EXIT_USAGE;
         }
@@ -204,13 +204,5 @@ int main(int argc, char **argv)
     }
     if (o.contact)
         puts(contact_table_head);
-    if (!(o.scene ? bench_scene(&o, table, o.scene, &d) : bench_all(&o, table, &d))) {
-        fprintf(stderr, "%s\n", d.text);
-        return (int)d.code;
-    }
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, "standard output: error: cannot write\n");
-        return EXIT_SYSTEM;
-    }
-    return EXIT_DONE;
+    return exit_status(o.scene ? bench_scene(&o, table, o.scene, &d) : bench_all(&o, table, &d), &d);
 }

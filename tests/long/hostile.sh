@@ -49,6 +49,25 @@ repeated sizes 'abs' x
 repeated roots 'sqrt' x
 repeated functions 'min x sqrt abs max y' z
 
+# A million operations deep.
+deep() { # deep NAME OPERATIONS COUNT: a prefix of so many operations
+    awk -v p="$2" -v k="$3" 'BEGIN { printf "genome g\nr ="; for (i = 0; i < 1000000 / k; i++) printf " %s", p; print " y" }' |
+        genome "$1"
+    ends "$1" 0
+}
+deep deep-sum '+ x' 1
+deep deep-difference '- x' 1
+deep deep-product '* x' 1
+deep deep-quotient '/ x' 1
+deep deep-protected '% x' 1
+deep deep-minimum 'min x' 1
+deep deep-maximum 'max x' 1
+deep deep-root sqrt 1
+deep deep-size abs 1
+deep deep-alternate '+ 1 * x' 2
+deep deep-continued-fraction '/ 1 + x' 2
+deep deep-clamp 'min x max z' 2
+
 # Lets in terms of the one or two before them: degrees and constants that double, or grow as Fibonacci's numbers.
 lets() { # lets NAME STATUSES COUNT FIRST SECOND EXPRESSION: "a" is the last value, "b" the one before
     awk -v n="$3" -v first="$4" -v second="$5" -v e="$6" 'BEGIN { print "let v0 = " first; print "let v1 = " second
