@@ -45,8 +45,7 @@ struct mesh_pairs {
 struct tier {
     char *name;      /* owned */
     char *frame;     /* owned: file evolve/frames/<frame>.gen */
-    char **terminal; /* owned: names of inputs or lets of the frame, those about a reference point of its own with its
-                        suffix */
+    char **terminal; /* owned: names of inputs or lets of the frame; with the suffix of tier_suffix() */
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - *, where no functions are listed */
@@ -89,8 +88,8 @@ struct scene {
     size_t tiers; /* 0: left to the segments, see scene_follow.h */
 };
 
-/** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d "file:line: error:
- * ..." */
+/** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d filled
+ *  ("file:line: error: ..."). */
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
 

@@ -1,0 +1,145 @@
+/* What a caller pays: functions of generated/footpoint_quad4.h bare (NAME_at), checked with gap and status (NAME) and
+ * over arrays (NAME_n), and the library's checked searches, beside Newton's iteration until it stands, written by hand,
+ * bare and with the same checks.  Interleaved in one run on ordinary segments; prints lines
+ *     call,ns,ratio       ns: least a search; ratio: Newton's ns / this one's, checked beside checked
+ * The header and Newton are compiled with this file's flags; tests/long/calls.sh runs it. */
+#include "../generated/footpoint_quad4.h"
+#include "../runtime/footpoint.h"
+#include "hard/hard.h"
+#include "rivals_converged.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <time.h>
+
+enum { CASES = 2048, ROUNDS = 400, STEPS = 50 };
+
+static struct hard_case cases[CASES];
+static double column[15][CASES], xyz[5 * CASES][3], loc[CASES][2], xi[CASES], eta[CASES], gap[CASES];
+static const double *columns[15];
+static int seg[CASES][4], slave[CASES], status[CASES];
+static double (*const x)[3] = xyz;
+
+#define NODES(i) xyz[5 * (i)], xyz[5 * (i) + 1], xyz[5 * (i) + 2], xyz[5 * (i) + 3], xyz[5 * (i) + 4]
+
+static void newton(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = rival_newton(NODES(i), STEPS, RIVAL_NEWTON_TOLERANCE, &xi[i], &eta[i]) == 0;
+}
+
+/* As the header's NAME does it: corners and finiteness, then the search, then the gap. */
+static void newton_checked(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        double u, v, g = 0;
+        status[i] = footpoint_detail_inspect(NODES(i));
+        if (!rival_newton(NODES(i), STEPS, RIVAL_NEWTON_TOLERANCE, &u, &v))
+            status[i] = FOOTPOINT_ERR_NO_CONVERGENCE;
+        const int area = footpoint_detail_gap(NODES(i), u, v, &g);
+        if (status[i] == FOOTPOINT_OK && !(area && (u - u) + (v - v) + (g - g) == 0))
+            status[i] = FOOTPOINT_ERR_DEGENERATE;
+        if (status[i] == FOOTPOINT_OK) {
+            loc[i][0] = u;
+            loc[i][1] = v;
+            gap[i] = g;
+        }
+    }
+}
+
+#define TIER(name)                                                                                                     \
+    static void name##_at(void)                                                                                        \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES; i++)                                                                                \
+            footpoint_quad4_##name##_at(NODES(i), &xi[i], &eta[i]);                                                    \
+    }                                                                                                                  \
+    static void name(void)                                                                                             \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES; i++)                                                                                \
+            status[i] = footpoint_quad4_##name(NODES(i), loc[i], &gap[i]);                                             \
+    }                                                                                                                  \
+    static void name##_n(void)                                                                                         \
+    {                                                                                                                  \
+        footpoint_quad4_##name##_n(CASES, columns, xi, eta);                                                           \
+    }
+TIER(coarse)
+TIER(balanced)
+TIER(accurate)
+TIER(full)
+
+static void locate(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_locate(NODES(i), loc[i], &gap[i]);
+}
+
+static void locate_pairs(void)
+{
+    (void)footpoint_locate_pairs(CASES, x[0], (size_t)5 * CASES, seg[0], slave, loc[0], gap, status);
+}
+
+static void robust(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_robust(NODES(i), loc[i], &gap[i]);
+}
+
+static const struct call {
+    const char *name;
+    void (*run)(void);
+    int against; /* row that it is compared with */
+} calls[] = {
+    {"newton_at", newton, 0},
+    {"newton", newton_checked, 1},
+    {"coarse_at", coarse_at, 0},
+    {"coarse", coarse, 1},
+    {"coarse_n", coarse_n, 0},
+    {"balanced_at", balanced_at, 0},
+    {"balanced", balanced, 1},
+    {"balanced_n", balanced_n, 0},
+    {"accurate_at", accurate_at, 0},
+    {"accurate", accurate, 1},
+    {"accurate_n", accurate_n, 0},
+    {"full_at", full_at, 0},
+    {"full", full, 1},
+    {"full_n", full_n, 0},
+    {"footpoint_locate", locate, 1},
+    {"footpoint_locate_pairs", locate_pairs, 1},
+    {"footpoint_robust", robust, 1},
+};
+enum { CALLS = sizeof calls / sizeof *calls };
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int main(void)
+{
+    double least[CALLS];
+    for (int i = 0; i < CASES; i++) {
+        hard_draw(0, 1, (uint64_t)i, &cases[i]);
+        for (int k = 0; k < 5; k++)
+            for (int j = 0; j < 3; j++)
+                xyz[5 * i + k][j] = column[3 * k + j][i] = cases[i].x[k][j];
+        for (int k = 0; k < 4; k++)
+            seg[i][k] = 5 * i + k;
+        slave[i] = 5 * i + 4;
+    }
+    for (int k = 0; k < 15; k++)
+        columns[k] = column[k];
+    for (int c = 0; c < CALLS; c++)
+        least[c] = HUGE_VAL;
+    for (int round = 0; round < ROUNDS; round++)
+        for (int c = 0; c < CALLS; c++) {
+            const double start = seconds();
+            calls[c].run();
+            least[c] = fmin(least[c], seconds() - start);
+        }
+    printf("call,ns,ratio\n");
+    for (int c = 0; c < CALLS; c++)
+        printf("%s,%.1f,%.1f\n", calls[c].name, 1e9 * least[c] / CASES, least[calls[c].against] / least[c]);
+    return 0;
+}
