@@ -22,14 +22,14 @@ static double (*const x)[3] = xyz;
 
 #define NODES(i) xyz[5 * (i)], xyz[5 * (i) + 1], xyz[5 * (i) + 2], xyz[5 * (i) + 3], xyz[5 * (i) + 4]
 
-static void newton(void)
+static void newton_at(void)
 {
     for (int i = 0; i < CASES; i++)
         status[i] = rival_newton(NODES(i), STEPS, RIVAL_NEWTON_TOLERANCE, &xi[i], &eta[i]) == 0;
 }
 
 /* As the header's NAME does it: corners and finiteness, then the search, then the gap. */
-static void newton_checked(void)
+static void newton(void)
 {
     for (int i = 0; i < CASES; i++) {
         double u, v, g = 0;
@@ -62,50 +62,56 @@ static void newton_checked(void)
     {                                                                                                                  \
         footpoint_quad4_##name##_n(CASES, columns, xi, eta);                                                           \
     }
+TIER(fast)
 TIER(coarse)
+TIER(gauss2)
+TIER(medium)
 TIER(balanced)
+TIER(fine)
+TIER(precise)
 TIER(accurate)
 TIER(full)
 
-static void locate(void)
+static void call_locate(void)
 {
     for (int i = 0; i < CASES; i++)
         status[i] = footpoint_locate(NODES(i), loc[i], &gap[i]);
 }
 
-static void locate_pairs(void)
+static void call_locate_pairs(void)
 {
     (void)footpoint_locate_pairs(CASES, x[0], (size_t)5 * CASES, seg[0], slave, loc[0], gap, status);
 }
 
-static void robust(void)
+static void call_robust(void)
 {
     for (int i = 0; i < CASES; i++)
         status[i] = footpoint_robust(NODES(i), loc[i], &gap[i]);
 }
 
+/* clang-format off */
+#define ROW(name, against) {#name, name, against}
+#define ROWS(name) ROW(name##_at, 0), ROW(name, 1), ROW(name##_n, 0)
+/* clang-format on */
 static const struct call {
     const char *name;
     void (*run)(void);
     int against; /* row that it is compared with */
 } calls[] = {
-    {"newton_at", newton, 0},
-    {"newton", newton_checked, 1},
-    {"coarse_at", coarse_at, 0},
-    {"coarse", coarse, 1},
-    {"coarse_n", coarse_n, 0},
-    {"balanced_at", balanced_at, 0},
-    {"balanced", balanced, 1},
-    {"balanced_n", balanced_n, 0},
-    {"accurate_at", accurate_at, 0},
-    {"accurate", accurate, 1},
-    {"accurate_n", accurate_n, 0},
-    {"full_at", full_at, 0},
-    {"full", full, 1},
-    {"full_n", full_n, 0},
-    {"footpoint_locate", locate, 1},
-    {"footpoint_locate_pairs", locate_pairs, 1},
-    {"footpoint_robust", robust, 1},
+    ROW(newton_at, 0),
+    ROW(newton, 1),
+    ROWS(fast),
+    ROWS(coarse),
+    ROWS(gauss2),
+    ROWS(medium),
+    ROWS(balanced),
+    ROWS(fine),
+    ROWS(precise),
+    ROWS(accurate),
+    ROWS(full),
+    {"footpoint_locate", call_locate, 1},
+    {"footpoint_locate_pairs", call_locate_pairs, 1},
+    {"footpoint_robust", call_robust, 1},
 };
 enum { CALLS = sizeof calls / sizeof *calls };
 
