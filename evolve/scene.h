@@ -1,4 +1,4 @@
-/* A scene: the text file that says what the generated code is for; see evolve/scenes/ and README.md. */
+/* A scene: the text file that says what the generated code is for; see evolve/scenes/ and evolve/README.md. */
 #ifndef FOOTPOINT_SCENE_H
 #define FOOTPOINT_SCENE_H
 
