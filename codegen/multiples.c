@@ -106,32 +106,35 @@ static struct dag *same_graph(const struct dag *g)
     return copy;
 }
 
-/* The graph with the schedule's scales as coefficients.  An inverse is 1 / emitted value here: its numerator is left to
- * another search. */
+/* The scales of the schedule, by node, but for inverses: they are 1 / emitted value here, as a graph has them.  Their
+ * numerators are left to another search.  Caller frees. */
+static rational *plain_scales(const struct schedule *s)
+{
+    rational *scale = new_array(s->dag->nodes, sizeof *scale);
+    for (size_t i = 0; i < s->n; i++) {
+        const int n = s->order[i];
+        const struct node *node = &s->dag->node[n];
+        scale[n] = node->kind == NODE_PRODUCT ? ONE : s->scale[n];
+        if (node->kind == NODE_INVERSE)
+            scale[n] = rational_inv(scale[node->edge[0].node]);
+        for (size_t k = 0; node->kind == NODE_PRODUCT && k < node->edges; k++)
+            scale[n] = rational_mul(scale[n], rational_pow(scale[node->edge[k].node], node->edge[k].power));
+    }
+    return scale;
+}
+
+/* The graph with the schedule's scales as coefficients. */
 static struct dag *scaled_graph(const struct schedule *s)
 {
     struct dag *g = same_graph(s->dag);
-    rational *scale = new_array(g->nodes, sizeof *scale);
-    for (size_t n = 0; n < g->nodes; n++)
-        scale[n] = s->scale[n];
     for (size_t i = 0; i < s->n; i++) {
         const int n = s->order[i];
         struct node *node = &g->node[n];
-        if (node->kind == NODE_INVERSE)
-            scale[n] = rational_inv(scale[node->edge[0].node]);
-        if (node->kind == NODE_PRODUCT)
-            scale[n] = ONE;
-        for (size_t k = 0; k < node->edges; k++) {
-            struct edge *e = &node->edge[k];
-            if (node->kind == NODE_PRODUCT)
-                scale[n] = rational_mul(scale[n], rational_pow(scale[e->node], e->power));
-            else if (node->kind != NODE_INVERSE)
-                e->coef = rational_mul(rational_mul(scale[n], e->coef), rational_inv(scale[e->node]));
-        }
+        for (size_t k = 0; node->kind != NODE_PRODUCT && node->kind != NODE_INVERSE && k < node->edges; k++)
+            node->edge[k].coef = schedule_coefficient(s, n, k);
     }
     for (size_t o = 0; o < g->outputs; o++)
-        g->output[o].coef = rational_mul(g->output[o].coef, rational_inv(scale[g->output[o].node]));
-    free(scale);
+        g->output[o].coef = rational_mul(g->output[o].coef, rational_inv(s->scale[g->output[o].node]));
     return g;
 }
 
@@ -185,8 +188,10 @@ static void take_run(struct dag *g, struct entries *x, size_t first, size_t end)
     free(taken.list);
 }
 
-struct dag *multiples_taken(const struct schedule *s, size_t *saved)
+struct dag *multiples_taken(const struct schedule *schedule, size_t *saved)
 {
+    struct schedule plain = *schedule, *s = &plain;
+    plain.scale = plain_scales(schedule);
     struct entries x = find_entries(s);
     struct dag *g = NULL;
     *saved = 0;
@@ -208,5 +213,6 @@ struct dag *multiples_taken(const struct schedule *s, size_t *saved)
         *saved += most;
     }
     free(x.list);
+    free(plain.scale);
     return g;
 }

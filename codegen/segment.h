@@ -24,6 +24,9 @@ struct segment_kind {
 /** NULL if there is none of that name. */
 const struct segment_kind *segment_find(const char *name);
 
+/** The kind, without normals, that faces of so many nodes are; NULL if there is none. */
+const struct segment_kind *segment_of_face(size_t nodes);
+
 /** Vectors without the slave node. */
 size_t segment_vectors(const struct segment_kind *k);
 /** Coordinates of all vectors, with the slave node. */

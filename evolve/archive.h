@@ -17,6 +17,7 @@ struct champion {
     double cost;      /* by the plan's model, with the values of the frame that it needs */
     bool bred;        /* found by this run */
     int exact;        /* gene of a value of the frame that is right to rounding: nothing to evolve; 0: none */
+    bool chosen;      /* an expression of one gene, chosen among the terminals: nothing to evolve */
     double error_before;
     size_t length_before; /* 0: there was none */
 };
@@ -75,6 +76,13 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
  *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
  *  that the archive owns. */
 size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed);
+
+/** Expressions of a tier are of one gene: its terminals become seeds, so that archive_crown chooses among them.
+ *  @param[in] anew  also where there is a champion */
+void archive_choose_values(struct archive *a, size_t tier, bool anew);
+
+/** Both outputs of a tier are values of the frame that are right to rounding. */
+bool archive_is_exact(const struct archive *a, size_t tier);
 
 /** Look for terminals that are right to `tolerance` on every training sample and within their tier's budget.  The
  *  cheapest becomes a seed, and archive_judge will make it the champion.

@@ -1,4 +1,5 @@
-/* Values of a frame that are right to rounding, so that nothing is left to evolve; see archive.h. */
+/* Expressions that need no evolution: values of a frame that are right to rounding, and those of one gene; see
+ * archive.h. */
 #include "archive.h"
 
 #include "frame.h"
@@ -39,7 +40,20 @@ void archive_find_exact(struct archive *a, const struct plan *plan, const struct
     judge_free(worst);
 }
 
-static bool is_exact(const struct archive *a, size_t tier)
+void archive_choose_values(struct archive *a, size_t tier, bool anew)
+{
+    const struct tier *t = &a->scene->tier[tier];
+    for (int k = 0; k < TIER_BOTH; k++) {
+        struct champion *c = &a->champion[tier][k];
+        c->chosen = true;
+        for (size_t i = 0; i < t->terminals && (anew || c->tree.length == 0); i++) {
+            int gene = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
+            archive_add_seed(a, (long)tier, k, &(struct tree){&gene, 1});
+        }
+    }
+}
+
+bool archive_is_exact(const struct archive *a, size_t tier)
 {
     return a->champion[tier][0].exact && a->champion[tier][1].exact;
 }
@@ -48,13 +62,13 @@ void archive_print_exact(const struct archive *a, FILE *stream)
 {
     size_t exact = 0;
     for (size_t i = 0; i < a->scene->tiers; i++)
-        exact += is_exact(a, i) ? 1 : 0;
+        exact += archive_is_exact(a, i) ? 1 : 0;
     if (exact == a->scene->tiers)
         fputs(": nothing to evolve, the formula is exact", stream);
     else if (exact > 0)
         fputs(": nothing to evolve for", stream);
     for (size_t i = 0; i < a->scene->tiers && exact < a->scene->tiers; i++)
-        if (is_exact(a, i))
+        if (archive_is_exact(a, i))
             fprintf(stream, " %s", a->scene->tier[i].name);
     fputc('\n', stream);
 }

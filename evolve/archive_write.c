@@ -2,6 +2,7 @@
  * over with the expression it belongs to, so that a run that finds nothing better writes the same bytes again. */
 #include "archive.h"
 
+#include "../codegen/outfile.h"
 #include "frame.h"
 #include "scene_region.h"
 #include "twin_text.h"
@@ -118,7 +119,9 @@ static void add_provenance(struct genome *g, const struct tier *t, const struct 
         if (champion[k].exact) {
             note_key("exact", k, key);
             NOTE(key, "nothing evolved, the frame's value is right to rounding");
-        } else if (champion[k].bred)
+        } else if (champion[k].bred && champion[k].chosen)
+            NOTE(key, "nothing to evolve, chosen among the frame's values");
+        else if (champion[k].bred)
             NOTE(key, "seed %llu generations %zu islands %zu", (unsigned long long)run->seed, run->generations,
                  run->islands);
         else if (old)

@@ -52,7 +52,7 @@ static struct jobs all_jobs(const struct run *r)
     for (size_t tier = 0; tier < r->scene->tiers; tier++)
         for (int output = tier_first(&r->scene->tier[tier]); output < TIER_BOTH; output++) {
             struct tree *seed;
-            if (r->archive->champion[tier][output].exact)
+            if (r->archive->champion[tier][output].exact || run_chooses(r, tier))
                 continue;
             const size_t seeds = archive_seeds(r->archive, tier, output, run_max_length(r, tier), &seed);
             const int last = has_quotients(&r->genes[tier]) ? QUOTIENTS : POLYNOMIALS;

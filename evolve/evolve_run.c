@@ -8,6 +8,7 @@
 #include "frame_cost.h"
 #include "progress.h"
 #include "root.h"
+#include "scene_files.h"
 #include "scene_follow.h"
 
 #include <limits.h>
@@ -19,17 +20,6 @@
 static void genomes_path(const struct run *r, char path[1024])
 {
     snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", r->options->root, r->scene->name);
-}
-
-static bool probe(const char *path, struct diag *d)
-{
-    struct outfile f;
-    if (!path)
-        return true;
-    if (!outfile_open(&f, path, d))
-        return false;
-    outfile_discard(&f);
-    return true;
 }
 
 static bool choose_paths(struct run *r, struct diag *d)
@@ -81,11 +71,26 @@ static bool complete_scene(struct run *r, struct diag *d)
 {
     if (r->scene->tiers > 0)
         return true;
-    if (!draw_training(r, d))
+    if (!draw_training(r, d) || !scene_follow(r->options->root, r->scene, r->vary.kind, d))
         return false;
-    scene_follow(r->scene, r->vary.kind);
     r->follows = true;
     return true;
+}
+
+/* A run may go on with its start file and its checkpoint; apart from that, what it writes is nothing that it reads. */
+static bool files_suit(const struct run *r, struct diag *d)
+{
+    enum { NONE, GENOMES, CHECKPOINTS };
+    const struct evolve_options *o = r->options;
+    const struct file_use file[] = {{"--output", r->output, true, GENOMES},
+                                    {"--start", r->resume || !*r->start ? NULL : r->start, false, GENOMES},
+                                    {"--checkpoint", o->checkpoint, true, CHECKPOINTS},
+                                    {"--resume", o->resume, false, CHECKPOINTS},
+                                    {"--front", o->front, true, NONE},
+                                    {"--log", o->log, true, NONE},
+                                    {"--seeds", o->seeds, false, NONE}};
+    return scene_files_apart("footpoint-evolve", o->root, r->scene, file, sizeof file / sizeof *file, d) &&
+           outfile_probe(r->output, d) && outfile_probe(o->checkpoint, d) && outfile_probe(o->front, d);
 }
 
 /* What is read: the cheap part, in which most mistakes show. */
@@ -97,9 +102,10 @@ static bool load(struct run *r, struct diag *d)
         !choose_paths(r, d))
         return false;
     const bool first = r->team->rank == 0;
+    if (first && r->scene->warnings)
+        fputs(r->scene->warnings, stderr);
     const bool good =
-        (!first || (probe(r->output, d) && probe(o->checkpoint, d) && probe(o->front, d) && keep_start(r, d))) &&
-        complete_scene(r, d) && load_archive(r, d);
+        complete_scene(r, d) && (!first || (files_suit(r, d) && keep_start(r, d))) && load_archive(r, d);
     if (r->resume && r->start[0])
         unlink(r->start);
     return good;
@@ -178,6 +184,20 @@ static void make_plan(struct run *r)
     r->plan.front_limit = front_limit(r);
 }
 
+/* The tiers whose expressions are chosen, those apart that are exact and named already. */
+static void tell_chosen(const struct run *r)
+{
+    size_t told = 0;
+    for (size_t i = 0; i < r->scene->tiers; i++)
+        if (run_chooses(r, i) && !archive_is_exact(r->archive, i)) {
+            if (told++ == 0)
+                printf("%s: nothing to evolve for", r->scene->name);
+            printf(" %s", r->scene->tier[i].name);
+        }
+    if (told > 0)
+        printf(": one gene, chosen among the frame's values\n");
+}
+
 /* Which inputs the scene varies, and what follows from that.  A run that is resumed has said it before. */
 static void tell_segments(const struct run *r)
 {
@@ -191,6 +211,7 @@ static void tell_segments(const struct run *r)
     if (r->follows)
         printf(", frame %s", r->scene->tier[0].frame);
     archive_print_exact(r->archive, stdout);
+    tell_chosen(r);
     fflush(stdout);
 }
 
@@ -210,17 +231,21 @@ static void judge_champions(struct run *r)
     }
     archive_find_exact(r->archive, &r->plan, &r->table, r->vary.tolerance);
     tell_segments(r);
+    for (size_t i = 0; i < r->scene->tiers; i++)
+        if (run_chooses(r, i))
+            archive_choose_values(r->archive, i, r->options->generations > 0);
     if (r->options->generations > 0 && r->options->growth == GROWTH_YES && !r->resume)
         evolve_grow(r);
     archive_judge(r->archive, &r->plan, r->judge, r->options->max_length);
 }
 
-static bool needs_ring(const struct run *r, const struct champion *c)
+static bool needs_ring(const struct run *r, size_t tier, const struct champion *c)
 {
-    return c->exact == 0 && (r->options->generations > 0 || c->tree.length == 0);
+    return c->exact == 0 && !run_chooses(r, tier) && (r->options->generations > 0 || c->tree.length == 0);
 }
 
-/* Rings for all outputs that are not exact; in a run of no generations for those alone that have no champion. */
+/* Rings for all outputs that are neither exact nor chosen; in a run of no generations for those alone that have no
+ * champion. */
 static void found_rings(struct run *r)
 {
     const struct evolve_options *o = r->options;
@@ -233,7 +258,7 @@ static void found_rings(struct run *r)
         const struct quest q = {i / TIER_OUTPUTS, (int)(i % TIER_OUTPUTS)};
         const struct tier *t = &r->scene->tier[q.tier];
         if (q.output >= tier_first(t) && q.output <= tier_last(t) &&
-            needs_ring(r, &r->archive->champion[q.tier][q.output])) {
+            needs_ring(r, q.tier, &r->archive->champion[q.tier][q.output])) {
             r->quest[s->rings] = q;
             s->max_length[s->rings++] = run_max_length(r, q.tier);
         }
@@ -253,6 +278,11 @@ static bool starts_at_random(const struct run *r, size_t place)
 size_t run_max_length(const struct run *r, size_t tier)
 {
     return r->options->max_length ? r->options->max_length : r->scene->tier[tier].max_length;
+}
+
+bool run_chooses(const struct run *r, size_t tier)
+{
+    return !r->scene->tier[tier].twin && run_max_length(r, tier) == 1;
 }
 
 size_t run_ring(const struct run *r, size_t ring)

@@ -51,6 +51,9 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
 /** Genes of the longest expression of a tier. */
 size_t run_max_length(const struct run *r, size_t tier);
 
+/** Expressions of one gene are chosen among the frame's values: nothing to evolve. */
+bool run_chooses(const struct run *r, size_t tier);
+
 /** The ring's key in random streams. */
 size_t run_ring(const struct run *r, size_t ring);
 

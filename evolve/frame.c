@@ -3,6 +3,7 @@
 
 #include "twin_text.h"
 
+#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -167,20 +168,46 @@ static bool frame_is_new(const struct scene *s, size_t tier)
     return true;
 }
 
+void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH])
+{
+    snprintf(path, FRAME_PATH, "%s/evolve/frames/%s.gen", root, t->frame);
+}
+
+/* "affine, bezier, ..." */
+static void list_frames(const char *root, char *text, size_t size)
+{
+    char pattern[1024];
+    glob_t found;
+    size_t n = 0;
+    snprintf(pattern, sizeof pattern, "%s/evolve/frames/*.gen", root);
+    snprintf(text, size, "none in %.200s/evolve/frames", root);
+    if (glob(pattern, 0, NULL, &found) != 0)
+        return;
+    for (size_t i = 0; i < found.gl_pathc && n < size; i++) {
+        const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+        n += (size_t)snprintf(text + n, size - n, "%s%.*s", i ? ", " : "", (int)(strlen(name) - strlen(".gen")), name);
+    }
+    globfree(&found);
+}
+
 static bool add_frame(const char *root, const struct scene *s, size_t tier, struct genome_file *program, struct diag *d)
 {
-    char path[1024];
+    char path[FRAME_PATH];
     const struct tier *t = &s->tier[tier];
-    snprintf(path, sizeof path, "%s/evolve/frames/%s.gen", root, t->frame);
-    if (access(path, R_OK) != 0)
-        return diag_at(d, s->path, t->line, 0, "tier '%s': cannot read frame '%s'", t->name, path);
+    frame_path(root, t, path);
+    if (access(path, R_OK) != 0) {
+        char known[300];
+        list_frames(root, known, sizeof known);
+        return diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': no frame '%s'; there are %s", t->name,
+                       t->frame, known);
+    }
     struct genome_file *frame = genome_read(path, d);
     if (!frame)
         return false;
     bool good = frame->genomes == 0 || diag_at(d, path, frame->genome[0].line, 0, "a frame holds no genomes");
     if (good && frame->segment && frame->segment != s->segment)
-        good = diag_at(d, s->path, t->line, 0, "tier '%s': frame '%s' is of segments %s", t->name, t->frame,
-                       frame->segment->name);
+        good = diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': frame '%s' is of segments %s", t->name,
+                       t->frame, frame->segment->name);
     for (size_t i = 0; good && i < frame->lets && frame_is_new(s, tier); i++)
         good = add_let(frame, &frame->let[i], s, t, program, d);
     good = good && (!frame_is_new(s, tier) || t->at || add_functions(frame, program, d)) &&

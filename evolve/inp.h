@@ -104,13 +104,13 @@ size_t inp_numbers_find(const struct inp_numbers *t, int number);
 
 enum inp_what { INP_NODE, INP_ELEMENT };
 
-/** Names of sets and surfaces, any case.  The three kinds of names do not disturb each other. */
+/** Names of sets and surfaces, any case.  The four kinds of names do not disturb each other. */
 struct inp_names {
     struct inp_name {
-        char *text;  /* owned; as first spelt, without blanks */
-        int set[2];  /* node set, element set: index into inp_model.set, or -1 */
-        int surface; /* index into inp_model.surface, or -1 */
-    } * name;        /* owned */
+        char *text;     /* owned; as first spelt, without blanks */
+        int set[2];     /* node set, element set: index into inp_model.set, or -1 */
+        int surface[2]; /* of nodes, of element faces: index into inp_model.surface, or -1 */
+    } * name;           /* owned */
     size_t n, room;
     int *slot; /* owned: hash table of indices into name, -1 where free */
     size_t slots;
@@ -144,11 +144,14 @@ struct inp_type {
     int nodes;
     bool shell;
     enum inp_order order;
-    const struct inp_shape *shape;
+    const struct inp_shape *shape; /* NULL: none of the types whose faces are known; any number of nodes */
 };
 
 /** Element type of a name such as "C3D8R" (any case), or NULL. */
 const struct inp_type *inp_type_find(struct inp_text name);
+
+/** Names of all types whose faces are known, "C3D4, C3D10, ...". */
+void inp_type_list(char *text, size_t size);
 
 /** Label "S1".."S6", "SPOS", "SNEG" (any case); false if it is none. */
 bool inp_face_read(struct inp_text t, int *label);
@@ -161,7 +164,8 @@ int inp_face_index(const struct inp_type *type, int label);
 
 /** The defined ones of first, first + step, ..., last; or all of another set. */
 struct inp_item {
-    int name; /* index into inp_names.name, or -1: numbers */
+    int name;            /* index into inp_names.name, or -1: numbers */
+    const char *refused; /* not owned; why it stands for something that is not supported, or NULL */
     int first, last, step;
     int face; /* enum inp_face_label, on lines of element surfaces */
     struct inp_place at;
@@ -181,8 +185,11 @@ struct inp_model {
     struct inp_element {
         const struct inp_type *type; /* not owned */
         size_t first;                /* of its nodes in connectivity */
-    } * element;                     /* owned; by inp_entry.order */
+        int nodes;
+    } * element; /* owned; by inp_entry.order */
     size_t element_room;
+    struct inp_type **other; /* owned, with their names: element types whose faces are not known */
+    size_t others, other_room;
     int *connectivity; /* owned; positions in the sorted node table */
     size_t connections, connection_room;
     struct inp_set {
@@ -191,8 +198,8 @@ struct inp_model {
     } * set;          /* owned */
     size_t sets, set_room, visits;
     struct inp_surface {
-        enum inp_what what; /* lines are nodes or element faces */
-        struct inp_place at;
+        enum inp_what what;  /* lines are nodes or element faces */
+        struct inp_place at; /* where it begins */
         struct inp_items items;
     } * surface; /* owned */
     size_t surfaces, surface_room;
@@ -215,12 +222,13 @@ struct inp_list {
     size_t n, room;
 };
 
-/** Nodes of a contact pair's slave surface: positions in the sorted node table.  *nodes empty on entry.  False with the
- *  diagnostic filled: surface, set or number not defined, or nothing in it. */
+/** Nodes of a contact pair's slave surface, of nodes or, where there is none, of faces: positions in the sorted node
+ *  table.  An element whose faces are not known lends all its nodes.  *nodes empty on entry.  False with the diagnostic
+ *  filled: surface, set or number not defined, or nothing in it. */
 bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes);
 
 /** Faces of a contact pair's master surface: INP_MAX_FACES * position in the sorted element table + face.  Errors as
- *  above, and a surface made of nodes. */
+ *  above, a surface made of nodes, and elements whose faces are not known. */
 bool inp_master_faces(struct inp_model *m, const struct inp_pair *pair, struct inp_list *faces);
 
 /** Nodes of such a face, counter-clockwise from outside, then mid-side nodes: positions in the sorted node table.

@@ -4,6 +4,7 @@
 #include "inp.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -68,6 +69,13 @@ const struct inp_type *inp_type_find(struct inp_text name)
             return &types[i];
     }
     return NULL;
+}
+
+void inp_type_list(char *text, size_t size)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < sizeof types / sizeof *types && n < size; i++)
+        n += (size_t)snprintf(text + n, size - n, "%s%s", i ? ", " : "", types[i].name);
 }
 
 static const char *const labels[] = {"S1", "S2", "S3", "S4", "S5", "S6", "SNEG", "SPOS"};

@@ -1,7 +1,8 @@
 /* Reader of Abaqus and CalculiX input files: nodes, elements, sets, surfaces and contact pairs, in a flat model as both
  * codes accept it.  Other keywords (materials, steps, output) are skipped with their data; those that would move or
- * make nodes or elements are refused, since skipping them would give another mesh.  Sets are kept as they are written
- * and looked up when a contact pair needs them, so that definitions may come in any order. */
+ * make nodes or elements are refused, since skipping them would give another mesh.  Sets and surfaces are kept as they
+ * are written and looked up when a contact pair needs them, so that definitions may come in any order, and what is not
+ * supported (faces of beams, of plane elements; analytical surfaces) is refused only where contact needs it. */
 #include "inp.h"
 
 #include <ctype.h>
@@ -14,6 +15,9 @@ struct reader {
     size_t set;                  /* that receives nodes or elements, if any */
     bool in_set, run, generate;  /* run: its last item may grow */
     enum inp_what what;          /* of the set or surface */
+    size_t surface;              /* that receives lines */
+    bool skip;                   /* the lines are of a surface that is not supported */
+    bool open;                   /* the last element goes on in the next line */
     const struct inp_type *type; /* of the elements */
     bool needs_pair;             /* *CONTACT PAIR without a data line so far */
     struct inp_place keyword;
@@ -54,6 +58,12 @@ static bool read_member(struct reader *r, struct inp_text t, struct inp_item *it
     return digits ? read_number(r, t, &item->first) : read_name(r, t, &item->name);
 }
 
+/* What stands for something that is not supported: an error where contact needs it. */
+static struct inp_item refused_item(const struct reader *r, const char *why)
+{
+    return (struct inp_item){.name = -1, .refused = why, .face = INP_FACE_NONE, .at = r->m->lines.place};
+}
+
 /* From here on `r` collects nodes or elements in the set of this name. */
 static bool open_set(struct reader *r, enum inp_what what, struct inp_text t)
 {
@@ -82,7 +92,7 @@ static void join_set(struct reader *r, int number)
     if (last && last->last == number - 1)
         last->last = number;
     else
-        add_item(items, (struct inp_item){-1, number, number, 1, INP_FACE_NONE, r->m->lines.place});
+        add_item(items, (struct inp_item){-1, NULL, number, number, 1, INP_FACE_NONE, r->m->lines.place});
     r->run = true;
 }
 
@@ -125,51 +135,97 @@ static bool read_node(struct reader *r)
     return true;
 }
 
+/* A type whose faces are not known, kept by its name. */
+static const struct inp_type *other_type(struct inp_model *m, struct inp_text name)
+{
+    for (size_t i = 0; i < m->others; i++)
+        if (inp_equals(name, m->other[i]->name))
+            return m->other[i];
+    struct inp_type *type = new_array(1, sizeof *type);
+    const struct inp_shown shown = inp_show(name);
+    type->name = new_text(shown.s, strlen(shown.s));
+    grow_array(&m->other, m->others, &m->other_room, sizeof *m->other);
+    return m->other[m->others++] = type;
+}
+
 static bool begin_element(struct reader *r)
 {
     struct inp_text t;
-    if (!inp_parameter(&r->m->lines, "TYPE", &t))
+    if (!inp_parameter(&r->m->lines, "TYPE", &t) || t.n == 0)
         return FAIL(r, "*ELEMENT has no TYPE=");
     r->type = inp_type_find(t);
     if (!r->type)
-        return FAIL(r, "element type '%s' is not supported", inp_show(t).s);
+        r->type = other_type(r->m, t);
     if (inp_parameter(&r->m->lines, "ELSET", &t) && !open_set(r, INP_ELEMENT, t))
         return false;
     return follow_input(r);
 }
 
-/* Number and nodes of one element; a line that ends with a comma goes on in the next one until all nodes are there. */
-static bool read_element(struct reader *r)
+static void add_connection(struct inp_model *m, struct inp_element *e, int node)
+{
+    grow_array(&m->connectivity, m->connections, &m->connection_room, sizeof node);
+    m->connectivity[m->connections++] = node;
+    e->nodes++;
+}
+
+/* Whatever is a node number on a line of an element whose type is not known: nobody says how many there are.  A comma
+ * at the end leaves the element open for the next line. */
+static void read_some_nodes(struct reader *r, struct inp_element *e)
+{
+    struct inp_text t;
+    int node;
+    r->open = r->m->lines.continues;
+    while (inp_field(&r->m->lines, &t))
+        if (inp_number(t, &node))
+            add_connection(r->m, e, node);
+}
+
+/* Nodes of one element; a line that ends with a comma goes on in the next one until all nodes are there. */
+static bool read_all_nodes(struct reader *r, struct inp_element *e, struct inp_place at, int number)
 {
     struct inp_model *m = r->m;
-    const struct inp_place at = m->lines.place;
     struct inp_text t;
-    int number, nodes = 0;
-    if (!inp_field(&m->lines, &t) || !read_number(r, t, &number))
-        return false;
-    grow_array(&m->element, m->elements.n, &m->element_room, sizeof *m->element);
-    m->element[m->elements.n] = (struct inp_element){r->type, m->connections};
     for (;;) {
         while (inp_field(&m->lines, &t)) {
             int node;
-            if (nodes == r->type->nodes)
-                return inp_fail(&m->lines, at, "element %d has more than the %d nodes of type %s", number, nodes,
+            if (e->nodes == r->type->nodes)
+                return inp_fail(&m->lines, at, "element %d has more than the %d nodes of type %s", number, e->nodes,
                                 r->type->name);
             if (!read_number(r, t, &node))
                 return false;
-            grow_array(&m->connectivity, m->connections, &m->connection_room, sizeof node);
-            m->connectivity[m->connections++] = node;
-            nodes++;
+            add_connection(m, e, node);
         }
-        if (nodes == r->type->nodes)
+        if (e->nodes == r->type->nodes)
             break;
         const bool continues = m->lines.continues;
         if (continues && !inp_next(&m->lines))
             return false;
         if (!continues || m->lines.kind != INP_DATA)
-            return inp_fail(&m->lines, at, "element %d has %d nodes, but type %s has %d", number, nodes, r->type->name,
-                            r->type->nodes);
+            return inp_fail(&m->lines, at, "element %d has %d nodes, but type %s has %d", number, e->nodes,
+                            r->type->name, r->type->nodes);
     }
+    return true;
+}
+
+static bool read_element(struct reader *r)
+{
+    struct inp_model *m = r->m;
+    const struct inp_place at = m->lines.place;
+    struct inp_text t;
+    int number;
+    if (r->open) {
+        read_some_nodes(r, &m->element[m->elements.n - 1]);
+        return true;
+    }
+    if (!inp_field(&m->lines, &t) || !read_number(r, t, &number))
+        return false;
+    grow_array(&m->element, m->elements.n, &m->element_room, sizeof *m->element);
+    struct inp_element *e = &m->element[m->elements.n];
+    *e = (struct inp_element){r->type, m->connections, 0};
+    if (!r->type->shape)
+        read_some_nodes(r, e);
+    else if (!read_all_nodes(r, e, at, number))
+        return false;
     inp_numbers_add(&m->elements, number, at);
     join_set(r, number);
     return true;
@@ -179,13 +235,16 @@ static bool begin_set(struct reader *r, enum inp_what what)
 {
     struct inp_text t;
     const bool nodes = what == INP_NODE;
-    if (nodes && inp_parameter(&r->m->lines, "ELSET", &t))
-        return FAIL(r, "*NSET, ELSET= is not supported: list the nodes");
     if (!inp_parameter(&r->m->lines, nodes ? "NSET" : "ELSET", &t))
         return FAIL(r, nodes ? "*NSET has no NSET=" : "*ELSET has no ELSET=");
     r->what = what;
     r->generate = inp_parameter(&r->m->lines, "GENERATE", &(struct inp_text){0});
-    return open_set(r, what, t) && follow_input(r);
+    if (!open_set(r, what, t))
+        return false;
+    if (nodes && inp_parameter(&r->m->lines, "ELSET", &t))
+        add_item(&r->m->set[r->set].items,
+                 refused_item(r, "node set made of elements, *NSET, ELSET=: not supported, list the nodes"));
+    return follow_input(r);
 }
 
 static bool begin_nset(struct reader *r)
@@ -201,7 +260,7 @@ static bool begin_elset(struct reader *r)
 static bool read_range(struct reader *r)
 {
     struct inp_text t;
-    struct inp_item item = {-1, 0, 0, 1, INP_FACE_NONE, r->m->lines.place};
+    struct inp_item item = {-1, NULL, 0, 0, 1, INP_FACE_NONE, r->m->lines.place};
     int *const value[3] = {&item.first, &item.last, &item.step};
     int n = 0;
     while (inp_field(&r->m->lines, &t)) {
@@ -234,26 +293,31 @@ static bool read_set(struct reader *r)
     return true;
 }
 
+/* Faces and nodes may share a surface's name; a second *SURFACE extends the first, as in CalculiX. */
 static bool begin_surface(struct reader *r)
 {
     struct inp_model *m = r->m;
     struct inp_text t = {"ELEMENT", 7};
     int name;
     inp_parameter(&m->lines, "TYPE", &t);
-    if (!inp_equals(t, "ELEMENT") && !inp_equals(t, "NODE"))
-        return FAIL(r, "surface type '%s' is not supported", inp_show(t).s);
+    const bool combined = inp_parameter(&m->lines, "COMBINE", &(struct inp_text){0});
     r->what = inp_equals(t, "NODE") ? INP_NODE : INP_ELEMENT;
-    if (inp_parameter(&m->lines, "COMBINE", &t))
-        return FAIL(r, "*SURFACE, COMBINE= is not supported: list the faces");
+    r->skip = combined || (r->what == INP_ELEMENT && !inp_equals(t, "ELEMENT"));
     if (!inp_parameter(&m->lines, "NAME", &t))
         return FAIL(r, "*SURFACE has no NAME=");
     if (!read_name(r, t, &name))
         return false;
-    if (m->names.name[name].surface >= 0)
-        return FAIL(r, "surface '%s' is defined twice", inp_show(t).s);
-    m->names.name[name].surface = (int)m->surfaces;
-    grow_array(&m->surface, m->surfaces, &m->surface_room, sizeof *m->surface);
-    m->surface[m->surfaces++] = (struct inp_surface){.what = r->what, .at = m->lines.place};
+    int *surface = &m->names.name[name].surface[r->what];
+    if (*surface < 0) {
+        grow_array(&m->surface, m->surfaces, &m->surface_room, sizeof *m->surface);
+        *surface = (int)m->surfaces;
+        m->surface[m->surfaces++] = (struct inp_surface){.what = r->what, .at = m->lines.place};
+    }
+    r->surface = (size_t)*surface;
+    if (r->skip)
+        add_item(&m->surface[r->surface].items,
+                 refused_item(r, combined ? "surface with COMBINE= is not supported: list the faces"
+                                          : "surface type is not supported: ELEMENT or NODE"));
     return follow_input(r);
 }
 
@@ -262,11 +326,13 @@ static bool read_surface(struct reader *r)
 {
     struct inp_text t;
     struct inp_item item;
+    if (r->skip)
+        return true;
     if (!inp_field(&r->m->lines, &t) || !read_member(r, t, &item))
         return false;
     if (r->what == INP_ELEMENT && inp_field(&r->m->lines, &t) && t.n > 0 && !inp_face_read(t, &item.face))
         return FAIL(r, "face label '%s' is none of S1 to S6, SPOS and SNEG", inp_show(t).s);
-    add_item(&r->m->surface[r->m->surfaces - 1].items, item);
+    add_item(&r->m->surface[r->surface].items, item);
     return true;
 }
 
@@ -316,7 +382,7 @@ static bool begin_keyword(struct reader *r, const struct handler **handler)
     if (r->needs_pair)
         return inp_fail(&r->m->lines, r->keyword, "*CONTACT PAIR names no surfaces");
     r->keyword = r->m->lines.place;
-    r->in_set = r->run = false;
+    r->in_set = r->run = r->open = false;
     *handler = NULL;
     if (r->m->lines.kind == INP_END)
         return true;
@@ -352,7 +418,23 @@ static bool read_lines(struct reader *r)
     }
 }
 
-/* Sort the tables and turn the elements' node numbers into positions. */
+/* Turn an element's node numbers into positions.  Of a type that is not known, numbers that are no nodes are dropped. */
+static bool link_nodes(struct inp_model *m, const struct inp_entry *entry)
+{
+    struct inp_element *e = &m->element[entry->order];
+    int *node = &m->connectivity[e->first], found = 0;
+    for (int k = 0; k < e->nodes; k++) {
+        const size_t at = inp_numbers_find(&m->nodes, node[k]);
+        if (at < m->nodes.n && m->nodes.entry[at].number == node[k])
+            node[found++] = (int)at;
+        else if (e->type->shape)
+            return inp_fail(&m->lines, entry->at, "node %d of element %d is not defined", node[k], entry->number);
+    }
+    e->nodes = found;
+    return true;
+}
+
+/* Sort the tables and link the elements to their nodes. */
 static bool link_elements(struct inp_model *m)
 {
     const struct inp_entry *repeated;
@@ -361,16 +443,9 @@ static bool link_elements(struct inp_model *m)
         if (repeated)
             return inp_fail(&m->lines, repeated->at, "%s %d is defined twice", what_name[what], repeated->number);
     }
-    for (size_t i = 0; i < m->elements.n; i++) {
-        const struct inp_entry *e = &m->elements.entry[i];
-        int *node = &m->connectivity[m->element[e->order].first];
-        for (int k = 0; k < m->element[e->order].type->nodes; k++) {
-            const size_t at = inp_numbers_find(&m->nodes, node[k]);
-            if (at == m->nodes.n || m->nodes.entry[at].number != node[k])
-                return inp_fail(&m->lines, e->at, "node %d of element %d is not defined", node[k], e->number);
-            node[k] = (int)at;
-        }
-    }
+    for (size_t i = 0; i < m->elements.n; i++)
+        if (!link_nodes(m, &m->elements.entry[i]))
+            return false;
     return true;
 }
 
@@ -392,6 +467,11 @@ void inp_free(struct inp_model *m)
         free(m->set[i].items.item);
     for (size_t i = 0; i < m->surfaces; i++)
         free(m->surface[i].items.item);
+    for (size_t i = 0; i < m->others; i++) {
+        free((char *)m->other[i]->name);
+        free(m->other[i]);
+    }
+    free(m->other);
     inp_close(&m->lines);
     inp_names_clear(&m->names);
     free(m->nodes.entry);

@@ -62,6 +62,8 @@ static bool find_numbers(struct search *s, const struct inp_item *item)
 static bool find_item(struct search *s, const struct inp_item *item)
 {
     struct inp_model *m = s->m;
+    if (item->refused)
+        return inp_fail(&m->lines, item->at, "%s", item->refused);
     if (item->name < 0)
         return find_numbers(s, item);
     const struct inp_name *name = &m->names.name[item->name];
@@ -104,11 +106,15 @@ static struct inp_shown name_of(const struct inp_model *m, int name)
     return inp_show((struct inp_text){text, strlen(text)});
 }
 
-static const struct inp_surface *surface_of(const struct inp_model *m, int name, struct inp_place at)
+/* The surface of this name, of what is preferred if there are both. */
+static const struct inp_surface *surface_of(const struct inp_model *m, int name, enum inp_what preferred,
+                                            struct inp_place at)
 {
-    const int s = m->names.name[name].surface;
-    if (s >= 0)
-        return &m->surface[s];
+    const int *s = m->names.name[name].surface;
+    if (s[preferred] >= 0)
+        return &m->surface[s[preferred]];
+    if (s[!preferred] >= 0)
+        return &m->surface[s[!preferred]];
     inp_fail(&m->lines, at, "surface '%s' is not defined", name_of(m, name).s);
     return NULL;
 }
@@ -122,13 +128,43 @@ static bool finish(const struct inp_model *m, int name, const struct inp_surface
     return true;
 }
 
-/* Faces with one line's label of the elements found; taken: one bit for each face of each element. */
-static bool add_faces(const struct search *e, const struct inp_item *line, unsigned char *taken, struct inp_list *faces)
+static void add_node(struct search *nodes, size_t at)
+{
+    if (!nodes->mark[at])
+        append(&nodes->found, at);
+    nodes->mark[at] = 1;
+}
+
+/* An element whose faces are not known: all its nodes, if nodes are asked for. */
+static bool add_whole(const struct inp_model *m, const struct inp_entry *entry, const struct inp_item *line,
+                      struct search *nodes)
+{
+    const struct inp_element *e = &m->element[entry->order];
+    for (int k = 0; nodes && k < e->nodes; k++)
+        add_node(nodes, (size_t)m->connectivity[e->first + (size_t)k]);
+    if (nodes)
+        return true;
+    char known[300];
+    inp_type_list(known, sizeof known);
+    return inp_fail(&m->lines, line->at,
+                    "element %d of a master surface is of type %s; faces are known of %s, and their variants",
+                    entry->number, e->type->name, known);
+}
+
+/* Faces with one line's label of the elements found; taken: one bit for each face of each element.  `nodes`, or NULL,
+ * takes those of elements whose faces are not known. */
+static bool add_faces(const struct search *e, const struct inp_item *line, unsigned char *taken, struct search *nodes,
+                      struct inp_list *faces)
 {
     for (size_t i = 0; i < e->found.n; i++) {
         const size_t at = e->found.index[i];
         const struct inp_entry *entry = &e->m->elements.entry[at];
         const struct inp_type *type = e->m->element[entry->order].type;
+        if (!type->shape) {
+            if (!add_whole(e->m, entry, line, nodes))
+                return false;
+            continue;
+        }
         const int face = inp_face_index(type, line->face);
         if (face < 0 && line->face == INP_FACE_NONE)
             return inp_fail(&e->m->lines, line->at, "element %d of type %s is solid and needs a face label, S1 to S%d",
@@ -143,19 +179,20 @@ static bool add_faces(const struct search *e, const struct inp_item *line, unsig
     return true;
 }
 
-static bool surface_faces(struct inp_model *m, int name, const struct inp_surface *s, struct inp_list *faces)
+static bool surface_faces(struct inp_model *m, const struct inp_surface *s, struct search *nodes,
+                          struct inp_list *faces)
 {
     struct search e = search_new(m, INP_ELEMENT);
     unsigned char *taken = new_array(m->elements.n, 1);
     bool done = true;
     for (size_t i = 0; i < s->items.n && done; i++) {
-        done = find(&e, &s->items.item[i]) && add_faces(&e, &s->items.item[i], taken, faces);
+        done = find(&e, &s->items.item[i]) && add_faces(&e, &s->items.item[i], taken, nodes, faces);
         while (e.found.n > 0)
             e.mark[e.found.index[--e.found.n]] = 0;
     }
     free(taken);
     search_clear(&e);
-    return done && finish(m, name, s, faces);
+    return done;
 }
 
 int inp_face_nodes(const struct inp_model *m, size_t face, int node[9])
@@ -171,11 +208,11 @@ int inp_face_nodes(const struct inp_model *m, size_t face, int node[9])
 
 bool inp_master_faces(struct inp_model *m, const struct inp_pair *pair, struct inp_list *faces)
 {
-    const struct inp_surface *s = surface_of(m, pair->master, pair->at);
+    const struct inp_surface *s = surface_of(m, pair->master, INP_ELEMENT, pair->at);
     if (s && s->what == INP_NODE)
         return inp_fail(&m->lines, pair->at, "master surface '%s' is made of nodes; it must be made of element faces",
                         name_of(m, pair->master).s);
-    return s && surface_faces(m, pair->master, s, faces);
+    return s && surface_faces(m, s, NULL, faces) && finish(m, pair->master, s, faces);
 }
 
 /* Nodes of element faces, each once. */
@@ -183,22 +220,21 @@ static void add_nodes(struct search *nodes, const struct inp_list *faces)
 {
     for (size_t i = 0; i < faces->n; i++) {
         int node[9];
-        for (int k = inp_face_nodes(nodes->m, faces->index[i], node); k-- > 0; nodes->mark[node[k]] = 1)
-            if (!nodes->mark[node[k]])
-                append(&nodes->found, (size_t)node[k]);
+        for (int k = inp_face_nodes(nodes->m, faces->index[i], node); k-- > 0;)
+            add_node(nodes, (size_t)node[k]);
     }
 }
 
 bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct inp_list *nodes)
 {
-    const struct inp_surface *s = surface_of(m, pair->slave, pair->at);
+    const struct inp_surface *s = surface_of(m, pair->slave, INP_NODE, pair->at);
     if (!s)
         return false;
     struct search search = search_new(m, INP_NODE);
     struct inp_list faces = {0};
     bool done = true;
     if (s->what == INP_ELEMENT) {
-        done = surface_faces(m, pair->slave, s, &faces);
+        done = surface_faces(m, s, &search, &faces);
         add_nodes(&search, &faces);
     } else
         for (size_t i = 0; i < s->items.n && done; i++)

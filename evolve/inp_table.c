@@ -90,7 +90,7 @@ int inp_names_index(struct inp_names *t, struct inp_text name)
         return t->slot[slot];
     }
     grow_array(&t->name, t->n, &t->room, sizeof *t->name);
-    t->name[t->n] = (struct inp_name){text, {-1, -1}, -1};
+    t->name[t->n] = (struct inp_name){text, {-1, -1}, {-1, -1}};
     t->slot[slot] = (int)t->n;
     return (int)t->n++;
 }

@@ -63,6 +63,38 @@ struct mesh *mesh_read(const char *path, struct diag *d)
     return NULL;
 }
 
+const struct segment_kind *mesh_segment(const struct mesh *m, char *text, size_t size)
+{
+    size_t count[SEGMENT_VECTORS + 1] = {0}, kinds = 0, used = 0;
+    const struct segment_kind *kind = NULL;
+    for (size_t i = 0; i < m->pairs; i++)
+        for (size_t k = 0; k < m->pair[i].masters; k++)
+            count[m->pair[i].master[k].nodes]++;
+    *text = '\0';
+    for (size_t nodes = 0; nodes <= SEGMENT_VECTORS; nodes++)
+        if (count[nodes] > 0 && used < size) {
+            kind = segment_of_face(nodes);
+            used += (size_t)snprintf(text + used, size - used, "%s%zu of %s", kinds++ ? ", " : "", count[nodes],
+                                     kind->name);
+        }
+    return kinds == 1 ? kind : NULL;
+}
+
+size_t mesh_keep_faces(struct mesh *m, const struct segment_kind *kind)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < m->pairs; i++) {
+        struct mesh_pair *p = &m->pair[i];
+        const size_t all = p->masters;
+        p->masters = 0;
+        for (size_t k = 0; k < all; k++)
+            if (segment_of_face((size_t)p->master[k].nodes) == kind)
+                p->master[p->masters++] = p->master[k];
+        kept += p->masters;
+    }
+    return kept;
+}
+
 void mesh_free(struct mesh *m)
 {
     if (!m)

@@ -3,6 +3,7 @@
 #define FOOTPOINT_MESH_H
 
 #include "../codegen/base.h"
+#include "../codegen/segment.h"
 
 /** Corner nodes (and mid-side nodes, and the middle, in Abaqus order) of one element face, counter-clockwise seen from
  * outside. */
@@ -29,5 +30,12 @@ struct mesh {
 /** Read a model.  Returns NULL with *d "file:line: error: ..." (line within the included file where it stands). */
 struct mesh *mesh_read(const char *path, struct diag *d);
 void mesh_free(struct mesh *m);
+
+/** The kind of segment that all master faces are, or NULL: there are several.  `text` says how many of each, "7 of
+ *  quad4, 2 of tri3". */
+const struct segment_kind *mesh_segment(const struct mesh *m, char *text, size_t size);
+
+/** Leave the master faces of one kind alone; returns how many there are. */
+size_t mesh_keep_faces(struct mesh *m, const struct segment_kind *kind);
 
 #endif

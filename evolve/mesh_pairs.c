@@ -114,14 +114,8 @@ static void remove_repeated(struct pairs *found)
 static bool find_pairs(const struct scene *scene, const struct mesh *mesh, struct pairs *found, struct diag *d)
 {
     const char *file = scene->mesh.file;
-    for (size_t i = 0; i < mesh->pairs; i++) {
-        const struct mesh_pair *p = &mesh->pair[i];
-        for (size_t f = 0; f < p->masters; f++)
-            if ((size_t)p->master[f].nodes != strlen(scene->segment->nodes))
-                return diag_at(d, file, 0, 0, "master faces of %d nodes; scene '%s' is for %s", p->master[f].nodes,
-                               scene->name, scene->segment->name);
-        search(scene, mesh, p, found);
-    }
+    for (size_t i = 0; i < mesh->pairs; i++)
+        search(scene, mesh, &mesh->pair[i], found);
     remove_repeated(found);
     if (found->n == 0)
         return diag_at(d, file, 0, 0, "no slave node within a distance of %g over a master face", scene->mesh.distance);
@@ -180,6 +174,8 @@ bool mesh_samples(const struct scene *scene, enum sample_part part, struct sampl
 {
     struct mesh *mesh = mesh_read(scene->mesh.file, d);
     struct pairs found = {0};
+    if (mesh)
+        mesh_keep_faces(mesh, scene->segment);
     bool done = mesh && find_pairs(scene, mesh, &found, d);
     if (done && part == PART_HELDOUT_RANDOM)
         done = random_pairs(scene, mesh, part, scene->heldout, set, d);

@@ -2,6 +2,7 @@
  * and each complaint names its line. */
 #include "mesh.h"
 #include "samplers.h"
+#include "scene_follow.h"
 #include "scene_parts.h"
 
 #include <limits.h>
@@ -9,9 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* NULL where the scene has none, which a mesh will do for. */
 static bool read_segment(const struct scene_reader *r, const config_setting_t *s, const struct segment_kind **segment)
 {
     char *name = NULL;
+    if (!s)
+        return true;
     if (!key_string(r, s, "segment", &name))
         return false;
     *segment = segment_find(name);
@@ -26,47 +30,74 @@ static bool read_reference(const struct scene_reader *r, const config_setting_t 
 {
     const config_setting_t *s = config_setting_get_member(root, "reference");
     reference[0] = reference[1] = NAN;
-    if (!s && config_setting_get_member(root, "tiers"))
-        return key_fail(r, root, "scene lacks 'reference'");
     return !s || key_two(r, s, "reference", -1, 1, reference);
+}
+
+/* One of n words; the first where the scene has none. */
+static bool read_word(const struct scene_reader *r, const config_setting_t *root, const char *key,
+                      const char *const *word, int n, int *which)
+{
+    const config_setting_t *s = config_setting_get_member(root, key);
+    *which = 0;
+    return !s || key_word(r, s, key, word, n, which);
+}
+
+/* Every key is known, and those are there that have no usual value. */
+static bool check_keys(const struct scene_reader *r, config_setting_t *root, struct scene *scene,
+                       config_setting_t **source)
+{
+    static const struct scene_key required[] = {{"training", "20000"}, {"heldout", "50000"}, {NULL, NULL}};
+    static const char *const optional[] = {"segment", "order", "norm",    "precision", "seed", "reference",
+                                           "frame",   "tiers", "lattice", "shapes",    "mesh", NULL};
+    static const struct scene_key segment = {"segment", "\"quad4\""};
+    if (!keys_check(r, root, "scene", required, optional) ||
+        !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment) ||
+        !scene_find_source(r, root, scene, source))
+        return false;
+    if (!scene->segment && *source && scene->source != SOURCE_MESH)
+        keys_lack(r, root, "scene", &segment);
+    return scene_check_source(r, *source, scene) && scene_check_tiers(r, root) && keys_complete(r);
 }
 
 static bool read_scene(const struct scene_reader *r, config_setting_t *root, struct scene *scene, char **mesh,
                        size_t *size)
 {
-    static const char *const required[] = {"segment", "order",    "norm",    "precision",
-                                           "seed",    "training", "heldout", NULL};
-    static const char *const optional[] = {"reference", "frame", "tiers", "lattice", "shapes", "mesh", NULL};
     static const char *const order[] = {"any", "nearest", "nearest-shorter"};
     static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
-    long long training, heldout, seed;
+    long long training, heldout, seed = 1;
+    config_setting_t *source = NULL;
+    const config_setting_t *s;
     int which;
-    if (!keys_check(r, root, "scene", required, optional) ||
-        !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment) ||
-        !key_word(r, config_setting_get_member(root, "order"), "order", order, 3, &which))
+    if (!check_keys(r, root, scene, &source) ||
+        (scene->source == SOURCE_MESH && !scene_read_mesh(r, source, scene, mesh, size)) ||
+        !read_word(r, root, "order", order, 3, &which))
         return false;
     scene->order = (enum corner_order)which;
     if (scene->order != CORNERS_ANY && !scene->segment->turns)
         return key_fail(r, config_setting_get_member(root, "order"), "'order' must be \"any\" for segment '%s'",
                         scene->segment->name);
-    if (!read_reference(r, root, scene->reference) ||
-        !key_word(r, config_setting_get_member(root, "norm"), "norm", norm, 3, &which))
+    if (!read_reference(r, root, scene->reference) || !read_word(r, root, "norm", norm, 3, &which))
         return false;
     scene->norm = (enum scene_norm)which;
-    if (!key_word(r, config_setting_get_member(root, "precision"), "precision", precision, 2, &which))
+    if (!read_word(r, root, "precision", precision, 2, &which))
         return false;
     if (which == 1 && *scene->segment->normals)
         return key_fail(r, config_setting_get_member(root, "precision"),
                         "'precision' must be \"double\" for segment '%s'", scene->segment->name);
     scene->precision = new_text(precision[which], strlen(precision[which]));
-    if (!key_count(r, config_setting_get_member(root, "seed"), "seed", 0, LLONG_MAX, &seed) ||
+    s = config_setting_get_member(root, "seed");
+    if ((s && !key_count(r, s, "seed", 0, LLONG_MAX, &seed)) ||
         !key_count(r, config_setting_get_member(root, "training"), "training", 1, 100000000, &training) ||
         !key_count(r, config_setting_get_member(root, "heldout"), "heldout", 1, 100000000, &heldout))
         return false;
     scene->seed = (uint64_t)seed;
     scene->training = (size_t)training;
     scene->heldout = (size_t)heldout;
-    return scene_read_source(r, root, scene, mesh, size) && scene_read_tiers(r, root, scene);
+    if ((scene->source != SOURCE_MESH && !scene_read_source(r, source, scene)) || !scene_read_tiers(r, root, scene))
+        return false;
+    if (scene->tiers > 0 && isnan(scene->reference[0]))
+        scene_choose_reference(scene, false);
+    return true;
 }
 
 /* Line of an @include directive, or 0.  The digest covers one text, so that a scene has no others. */
@@ -93,7 +124,7 @@ static void digest(struct scene *scene, const char *text, size_t size, const cha
     free(both);
 }
 
-static char *scene_path(const char *root, const char *name)
+char *scene_path(const char *root, const char *name)
 {
     const size_t length = strlen(name), suffix = strlen(".scene");
     char path[1024];
@@ -114,10 +145,10 @@ static char *scene_name(const char *path)
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d)
 {
     char *path = scene_path(root, name_or_path), *mesh = NULL;
-    const struct scene_reader r = {path, d};
     size_t size = 0, mesh_size = 0;
     char *text = read_text(path, &size, d);
     struct scene *scene = NULL;
+    struct scene_lacking lacking = {.groups = 0};
     config_t config;
     if (!text) {
         free(path);
@@ -126,6 +157,7 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
     scene = new_array(1, sizeof *scene);
     scene->path = path;
     scene->name = scene_name(path);
+    const struct scene_reader r = {root, path, text, d, &lacking, &scene->warnings};
     config_init(&config);
     bool good = strlen(text) == size;
     const int line = include_line(text);
@@ -167,6 +199,7 @@ void scene_free(struct scene *s)
     free(s->tier);
     free(s->mesh.file);
     free(s->precision);
+    free(s->warnings);
     free(s->path);
     free(s->name);
     free(s);

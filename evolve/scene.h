@@ -43,9 +43,10 @@ struct mesh_pairs {
 
 /** One header function to make: which values its expressions may use, and how long they may be. */
 struct tier {
-    char *name;      /* owned */
-    char *frame;     /* owned: file evolve/frames/<frame>.gen */
-    char **terminal; /* owned: names of inputs or lets of the frame; with the suffix of tier_suffix() */
+    char *name;                   /* owned */
+    char *frame;                  /* owned: file evolve/frames/<frame>.gen */
+    int frame_line, frame_column; /* where the scene names it; 0: it does not */
+    char **terminal; /* owned: names of inputs or lets of the frame, with the suffix of tier_suffix() */
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - *, where no functions are listed */
@@ -56,7 +57,7 @@ struct tier {
     char *last;        /* owned: function of the frame that a twin tree must end in; NULL: any */
     double reference[2];
     int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
-    int line; /* where it stands in the scene */
+    int line; /* where it stands in the scene; 0: it follows */
 };
 
 /** Outputs of a tier, first..last: 0 is xi, 1 eta, and 2 both, of a tier of twin trees. */
@@ -85,13 +86,17 @@ struct scene {
     struct shapes shapes;
     struct mesh_pairs mesh;
     struct tier *tier;
-    size_t tiers; /* 0: left to the segments, see scene_follow.h */
+    size_t tiers;   /* 0: left to the segments, see scene_follow.h */
+    char *warnings; /* owned: lines about what is unusual, "file:line: warning: ..."; or NULL */
 };
 
 /** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d filled
  *  ("file:line: error: ..."). */
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
+
+/** The path that a name or path stands for.  The caller frees it. */
+char *scene_path(const char *root, const char *name_or_path);
 
 /** What the names of a tier's values end in: "", or "_at1" if the frame expands about the first of the tiers' own
  * reference points. */

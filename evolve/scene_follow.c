@@ -2,6 +2,7 @@
 #include "scene_follow.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A tier of two terminals, one for each output. */
@@ -10,7 +11,7 @@ struct offer {
     size_t max_length;
 };
 
-enum { OFFERS = 9 };
+enum { OFFERS = 3 };
 
 static const struct {
     const char *frame;
@@ -22,18 +23,7 @@ static const struct {
                                false,
                                {{"fast", {"fast_xi", "fast_eta"}, 1},
                                 {"coarse", {"coarse_xi", "coarse_eta"}, 1},
-                                {"exact", {"exact_xi", "exact_eta"}, 1}}},
-               [VARY_WARPED] = {"parallelogram",
-                                false,
-                                {{"fast", {"p", "q"}, 1},
-                                 {"coarse", {"u2", "v2"}, 1},
-                                 {"gauss2", {"uq", "vq"}, 1},
-                                 {"medium", {"ug", "vg"}, 1},
-                                 {"balanced", {"u3", "v3"}, 1},
-                                 {"fine", {"u3h", "v3h"}, 1},
-                                 {"precise", {"u4", "v4"}, 1},
-                                 {"accurate", {"u5", "v5"}, 1},
-                                 {"full", {"u6", "v6"}, 1}}}};
+                                {"exact", {"exact_xi", "exact_eta"}, 1}}}};
 
 static char *copy(const char *text)
 {
@@ -49,19 +39,58 @@ static void add_tier(struct scene *s, const char *frame, const struct offer *o)
         t->terminal[k] = copy(o->terminal[k]);
 }
 
-static void choose_reference(struct scene *s, bool from_corner)
+void scene_choose_reference(struct scene *s, bool from_corner)
 {
     double lo[2], hi[2];
     scene_box(s, lo, hi);
     for (int k = 0; k < 2; k++)
-        s->reference[k] = from_corner ? -1 : (lo[k] + hi[k]) / 2;
+        s->reference[k] = s->segment->triangle ? 1.0 / 3 : from_corner ? -1 : (lo[k] + hi[k]) / 2;
 }
 
-void scene_follow(struct scene *s, enum vary_kind kind)
+struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag *d)
 {
-    s->tier = new_array(OFFERS, sizeof *s->tier);
-    for (int i = 0; i < OFFERS && follows[kind].offer[i].tier; i++)
+    const char *const kind = s->segment->name;
+    char *path = scene_path(root, kind);
+    struct scene *usual = NULL;
+    if (strcmp(path, s->path) == 0)
+        diag_at(d, path, 0, 0, "frame and tiers are missing, which other scenes of segments %s take from here", kind);
+    else
+        usual = scene_read(root, kind, d);
+    if (usual && usual->tiers == 0) {
+        diag_at(d, path, 0, 0, "no tiers, which scene '%s' of segments %s should take from here", s->name, kind);
+        scene_free(usual);
+        usual = NULL;
+    }
+    free(path);
+    return usual;
+}
+
+/* Its tiers become the scene's. */
+static bool take_tiers(const char *root, struct scene *s, struct diag *d)
+{
+    struct scene *usual = scene_of_kind(root, s, d);
+    if (!usual)
+        return false;
+    s->tier = usual->tier;
+    s->tiers = usual->tiers;
+    usual->tier = NULL;
+    usual->tiers = 0;
+    scene_free(usual);
+    for (size_t i = 0; i < s->tiers; i++)
+        s->tier[i].line = s->tier[i].frame_line = s->tier[i].frame_column = 0;
+    return true;
+}
+
+bool scene_follow(const char *root, struct scene *s, enum vary_kind kind, struct diag *d)
+{
+    const bool own = !s->segment->surface && kind < VARY_WARPED;
+    if (!own && !take_tiers(root, s, d))
+        return false;
+    if (own)
+        s->tier = new_array(OFFERS, sizeof *s->tier);
+    for (int i = 0; own && i < OFFERS && follows[kind].offer[i].tier; i++)
         add_tier(s, follows[kind].frame, &follows[kind].offer[i]);
     if (isnan(s->reference[0]))
-        choose_reference(s, follows[kind].from_corner);
+        scene_choose_reference(s, own && follows[kind].from_corner);
+    return true;
 }

@@ -18,29 +18,76 @@ bool key_fail(const struct scene_reader *r, const config_setting_t *s, const cha
     return false;
 }
 
-/* All keys of a group are among `known`, and those before the NULL-separated rest are there. */
-bool keys_check(const struct scene_reader *r, config_setting_t *group, const char *what, const char *const *required,
-                const char *const *optional)
+void key_warn(const struct scene_reader *r, const config_setting_t *s, const char *format, ...)
+{
+    char line[600];
+    va_list arguments;
+    size_t n = (size_t)snprintf(line, sizeof line, "%.300s:%u: warning: ", r->path, config_setting_source_line(s));
+    va_start(arguments, format);
+    vsnprintf(line + n, sizeof line - n, format, arguments);
+    va_end(arguments);
+    const size_t before = *r->warnings ? strlen(*r->warnings) : 0, more = strlen(line);
+    char *all = new_array(before + more + 2, 1);
+    snprintf(all, before + more + 2, "%s%s\n", *r->warnings ? *r->warnings : "", line);
+    free(*r->warnings);
+    *r->warnings = all;
+}
+
+void keys_lack(const struct scene_reader *r, const config_setting_t *group, const char *what,
+               const struct scene_key *key)
+{
+    struct scene_lacking *l = r->lacking;
+    const size_t n = strlen(l->text), line = config_setting_source_line(group);
+    const bool same = l->groups > 0 && l->group == group;
+    if (l->groups == 0)
+        l->line = line;
+    if (!same)
+        snprintf(l->text + n, sizeof l->text - n, "%s%s lacks", l->groups++ ? "; " : "", what);
+    l->group = group;
+    const size_t at = strlen(l->text);
+    snprintf(l->text + at, sizeof l->text - at, "%s '%s' (such as %s)", same ? "," : "", key->name, key->usual);
+}
+
+bool keys_complete(const struct scene_reader *r)
+{
+    return r->lacking->groups == 0 || diag_at(r->d, r->path, (int)r->lacking->line, 0, "%s", r->lacking->text);
+}
+
+bool keys_check(const struct scene_reader *r, config_setting_t *group, const char *what,
+                const struct scene_key *required, const char *const *optional)
 {
     for (int i = 0; i < config_setting_length(group); i++) {
         const config_setting_t *s = config_setting_get_elem(group, (unsigned)i);
         const char *key = config_setting_name(s);
         bool known = false;
-        for (const char *const *k = required; *k; k++)
-            known = known || strcmp(*k, key) == 0;
+        for (const struct scene_key *k = required; k->name; k++)
+            known = known || strcmp(k->name, key) == 0;
         for (const char *const *k = optional; *k; k++)
             known = known || strcmp(*k, key) == 0;
         if (!known)
             return key_fail(r, s, "unknown key '%s' in %s", key, what);
     }
-    for (const char *const *k = required; *k; k++)
-        if (!config_setting_get_member(group, *k))
-            return key_fail(r, group, "%s lacks '%s'", what, *k);
+    for (const struct scene_key *k = required; k->name; k++)
+        if (!config_setting_get_member(group, k->name))
+            keys_lack(r, group, what, k);
     return true;
 }
 
+int key_column(const struct scene_reader *r, const config_setting_t *s)
+{
+    const char *line = r->text, *value = config_setting_get_string(s);
+    for (unsigned n = config_setting_source_line(s); n > 1 && line; n--)
+        line = (line = strchr(line, '\n')) ? line + 1 : NULL;
+    const size_t length = value ? strlen(value) : 0;
+    const char *key = line ? strstr(line, config_setting_name(s)) : NULL;
+    for (const char *at = key; at && length && *at && *at != '\n'; at++)
+        if (*at == '"' && strncmp(at + 1, value, length) == 0 && at[1 + length] == '"')
+            return (int)(at - line) + 1;
+    return 0;
+}
+
 bool key_number(const struct scene_reader *r, const config_setting_t *s, const char *key, double lo, double hi,
-                double *value)
+                const char *usual, double *value)
 {
     switch (config_setting_type(s)) {
     case CONFIG_TYPE_INT:
@@ -54,7 +101,8 @@ bool key_number(const struct scene_reader *r, const config_setting_t *s, const c
         return key_fail(r, s, "'%s' must be a number", key);
     }
     if (!(*value >= lo && *value <= hi))
-        return key_fail(r, s, "'%s' must be in %g..%g", key, lo, hi);
+        return key_fail(r, s, "'%s' must be in %g..%g%s%s%s", key, lo, hi, usual ? "; " : "", usual ? usual : "",
+                        usual ? " is usual" : "");
     return true;
 }
 
@@ -75,12 +123,13 @@ bool key_two(const struct scene_reader *r, const config_setting_t *s, const char
 {
     if (!config_setting_is_aggregate(s) || config_setting_is_group(s) || config_setting_length(s) != 2)
         return key_fail(r, s, "'%s' must be two numbers, [a, b]", key);
-    return key_number(r, config_setting_get_elem(s, 0), key, lo, hi, &value[0]) &&
-           key_number(r, config_setting_get_elem(s, 1), key, lo, hi, &value[1]);
+    return key_number(r, config_setting_get_elem(s, 0), key, lo, hi, NULL, &value[0]) &&
+           key_number(r, config_setting_get_elem(s, 1), key, lo, hi, NULL, &value[1]);
 }
 
 /* An angle with its unit, "45 deg" or "0.5 rad", in 0..limit degrees. */
-bool key_angle(const struct scene_reader *r, const config_setting_t *s, const char *key, double limit, double *radians)
+bool key_angle(const struct scene_reader *r, const config_setting_t *s, const char *key, double limit,
+               const char *usual, double *radians)
 {
     const char *text = config_setting_get_string(s);
     char *end;
@@ -97,7 +146,7 @@ bool key_angle(const struct scene_reader *r, const config_setting_t *s, const ch
     else if (strcmp(end, "rad") != 0)
         return key_fail(r, s, "'%s' has the unknown unit '%s'; deg or rad", key, end);
     if (!(*radians >= 0 && *radians <= limit * M_PI / 180 * (1 + GSL_DBL_EPSILON)))
-        return key_fail(r, s, "'%s' must be in 0..%g deg", key, limit);
+        return key_fail(r, s, "'%s' must be in 0..%g deg; %s is usual", key, limit, usual);
     return true;
 }
 

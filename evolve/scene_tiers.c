@@ -1,4 +1,5 @@
 /* The functions of a header that a scene asks for; see scene_parts.h. */
+#include "scene_follow.h"
 #include "scene_parts.h"
 
 #include <stdlib.h>
@@ -101,19 +102,54 @@ static bool read_last(const struct scene_reader *r, const config_setting_t *s, s
            key_fail(r, s, "tier '%s': '%s' is none of its functions of the frame", t->name, t->last);
 }
 
+/* The frame that the tier names, or the scene; or else that of the scene of their kind. */
+static bool read_frame(const struct scene_reader *r, const config_setting_t *s, const struct scene *scene,
+                       struct tier *t)
+{
+    if (s) {
+        t->frame_line = (int)config_setting_source_line(s);
+        t->frame_column = key_column(r, s);
+        return key_string(r, s, "frame", &t->frame) &&
+               (key_identifier(t->frame) || key_fail(r, s, "frame '%s' is not a name", t->frame));
+    }
+    struct scene *usual = scene_of_kind(r->root, scene, r->d);
+    if (usual)
+        t->frame = new_text(usual->tier[0].frame, strlen(usual->tier[0].frame));
+    scene_free(usual);
+    return t->frame != NULL;
+}
+
+bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root)
+{
+    static const struct scene_key required[] = {{"name", "\"fast\""},
+                                                {"terminals", "[\"p\", \"q\"]"},
+                                                {"max_length", "30"},
+                                                {"functions", "\"polynomial\""},
+                                                {NULL, NULL}};
+    static const char *const optional[] = {"frame", "budget", "reference", "last", NULL};
+    config_setting_t *list = config_setting_get_member(root, "tiers");
+    if (list && (!config_setting_is_list(list) || config_setting_length(list) == 0))
+        return key_fail(r, list, "'tiers' must be a list of groups, ( { name = ...; }, ... )");
+    for (int i = 0; list && i < config_setting_length(list); i++) {
+        config_setting_t *g = config_setting_get_elem(list, (unsigned)i);
+        char what[32];
+        snprintf(what, sizeof what, "tier %d", i + 1);
+        if (!config_setting_is_group(g))
+            return key_fail(r, g, "a tier must be a group, { name = ...; }");
+        if (!keys_check(r, g, what, required, optional))
+            return false;
+    }
+    return true;
+}
+
 static bool read_tier(const struct scene_reader *r, config_setting_t *g, const config_setting_t *frame,
                       struct scene *scene)
 {
-    static const char *const required[] = {"name", "terminals", "max_length", "functions", NULL};
-    static const char *const optional[] = {"frame", "budget", "reference", "last", NULL};
     struct tier *t = &scene->tier[scene->tiers++];
     const config_setting_t *own;
     long long length;
     t->line = (int)config_setting_source_line(g);
-    if (!config_setting_is_group(g))
-        return key_fail(r, g, "a tier must be a group, { name = ...; }");
-    if (!keys_check(r, g, "tier", required, optional) ||
-        !key_string(r, config_setting_get_member(g, "name"), "name", &t->name))
+    if (!key_string(r, config_setting_get_member(g, "name"), "name", &t->name))
         return false;
     if (!key_identifier(t->name))
         return key_fail(r, config_setting_get_member(g, "name"), "tier name '%s' is not a C identifier", t->name);
@@ -121,13 +157,8 @@ static bool read_tier(const struct scene_reader *r, config_setting_t *g, const c
         if (strcmp(u->name, t->name) == 0)
             return key_fail(r, config_setting_get_member(g, "name"), "tier '%s' stands twice", t->name);
     own = config_setting_get_member(g, "frame");
-    if (!own && !frame)
-        return key_fail(r, g, "tier '%s' lacks 'frame', and the scene has none", t->name);
-    if (!key_string(r, own ? own : frame, "frame", &t->frame))
-        return false;
-    if (!key_identifier(t->frame))
-        return key_fail(r, own ? own : frame, "frame '%s' is not a name", t->frame);
-    if (!read_terminals(r, config_setting_get_member(g, "terminals"), t) ||
+    if (!read_frame(r, own ? own : frame, scene, t) ||
+        !read_terminals(r, config_setting_get_member(g, "terminals"), t) ||
         !key_count(r, config_setting_get_member(g, "max_length"), "max_length", 1, 100000, &length) ||
         !read_functions(r, config_setting_get_member(g, "functions"), t))
         return false;
@@ -141,7 +172,7 @@ static bool read_tier(const struct scene_reader *r, config_setting_t *g, const c
     if (own && !read_last(r, own, t))
         return false;
     const config_setting_t *budget = config_setting_get_member(g, "budget");
-    return !budget || key_number(r, budget, "budget", 1, 1e6, &t->budget);
+    return !budget || key_number(r, budget, "budget", 1, 1e6, NULL, &t->budget);
 }
 
 bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, struct scene *scene)
@@ -150,12 +181,8 @@ bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, stru
     const config_setting_t *frame = config_setting_get_member(root, "frame");
     if (!list && frame)
         return key_fail(r, frame, "'frame' without 'tiers'; a scene names both or leaves both to its segments");
-    if (!list && scene->segment->surface)
-        return key_fail(r, root, "scene lacks 'tiers', which follow for segments quad4 alone");
     if (!list)
         return true;
-    if (!config_setting_is_list(list) || config_setting_length(list) == 0)
-        return key_fail(r, list, "'tiers' must be a list of groups, ( { name = ...; }, ... )");
     scene->tier = new_array((size_t)config_setting_length(list), sizeof *scene->tier);
     for (int i = 0; i < config_setting_length(list); i++)
         if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), frame, scene))

@@ -2,7 +2,7 @@
  * indices are in range, and that all come out well, take the short way; all others are gathered and judged pair by
  * pair. */
 #include "batch_block.h"
-#include "quad4.h"
+#include "footpoint-quad4-geometry.h"
 
 /* Where answers go: one of loc, locf. */
 struct answers {

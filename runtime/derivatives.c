@@ -3,7 +3,7 @@
  * d(xi,eta)/dx = (phi_k,xi d - phi_k a, phi_k,eta d - phi_k b)  for a corner,   (a, b)  for xS, and, as d is along n
  * there, dgap/dx = -phi_k n for a corner, n for xS.  (What xi and eta do to the gap drops out.) */
 #include "bilinear.h"
-#include "quad4.h"
+#include "footpoint-quad4-geometry.h"
 
 static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 

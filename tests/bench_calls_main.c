@@ -28,17 +28,36 @@ static void newton_at(void)
         status[i] = rival_newton(NODES(i), STEPS, RIVAL_NEWTON_TOLERANCE, &xi[i], &eta[i]) == 0;
 }
 
-/* As the header's NAME does it: corners and finiteness, then the search, then the gap. */
+/* With status and gap along the normal, as a caller of NAME gets them: written by hand. */
+static int newton_one(const double *const x[5], double *u, double *v, double *distance)
+{
+    double n[3], a[3], b[3], d[3], area = 0, finite = 0;
+    for (int k = 0; k < 5; k++)
+        for (int j = 0; j < 3; j++)
+            finite += x[k][j] - x[k][j];
+    if (!rival_newton(x[0], x[1], x[2], x[3], x[4], STEPS, RIVAL_NEWTON_TOLERANCE, u, v))
+        return finite == 0 ? FOOTPOINT_ERR_NO_CONVERGENCE : FOOTPOINT_ERR_NOT_FINITE;
+    for (int j = 0; j < 3; j++) {
+        const double ab = x[1][j] - x[0][j], ad = x[3][j] - x[0][j], m = x[2][j] - x[3][j] - ab;
+        const double s = 0.5 + 0.5 * *u, t = 0.5 + 0.5 * *v;
+        a[j] = ab + t * m;
+        b[j] = ad + s * m;
+        d[j] = x[4][j] - x[0][j] - s * ab - t * b[j];
+    }
+    for (int j = 0; j < 3; j++) {
+        n[j] = a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3];
+        area += n[j] * n[j];
+    }
+    *distance = (d[0] * n[0] + d[1] * n[1] + d[2] * n[2]) / sqrt(area);
+    return finite != 0 ? FOOTPOINT_ERR_NOT_FINITE : area > 0 ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+}
+
 static void newton(void)
 {
     for (int i = 0; i < CASES; i++) {
-        double u, v, g = 0;
-        status[i] = footpoint_detail_inspect(NODES(i));
-        if (!rival_newton(NODES(i), STEPS, RIVAL_NEWTON_TOLERANCE, &u, &v))
-            status[i] = FOOTPOINT_ERR_NO_CONVERGENCE;
-        const int area = footpoint_detail_gap(NODES(i), u, v, &g);
-        if (status[i] == FOOTPOINT_OK && !(area && (u - u) + (v - v) + (g - g) == 0))
-            status[i] = FOOTPOINT_ERR_DEGENERATE;
+        const double *const nodes[5] = {NODES(i)};
+        double u, v, g;
+        status[i] = newton_one(nodes, &u, &v, &g);
         if (status[i] == FOOTPOINT_OK) {
             loc[i][0] = u;
             loc[i][1] = v;

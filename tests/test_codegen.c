@@ -139,6 +139,31 @@ static void test_ten_term_pair(void **state)
     genome_file_free(f);
 }
 
+/* Multiples of a quotient that other values share have its numerator as their unit. */
+static void test_shared_quotient(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "footpoint-genome 1\ninput x y\nlet r = / 1.00007 y\nlet a = * * r x 4\nlet b = * 4 r\ngenome g\n"
+        "p = - a r\nq = - b * r + 1 * a min b 1.3\nend\n",
+        "footpoint-genome 1\ninput x s d\nlet e = * x x\nlet i = / 1 e\nlet k = * 0.7 * x i\ngenome g\n"
+        "r = + - * e - d * s k * - x i - d k * i k\nend\n"};
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        for (long effort = 0; effort <= 20; effort += 20) {
+            struct diag d = {0};
+            struct compiled c;
+            struct compile_options o = compile_defaults();
+            o.effort = effort;
+            struct genome_file *f = genome_parse("shared", texts[k], strlen(texts[k]), &d);
+            assert_non_null(f);
+            assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
+            if (!proved(f, c.emission.text, &d))
+                fail_msg("%s\n%s", d.text, c.emission.text);
+            free(c.emission.text);
+            genome_file_free(f);
+        }
+}
+
 /* A wrong sign, operand or constant in the emitted text is found. */
 static void test_proof_refuses(void **state)
 {
@@ -207,9 +232,10 @@ static void test_random_genomes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rules),         cmocka_unit_test(test_clamp),
-        cmocka_unit_test(test_counts),        cmocka_unit_test(test_ten_term_pair),
-        cmocka_unit_test(test_proof_refuses), cmocka_unit_test(test_random_genomes),
+        cmocka_unit_test(test_rules),           cmocka_unit_test(test_clamp),
+        cmocka_unit_test(test_counts),          cmocka_unit_test(test_ten_term_pair),
+        cmocka_unit_test(test_proof_refuses),   cmocka_unit_test(test_random_genomes),
+        cmocka_unit_test(test_shared_quotient),
     };
     return cmocka_run_group_tests_name("codegen", tests, NULL, NULL);
 }

@@ -5,6 +5,9 @@
 #define MODEL NODES "*ELEMENT, TYPE=C3D4, ELSET=E\n1, 1, 2, 3, 4\n*SURFACE, NAME=M\nE, S1\n"
 #define SLAVE "*SURFACE, NAME=S, TYPE=NODE\nN\n"
 #define PAIR "*CONTACT PAIR\nS, M\n"
+#define KNOWN                                                                                                          \
+    "; faces are known of C3D4, C3D10, C3D6, C3D15, C3D8, C3D20, C3D27, S3, S6, S4, S8, S9, STRI3, STRI65, M3D3, "     \
+    "M3D6, M3D4, M3D8, M3D9, R3D3, R3D4, and their variants"
 
 static const struct {
     const char *text, *expected; /* the diagnostic after the folder's name */
@@ -35,9 +38,14 @@ static const struct {
     {"*NODE, NSET=\n1, 0, 0, 0\n", "model.inp:1: error: name expected"},
 
     {NODES "*ELEMENT\n1, 1, 2, 3, 4\n", "model.inp:6: error: *ELEMENT has no TYPE="},
-    {NODES "*ELEMENT, TYPE=B31\n1, 1, 2\n", "model.inp:6: error: element type 'B31' is not supported"},
-    {NODES "*ELEMENT, TYPE=C3D80\n1, 1, 2\n", "model.inp:6: error: element type 'C3D80' is not supported"},
-    {NODES "*ELEMENT, TYPE=\n1, 1, 2\n", "model.inp:6: error: element type '' is not supported"},
+    {NODES "*ELEMENT, TYPE=\n1, 1, 2\n", "model.inp:6: error: *ELEMENT has no TYPE="},
+    {NODES "*ELEMENT, TYPE=CAX8\none, 1, 2\n",
+     "model.inp:7: error: 'one' is not a whole number from 1 to 2147483647"},
+    {NODES SLAVE "*ELEMENT, TYPE=C3D80\n1, 1, 2\n*SURFACE, NAME=M\n1, S1\n" PAIR,
+     "model.inp:11: error: element 1 of a master surface is of type C3D80" KNOWN},
+    {MODEL SLAVE "*ELEMENT, TYPE=CPS8R, ELSET=P\n7, 1, 2,\n3, 4, 1, 2, 3, 4\n*SURFACE, NAME=B\n1, S1\nP, S2\n"
+                 "*CONTACT PAIR\nS, B\n",
+     "model.inp:17: error: element 7 of a master surface is of type CPS8R" KNOWN},
     {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3\n2, 1, 2, 3, 4\n",
      "model.inp:7: error: element 1 has 3 nodes, but type C3D4 has 4"},
     {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2,\n3,\n*NSET, NSET=X\n",
@@ -52,7 +60,8 @@ static const struct {
 
     {"*NSET, GENERATE\n1, 2\n", "model.inp:1: error: *NSET has no NSET="},
     {"*ELSET, NSET=A\n1, 2\n", "model.inp:1: error: *ELSET has no ELSET="},
-    {"*NSET, NSET=A, ELSET=B\n", "model.inp:1: error: *NSET, ELSET= is not supported: list the nodes"},
+    {MODEL "*NSET, NSET=A, ELSET=E\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR,
+     "model.inp:10: error: node set made of elements, *NSET, ELSET=: not supported, list the nodes"},
     {"*NSET, NSET=A, GENERATE\n1\n", "model.inp:2: error: GENERATE needs a first and a last number"},
     {"*NSET, NSET=A, GENERATE\n1, 2, 0\n", "model.inp:2: error: '0' is not a whole number from 1 to 2147483647"},
     {"*NSET, NSET=A, GENERATE\n1, 2, 1, 1\n",
@@ -61,9 +70,10 @@ static const struct {
     {"*NSET, NSET=A\n1, 99999999999\n", "model.inp:2: error: '99999999999' is not a whole number from 1 to 2147483647"},
 
     {"*SURFACE\nE, S1\n", "model.inp:1: error: *SURFACE has no NAME="},
-    {"*SURFACE, NAME=M, TYPE=CYLINDER\n", "model.inp:1: error: surface type 'CYLINDER' is not supported"},
-    {"*SURFACE, NAME=M, COMBINE=UNION\n", "model.inp:1: error: *SURFACE, COMBINE= is not supported: list the faces"},
-    {"*SURFACE, NAME=M\nE, S1\n*SURFACE, TYPE=NODE, NAME=m\n", "model.inp:3: error: surface 'm' is defined twice"},
+    {MODEL SLAVE "*SURFACE, NAME=B, TYPE=CYLINDER\nSTART, 0, 0\n*CONTACT PAIR\nS, B\n",
+     "model.inp:12: error: surface type is not supported: ELEMENT or NODE"},
+    {MODEL SLAVE "*SURFACE, NAME=B, COMBINE=UNION\nM, M\n*CONTACT PAIR\nS, B\n",
+     "model.inp:12: error: surface with COMBINE= is not supported: list the faces"},
     {"*SURFACE, NAME=M\nE, S7\n", "model.inp:2: error: face label 'S7' is none of S1 to S6, SPOS and SNEG"},
     {"*SURFACE, NAME=M\n, S1\n", "model.inp:2: error: name expected"},
     {MODEL SLAVE "*SURFACE, NAME=B\nE\n*CONTACT PAIR\nS, B\n",

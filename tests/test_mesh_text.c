@@ -229,12 +229,95 @@ static void mutations(void **state)
     assert_true(read > 100 && refused > 100);
 }
 
+/* What no master face needs may be of any kind: elements of any type, with any number of nodes on any number of lines;
+ * surfaces and sets that are not read; faces and nodes under one name, in several pieces. */
+static const char around[] = "*NODE\n"
+                             "1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n5, 1, 1, 1\n6, 1, 1, 2\n"
+                             "*ELEMENT, TYPE=B32R, ELSET=BEAM\n"
+                             "10, 4, 5,\n"
+                             "6\n"
+                             "*ELEMENT, TYPE=MASS, ELSET=POINT\n"
+                             "11, 6\n"
+                             "*ELEMENT, TYPE=CONN3D2\n"
+                             "12, , 4\n"
+                             "13, 2, frame-1.3,\n"
+                             "*ELEMENT, TYPE=CAX8\n"
+                             "21, 1, 2, 3, 4, 5, 6, 1001, 1002\n"
+                             "22, 1, 2, 3, 4,\n"
+                             "5, 6, 1, 2,\n"
+                             "*NODAL THICKNESS\n"
+                             "1, 0.1\n"
+                             "*USER ELEMENT, TYPE=U1, NODES=2\n"
+                             "*ELEMENT, TYPE=u1\n"
+                             "31, 1, 2\n"
+                             "*ELEMENT, TYPE=S3\n"
+                             "1, 1, 2, 3\n"
+                             "2, 1, 2, 4\n"
+                             "*NSET, NSET=MADE, ELSET=BEAM\n"
+                             "*SURFACE, NAME=DRUM, TYPE=REVOLUTION\n"
+                             "START, 1., 2.\n"
+                             "*SURFACE, NAME=BOTH, COMBINE=UNION\n"
+                             "A, B\n"
+                             "*SURFACE, NAME=ONE\n"
+                             "1, SPOS\n"
+                             "*SURFACE, NAME=one, TYPE=NODE\n"
+                             "4\n"
+                             "*SURFACE, NAME=ONE\n"
+                             "2, SNEG\n"
+                             "*SURFACE, NAME=ONE, TYPE=NODE\n"
+                             "6\n"
+                             "*SURFACE, NAME=THIN\n"
+                             "BEAM, S2\n"
+                             "2\n"
+                             "*CONTACT PAIR\n"
+                             "ONE, ONE\n"
+                             "THIN, ONE\n";
+
+static void what_does_not_matter_is_skipped(void **state)
+{
+    static const int slaves[2][6] = {{4, 6}, {1, 2, 4, 5, 6}};
+    (void)state;
+    struct mesh *m = read_written(around);
+    check_sound(m);
+    assert_int_equal(m->pairs, 2);
+    for (size_t i = 0; i < 2; i++) {
+        assert_int_equal(m->pair[i].masters, 2);
+        assert_int_equal(m->pair[i].slaves, i ? 5 : 2);
+        for (size_t k = 0; k < m->pair[i].slaves; k++)
+            assert_int_equal(m->label[m->pair[i].slave[k]], slaves[i][k]);
+    }
+    mesh_free(m);
+}
+
+/* The kind of segment is that of the master faces; of several, one may be kept. */
+static void kinds_of_faces(void **state)
+{
+    static const char solids[] = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n5, 1, 0, 1\n6, 0, 1, 1\n"
+                                 "*ELEMENT, TYPE=C3D6\n1, 1, 2, 3, 4, 5, 6\n*SURFACE, NAME=M\n1, S1\n1, S3\n1, S4\n"
+                                 "*SURFACE, NAME=S, TYPE=NODE\n4\n*CONTACT PAIR\nS, M\n";
+    char text[64];
+    (void)state;
+    struct mesh *m = read_written(solids);
+    assert_null(mesh_segment(m, text, sizeof text));
+    assert_string_equal(text, "1 of tri3, 2 of quad4");
+    assert_int_equal(mesh_keep_faces(m, segment_find("quad8")), 0);
+    mesh_free(m);
+    m = read_written(solids);
+    assert_int_equal(mesh_keep_faces(m, segment_find("quad4")), 2);
+    check_sound(m);
+    assert_ptr_equal(mesh_segment(m, text, sizeof text), segment_find("quad4"));
+    assert_string_equal(text, "2 of quad4");
+    mesh_free(m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spellings),
         cmocka_unit_test(included_files),
         cmocka_unit_test(sparse_numbers),
+        cmocka_unit_test(what_does_not_matter_is_skipped),
+        cmocka_unit_test(kinds_of_faces),
         cmocka_unit_test(mutations),
     };
     return cmocka_run_group_tests_name("mesh text", tests, make_folder, remove_folder);

@@ -1,6 +1,6 @@
 /* Answers with a proof: footpoint_certify, footpoint_robust, footpoint_stationary, footpoint_differentiate, and what
  * footpoint_locate says of its answers.  Hard cases against extended precision are in tests/hard/, see cli/hard.sh. */
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 #include "ordinary_quad.h"
 
 #include <math.h>

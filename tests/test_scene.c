@@ -106,7 +106,7 @@ static void every_value_arrives(void **state)
 
     s = read_from_text(HEAD SHAPES, &d);
     assert_true(s && s->tiers == 0 && s->reference[0] == 0);
-    scene_follow(s, VARY_PLANE);
+    assert_true(scene_follow("", s, VARY_PLANE, &d));
     assert_true(s->tiers == 3 && s->reference[0] == 0);
     scene_free(s);
 
@@ -129,7 +129,12 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "seed = 5;", "seed = ;", "6: error: syntax error"},
     {HEAD SHAPES TAIL, "seed = 5;", "seed = 5; seed = 6;", "6: error: duplicate setting name"},
     {HEAD SHAPES TAIL, "seed = 5;", "seeds = 5;", "6: error: unknown key 'seeds' in scene"},
-    {HEAD SHAPES TAIL, "seed = 5;\n", "", " error: scene lacks 'seed'"},
+    {HEAD SHAPES TAIL, "training = 60;\nheldout = 40;\n", "",
+     " error: scene lacks 'training' (such as 20000), 'heldout' (such as 50000)"},
+    {SHAPES, "gap = 0.2;", "",
+     " error: scene lacks 'training' (such as 20000), 'heldout' (such as 50000), 'segment' (such as \"quad4\")"},
+    {HEAD SHAPES TAIL, "heldout = 40;\nshapes: { aspect = 5; ", "shapes: {",
+     " error: scene lacks 'heldout' (such as 50000); shapes lacks 'aspect' (such as 5.0)"},
     {HEAD SHAPES TAIL, "seed = 5;", "seed = -5;", "6: error: 'seed' must be in 0..9223372036854775807"},
     {HEAD SHAPES TAIL, "seed = 5;", "seed = 5.0;", "6: error: 'seed' must be a whole number"},
     {HEAD SHAPES TAIL, "training = 60;", "training = 0;", "7: error: 'training' must be in 1..100000000"},
@@ -137,14 +142,14 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "heldout = 40;", "heldout = \"40\";", "8: error: 'heldout' must be a whole number"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"hexagon\"", "1: error: unknown segment 'hexagon'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"gregory\"", "9: error: unknown key 'aspect' in shapes"},
-    {HEAD LATTICE TAIL, "\"quad4\"", "\"gregory\"", "9: error: lattice lacks 'normal_sets'"},
+    {HEAD LATTICE TAIL, "\"quad4\"", "\"gregory\"", "9: error: lattice lacks 'normal_sets' (such as 10), 'tilt' (such as 0.3)"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"quad5\"", "1: error: unknown segment 'quad5'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"tri3\"", "9: error: unknown key 'taper' in shapes"},
-    {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"", "9: error: shapes lacks 'curve'"},
+    {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"",
+     "9: error: shapes lacks 'curve' (such as 0.05), 'shift' (such as 0.03)"},
     {HEAD LATTICE TAIL, "\"quad4\"", "\"quad9\"", "9: error: a 'lattice' is of segments quad4, gregory and bezier"},
-    {HEAD "shapes: { aspect = 5; skew = \"45 deg\"; gap = 0.2; overhang = 0.1; };\n", "\"quad4\"", "\"tri3\"",
-     " error: scene lacks 'tiers', which follow for segments quad4 alone"},
-    {HEAD SHAPES TAIL, "\"quad4\";\norder = \"any\"", "\"tri3\";\norder = \"nearest\"",
+    {HEAD "shapes: { aspect = 5; skew = \"45 deg\"; gap = 0.2; overhang = 0.1; };\n",
+     "\"quad4\";\norder = \"any\"", "\"tri3\";\norder = \"nearest\"",
      "2: error: 'order' must be \"any\" for segment 'tri3'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "4", "1: error: 'segment' must be a text in quotes"},
     {HEAD SHAPES TAIL, "\"any\"", "\"some\"",
@@ -155,7 +160,8 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "0.0", "3: error: 'reference' must be two numbers, [a, b]"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0, -1.5]", "3: error: 'reference' must be in -1..1"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[\"a\", \"b\"]", "3: error: 'reference' must be a number"},
-    {HEAD TAIL, "seed", "seed", " error: none of lattice, shapes and mesh; a scene has one of them"},
+    {HEAD TAIL, "seed", "seed", 
+     " error: scene lacks 'mesh' (such as mesh: { file = \"contact.inp\"; distance = 0.5; }, or 'shapes')"},
     {HEAD SHAPES LATTICE TAIL, "seed", "seed",
      "9: error: both 'lattice' and 'shapes'; a scene has one of lattice, shapes and mesh"},
     {HEAD TAIL, "frame", "shapes = 3; frame", "9: error: 'shapes' must be a group, { ... }"},
@@ -166,15 +172,19 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"45 deg\"", "\"45 degrees\"", "9: error: 'skew' has the unknown unit 'degrees'; deg or rad"},
     {HEAD SHAPES TAIL, "\"45 deg\"", "\"deg\"",
      "9: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""},
-    {HEAD SHAPES TAIL, "\"45 deg\"", "\"86 deg\"", "9: error: 'skew' must be in 0..85 deg"},
-    {HEAD SHAPES TAIL, "\"45 deg\"", "\"nan deg\"", "9: error: 'skew' must be in 0..85 deg"},
-    {HEAD SHAPES TAIL, "\"15 deg\"", "\"-1 deg\"", "9: error: 'warp' must be in 0..90 deg"},
-    {HEAD SHAPES TAIL, "\"15 deg\"", "\"2 rad\"", "9: error: 'warp' must be in 0..90 deg"},
-    {HEAD SHAPES TAIL, "aspect = 5", "aspect = 0.5", "9: error: 'aspect' must be in 1..1000"},
-    {HEAD SHAPES TAIL, "taper = 0.3", "taper = 1.0", "9: error: 'taper' must be in 0..0.95"},
-    {HEAD SHAPES TAIL, "gap = 0.2", "gap = -0.2", "9: error: 'gap' must be in 0..100"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"86 deg\"",
+     "9: error: 'skew' must be in 0..85 deg; \"45 deg\" is usual"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"nan deg\"",
+     "9: error: 'skew' must be in 0..85 deg; \"45 deg\" is usual"},
+    {HEAD SHAPES TAIL, "\"15 deg\"", "\"170 deg\"",
+     "9: error: 'warp' must be in 0..90 deg; \"15 deg\" is usual"},
+    {HEAD SHAPES TAIL, "\"15 deg\"", "\"2 rad\"",
+     "9: error: 'warp' must be in 0..90 deg; \"15 deg\" is usual"},
+    {HEAD SHAPES TAIL, "aspect = 5", "aspect = 0.5", "9: error: 'aspect' must be in 1..1000; 5.0 is usual"},
+    {HEAD SHAPES TAIL, "taper = 0.3", "taper = 1.0", "9: error: 'taper' must be in 0..0.95; 0.3 is usual"},
+    {HEAD SHAPES TAIL, "gap = 0.2", "gap = -0.2", "9: error: 'gap' must be in 0..100; 0.2 is usual"},
     {HEAD SHAPES TAIL, "overhang = 0.1", "overhang = true", "9: error: 'overhang' must be a number"},
-    {HEAD SHAPES TAIL, "overhang = 0.1; ", "", "9: error: shapes lacks 'overhang'"},
+    {HEAD SHAPES TAIL, "overhang = 0.1; ", "", "9: error: shapes lacks 'overhang' (such as 0.1)"},
     {HEAD SHAPES TAIL, "overhang", "over", "9: error: unknown key 'over' in shapes"},
     /* lattice */
     {HEAD LATTICE TAIL, "[1.0, 0.25]", "[1.0, 0.0]",
@@ -182,7 +192,7 @@ static const struct malformed malformed[] = {
     {HEAD LATTICE TAIL, "[0.3, 0.1]", "[-0.3, 0.1]", "9: error: 'z' must be in 0..100"},
     {HEAD LATTICE TAIL, "xi = [-1.0, 0.0]", "xi = [0.0, 0.0]",
      "9: error: 'xi' is [lower, upper]; the lower must be below the upper"},
-    {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "", "9: error: lattice lacks 'eta'"},
+    {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "", "9: error: lattice lacks 'eta' (such as [-1.0, 0.0])"},
     {HEAD LATTICE TAIL, "eta = [-1.0, 0.0];", "eta = [-1.0, 0.0]; newton = 0;",
      "9: error: 'newton' must be in 1..1000"},
     {HEAD LATTICE TAIL, "xy", "yx", "9: error: unknown key 'yx' in lattice"},
@@ -191,7 +201,8 @@ static const struct malformed malformed[] = {
     {HEAD MESH TAIL, "MESH", "nonexistent.inp", "9: error: cannot read mesh file '/tmp/nonexistent.inp'"},
     {HEAD MESH TAIL, "\"MESH\"", "1", "9: error: 'file' must be a text in quotes"},
     {HEAD MESH TAIL, "distance = 0.5", "distance = 0.0", "9: error: 'distance' must be in 1e-300..1e+300"},
-    {HEAD MESH TAIL, " distance = 0.5;", "", "9: error: mesh lacks 'distance'"},
+    {HEAD MESH TAIL, "file = \"MESH\"; distance = 0.5;", "",
+     "9: error: mesh lacks 'file' (such as \"contact.inp\"), 'distance' (such as 0.5)"},
     /* tiers */
     {HEAD SHAPES TAIL, "tiers = (", "tiers = ();\ntier = (", "12: error: unknown key 'tier' in scene"},
     {HEAD SHAPES, "heldout", "tiers = (); heldout",
@@ -202,11 +213,8 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"slow\"", "\"fast\"", "13: error: tier 'fast' stands twice"},
     {HEAD SHAPES TAIL, "\"fast\"", "\"3d\"", "12: error: tier name '3d' is not a C identifier"},
     {HEAD SHAPES TAIL, "\"fast\"", "\"very fast\"", "12: error: tier name 'very fast' is not a C identifier"},
-    {HEAD SHAPES TAIL, "frame = \"parallelogram\";\n", "",
-     "11: error: tier 'fast' lacks 'frame', and the scene has none"},
     {HEAD SHAPES, "heldout", "frame = \"plane\"; heldout",
      "8: error: 'frame' without 'tiers'; a scene names both or leaves both to its segments"},
-    {HEAD SHAPES TAIL, "reference = [0.0, 0.0];\n", "", " error: scene lacks 'reference'"},
     {HEAD SHAPES TAIL, "\"other\"", "\"../other\"", "13: error: frame '../other' is not a name"},
     {HEAD SHAPES TAIL, "\"other\"", "3", "13: error: 'frame' must be a text in quotes"},
     {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "\"p\"", "12: error: 'terminals' must be names, [\"p\", \"q\"]"},
@@ -216,13 +224,13 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "[\"p\", \"q\"]", "[1, 2]", "12: error: 'terminals' must be a text in quotes"},
     {HEAD SHAPES TAIL, "max_length = 50", "max_length = 0", "12: error: 'max_length' must be in 1..100000"},
     {HEAD SHAPES TAIL, "max_length = 50", "max_length = 100001", "12: error: 'max_length' must be in 1..100000"},
-    {HEAD SHAPES TAIL, "max_length = 50; ", "", "12: error: tier lacks 'max_length'"},
+    {HEAD SHAPES TAIL, "max_length = 50; ", "", "12: error: tier 1 lacks 'max_length' (such as 30)"},
     {HEAD SHAPES TAIL, "\"rational\"", "\"any\"", "12: error: 'functions' must be \"polynomial\" or \"rational\""},
     {HEAD SHAPES TAIL, "max_length", "reference = [0.0, 2.0]; max_length", "12: error: 'reference' must be in -1..1"},
     {HEAD SHAPES TAIL, "max_length", "last = 3; max_length", "12: error: 'last' must be a text in quotes"},
     {HEAD SHAPES TAIL, "max_length", "last = \"foot\"; max_length",
      "12: error: tier 'fast': 'foot' is none of its functions of the frame"},
-    {HEAD SHAPES TAIL, "max_length", "maximum", "12: error: unknown key 'maximum' in tier"},
+    {HEAD SHAPES TAIL, "max_length", "maximum", "12: error: unknown key 'maximum' in tier 1"},
 };
 
 static void malformed_scenes_are_refused(void **state)
@@ -243,6 +251,77 @@ static void malformed_scenes_are_refused(void **state)
         free(text);
     }
     assert_int_equal(bad, 0);
+}
+
+/* A scene of any kind needs its segments, their limits and how many samples; the rest is usual. */
+static void usual_values(void **state)
+{
+    static const char *const kind[] = {"quad4", "tri3", "tri6", "quad8", "quad9", "gregory", "bezier"};
+    struct diag d = {0};
+    (void)state;
+    for (size_t i = 0; i < sizeof kind / sizeof *kind; i++) {
+        char text[400];
+        const bool patch = i > 4, middles = i > 1 && i < 5, triangle = i == 1 || i == 2;
+        snprintf(text, sizeof text, "segment = \"%s\"; training = 9; heldout = 8; shapes: { gap = 0.2; %s %s %s };\n",
+                 kind[i], patch ? "" : "aspect = 5; skew = \"45 deg\"; overhang = 0.1;",
+                 middles ? "curve = 0.05; shift = 0.03;" : "", triangle || patch ? "" : "taper = 0.3; warp = \"9 deg\";");
+        struct scene *s = read_from_text(text, &d), *usual = shipped(kind[i]);
+        if (!s)
+            fail_msg("%s: %s", kind[i], d.text);
+        assert_true(s->order == CORNERS_ANY && s->norm == NORM_MEAN && s->seed == 1 && !s->warnings);
+        assert_string_equal(s->precision, "double");
+        assert_true(s->tiers == 0 && scene_follow("", s, VARY_WARPED, &d));
+        assert_int_equal(s->tiers, usual->tiers);
+        for (size_t k = 0; k < s->tiers; k++) {
+            assert_string_equal(s->tier[k].name, usual->tier[k].name);
+            assert_string_equal(s->tier[k].frame, usual->tier[k].frame);
+            assert_string_equal(s->tier[k].terminal[0], usual->tier[k].terminal[0]);
+        }
+        if (i != 1) /* whose frame needs none */
+            for (int k = 0; k < 2; k++)
+                assert_true(fabs(s->reference[k] - usual->reference[k]) < 1e-15);
+        scene_free(usual);
+        scene_free(s);
+    }
+    char *text = replaced(HEAD SHAPES TAIL, "reference = [0.0, 0.0];\n", ""),
+         *bare = replaced(text, "frame = \"parallelogram\";\n", "");
+    struct scene *s = read_from_text(bare, &d);
+    assert_non_null(s);
+    assert_true(s->reference[0] == 0 && s->reference[1] == 0);
+    assert_string_equal(s->tier[0].frame, "parallelogram");
+    assert_string_equal(s->tier[1].frame, "other");
+    scene_free(s);
+    free(bare);
+    free(text);
+    s = shipped("quad4");
+    assert_null(scene_of_kind("", s, &d));
+    assert_string_equal(d.text, "evolve/scenes/quad4.scene: error: frame and tiers are missing, which other scenes of "
+                                "segments quad4 take from here");
+    scene_free(s);
+}
+
+/* What few meshes have is said, and taken. */
+static void unusual_limits_are_told(void **state)
+{
+    static const struct {
+        const char *find, *put, *told;
+    } limit[] = {{"gap = 0.2", "gap = 100", "'gap' is 100; 0.2 is usual"},
+                 {"aspect = 5", "aspect = 900", "'aspect' is 900; 5.0 is usual"},
+                 {"15 deg", "80 deg", "'warp' is 80 deg; \"15 deg\" is usual"},
+                 {"45 deg", "1.4 rad", "'skew' is 80.2141 deg; \"45 deg\" is usual"},
+                 {"taper = 0.3", "taper = 0.9", "'taper' is 0.9; 0.3 is usual"},
+                 {"overhang = 0.1", "overhang = 1", "'overhang' is 1; 0.1 is usual"}};
+    struct diag d = {0};
+    (void)state;
+    for (size_t i = 0; i < sizeof limit / sizeof *limit; i++) {
+        char *text = replaced(HEAD SHAPES TAIL, limit[i].find, limit[i].put), expected[200];
+        struct scene *s = read_from_text(text, &d);
+        assert_non_null(s);
+        snprintf(expected, sizeof expected, "%s:9: warning: %s\n", path, limit[i].told);
+        assert_string_equal(s->warnings, expected);
+        scene_free(s);
+        free(text);
+    }
 }
 
 /* Tiers about one point share the frame's values there; those about the scene's keep their names. */
@@ -338,6 +417,8 @@ int main(void)
         cmocka_unit_test(shipped_segments_are_found_out),
         cmocka_unit_test(every_value_arrives),
         cmocka_unit_test(malformed_scenes_are_refused),
+        cmocka_unit_test(usual_values),
+        cmocka_unit_test(unusual_limits_are_told),
         cmocka_unit_test(tiers_expand_about_points_of_their_own),
         cmocka_unit_test(frames_share_what_is_alike),
         cmocka_unit_test(missing_scenes_are_refused),

@@ -124,7 +124,7 @@ static void frame_and_tiers_follow(void **state)
     for (int kind = VARY_RECTANGLES; kind <= VARY_WARPED; kind++) {
         struct scene *s = scene_read("", "plane-quad4", &d);
         assert_true(s && s->tiers == 0);
-        scene_follow(s, (enum vary_kind)kind);
+        assert_true(scene_follow("", s, (enum vary_kind)kind, &d));
         struct genome_file *program = frame_program(".", s, "program", &d);
         if (!program)
             fail_msg("%s", d.text);

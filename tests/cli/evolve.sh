@@ -21,10 +21,12 @@ expect 'unknown scene' 3 '' './evolve/scenes/nowhere.scene: error: cannot open: 
 scene 's/^norm/colour/';           refused 'unknown key' "$work/s.scene:5: error: unknown key 'colour' in scene"
 scene 's/"20 deg"/20.0/';          refused 'angle without a unit' "$work/s.scene:10: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""
 scene 's/"20 deg"/"20 mm"/';       refused 'wrong unit' "$work/s.scene:10: error: 'skew' has the unknown unit 'mm'; deg or rad"
-scene 's/aspect = 2.0/aspect = 0.5/'; refused 'out of range' "$work/s.scene:10: error: 'aspect' must be in 1..1000"
+scene 's/aspect = 2.0/aspect = 0.5/'; refused 'out of range' "$work/s.scene:10: error: 'aspect' must be in 1..1000; 5.0 is usual"
 scene 's/training  = 700/training  = 0/'; refused 'zero samples' "$work/s.scene:8: error: 'training' must be in 1..100000000"
-scene 's/"parallelogram"/"trapezium"/'; refused 'unknown frame' "$work/s.scene:13: error: tier 'steps': cannot read frame './evolve/frames/trapezium.gen'"
-scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scene:13: error: tier 'steps': frame 'tri6' is of segments tri6"
+scene 's/"parallelogram"/"trapezium"/'; frames=$(ls evolve/frames | sed 's/.gen$//' | paste -s -d , | sed 's/,/, /g')
+refused 'unknown frame' "$work/s.scene:11:9: error: tier 'steps': no frame 'trapezium'; there are $frames"
+scene 's/"similarity"/"similar"/'; refused 'unknown frame of a tier' "$work/s.scene:14:31: error: tier 'paper': no frame 'similar'; there are $frames"
+scene 's/"parallelogram"/"tri6"/'; refused 'frame of another kind' "$work/s.scene:11:9: error: tier 'steps': frame 'tri6' is of segments tri6"
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "pp"/'
 refused 'unknown terminal' "$work/s.scene:13: error: tier 'steps': 'pp' is no value of frame 'parallelogram'"
 
@@ -40,8 +42,27 @@ scene 's/max_length = 30/max_length = 30; budget = 0.5/'; refused 'budget below 
 
 mesh() { sed 's|^shapes.*|mesh: { file = "m.inp"; distance = '"$1"'; };|' tests/scenes/small.scene > "$work/s.scene"; }
 mesh 0.5; rm -f "$work/m.inp"; refused 'missing mesh' "$work/s.scene:10: error: cannot read mesh file '$work/m.inp'"
-printf '*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n*ELEMENT, TYPE=B31\n1, 1, 2\n' > "$work/m.inp"
-refused 'unsupported element' "$work/m.inp:4: error: element type 'B31' is not supported"
+cp tests/meshes/wedges.inp "$work/m.inp"; mesh 0.5
+sed -i 's/^S_BOTTOM, S2/PLANE, S1/' "$work/m.inp"
+expect 'a master face on a plane element' 1 '' '*' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
+grep -q "^$work/m.inp:$(grep -n 'PLANE, S1' "$work/m.inp" | cut -d : -f 1): error: element 40 of a master surface is of type CPS8R; faces are known of C3D4, " \
+    "$work/stderr"; report $((! $?)) 'is refused where its surface names it, with what is supported'
+
+# Among beams, masses and springs: master faces of two kinds, of which the scene chooses one.
+cp tests/meshes/wedges.inp "$work/m.inp"
+sed -i '/^segment/d' "$work/s.scene"
+refused 'faces of two kinds' "$work/s.scene:9: error: master faces of several kinds: 2 of tri3, 1 of quad4; choose one of them, segment = \"...\";"
+mesh 0.5; sed -i 's/"quad4"/"tri6"/; s/"nearest"/"any"/' "$work/s.scene"
+refused 'faces of neither' "$work/s.scene:10: error: no master face is of segment 'tri6'; there are 2 of tri3, 1 of quad4"
+tri3() { sed "$1"'; /^frame/,$d; s|^shapes.*|mesh: { file = "m.inp"; distance = 0.5; };|; s/"nearest"/"any"/; s/^reference.*/reference = [0.2, 0.2];/' \
+    tests/scenes/small.scene > "$work/s.scene"
+    echo 'tiers = ({ name = "exact"; frame = "tri3"; terminals = ["exact_xi", "exact_eta"]; max_length = 1; functions = "polynomial"; });' >> "$work/s.scene"; }
+tri3 's/"quad4"/"tri3"/'
+expect 'one kind is chosen' 0 '*' '' "$evolve" --scene "$work/s.scene" --from-scratch -o "$work/chosen.gen" --generations 1 --quiet
+sed -i '/^S_TOP/d' "$work/m.inp"; tri3 '/^segment/d'
+expect 'the only kind need not be named' 0 '*' '' "$evolve" --scene "$work/s.scene" --from-scratch -o "$work/only.gen" --generations 1 --quiet
+grep -q '^segment tri3 ' "$work/chosen.gen" && grep -q '^segment tri3 ' "$work/only.gen"; report $((! $?)) 'segments are triangles'
+rm -f "$work/o.gen"
 cp tests/meshes/punch.inp "$work/m.inp"; mesh 1e-9
 refused 'no pair is near enough' "$work/m.inp: error: no slave node within a distance of 1e-09 over a master face"
 
@@ -74,8 +95,9 @@ expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No s
 # Growth of seeds ends early, too: what is there is written, and no checkpoint.
 expect 'no time for growth' 0 '*' 'time limit: ended at generation 0 of 50' \
     run 2 --from-scratch --generations 50 --time-limit 0.01 --checkpoint "$work/ck" -o "$work/none.gen"
+sed 's/training  = 700/training  = 100000/' tests/scenes/small.scene > "$work/large.scene"
 interrupted() { # by SIGTERM, a second after it is listened to (bit 15 of those caught)
-    "$evolve" --scene quad4 --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
+    "$evolve" --scene "$work/large.scene" --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
     pid=$! tries=200
     until grep -q '^SigCgt:.*[4-7c-f]...$' "/proc/$pid/status" || [ $((tries -= 1)) = 0 ]; do sleep 0.05; done
     sleep 1
@@ -104,6 +126,28 @@ lean 2 --from-scratch --generations 2 -o "$work/l2.gen" > "$work/table"
 grep -q '^lean: segments are plane (.*), frame plane: nothing to evolve for exact$' "$work/table" &&
     [ "$(grep -c '^note found_\|^note exact_' "$work/l2.gen")" = 6 ]
 report $((! $?)) 'plane segments: two tiers are evolved, one is exact'
+
+# Of other kinds, those of the scene of the kind; limits that few meshes have are told.
+printf '%s\n' 'segment = "quad8"; training = 300; heldout = 200;' \
+    'shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.2; warp = "9 deg"; curve = 0.03; shift = 0.02; overhang = 0.1;' 'gap = 3.0; };' \
+    > "$work/faces.scene"
+expect 'a scene of few words' 0 '*' "$work/faces.scene:3: warning: 'gap' is 3; 0.2 is usual" \
+    timeout 60 $mpirun -n 2 "$evolve" --scene "$work/faces.scene" --from-scratch --generations 100000000 --quiet -o "$work/faces.gen"
+grep -q '^faces: segments are quad8, frame quad8' "$work/stdout" && [ "$(grep -c '^genome' "$work/faces.gen")" = "$(grep -c 'name =' evolve/scenes/quad8.scene)" ]
+report $((! $?)) 'has the frame and the tiers of its kind'
+# Tiers of one gene are done at once, and others are evolved beside them.
+grep -q '^faces: nothing to evolve for fast coarse medium balanced fine accurate sharp: one gene, chosen among the frame.s values$' "$work/stdout" &&
+    grep -q '^faces: .*: nothing to evolve for full$' "$work/stdout" &&
+    [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 14 ] &&
+    grep -q '^xi = p_xi$' "$work/faces.gen" && grep -q '^eta = eta5t$' "$work/faces.gen"
+report $((! $?)) 'tiers of one gene need no generations'
+"$evolve" --scene "$work/faces.scene" --start "$work/faces.gen" --generations 0 --quiet -o "$work/again.gen" > /dev/null 2>&1
+cmp -s "$work/faces.gen" "$work/again.gen"; report $((! $?)) 'and their genomes come again'
+scene 's/max_length = 30/max_length = 1/; s/-0.5/0.0/g; s/nearest/any/; s/"xi0", "eta0", "p"/"p"/'
+run 2 --scene "$work/s.scene" --from-scratch --generations 5 -o "$work/one.gen" 2> /dev/null > "$work/table"
+grep -q '^s: nothing to evolve for steps: ' "$work/table" && grep -q '^note found_xi seed 5 generations 5 ' "$work/one.gen" &&
+    [ "$(grep -c '^note found_.* nothing to evolve' "$work/one.gen")" = 2 ] && grep -q '^xi = p$' "$work/one.gen" && grep -q '^eta = q$' "$work/one.gen"
+report $((! $?)) 'one tier of one gene beside one that is evolved'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then

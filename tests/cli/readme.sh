@@ -118,6 +118,9 @@ for f in fast coarse gauss2 medium balanced fine precise accurate full; do
     row=$(awk -F' *\\| *' -v f="\`_$f\`" '$2 == f { print $3, $4, $5, $6, $7 }' README.md)
     [ -n "$row" ] && [ "$row" = "${counted% *} $noted" ]; report $((! $?)) "quad4_$f on the front page"
 done
+row=$(sed -n 's/^| `footpoint_locate` .* \([0-9.e-]*\), proved .*/\1/p' README.md)
+noted=$(sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/check.h)
+[ "$row" = "$(printf '%.1e' "$noted" | sed 's/e-0/e-/')" ]; report $((! $?)) 'what footpoint_locate proves'
 for f in coarse balanced accurate; do
     row=$(awk -F' *\\| *' -v f="\`_$f\`" '/^\| `paper_quad4` / { on = 1 } on && $2 == f { print $3, $4, $5, $6; exit }' generated/README.md)
     xi=$(heldout paper-quad4 $f heldout_xi) eta=$(heldout paper-quad4 $f heldout_eta)
