@@ -18,7 +18,6 @@ static struct hard_case cases[CASES];
 static double column[15][CASES], xyz[5 * CASES][3], loc[CASES][2], xi[CASES], eta[CASES], gap[CASES];
 static const double *columns[15];
 static int seg[CASES][4], slave[CASES], status[CASES];
-static double (*const x)[3] = xyz;
 
 #define NODES(i) xyz[5 * (i)], xyz[5 * (i) + 1], xyz[5 * (i) + 2], xyz[5 * (i) + 3], xyz[5 * (i) + 4]
 
@@ -99,7 +98,7 @@ static void call_locate(void)
 
 static void call_locate_pairs(void)
 {
-    (void)footpoint_locate_pairs(CASES, x[0], (size_t)5 * CASES, seg[0], slave, loc[0], gap, status);
+    (void)footpoint_locate_pairs(CASES, xyz[0], (size_t)5 * CASES, seg[0], slave, loc[0], gap, status);
 }
 
 static void call_robust(void)
