@@ -1,5 +1,4 @@
-/* The banner; see banner.h.  No date, host or path: same genome, same options,
- * same bytes. */
+/* The banner; see banner.h.  No date, host or path: same genome, same options, same bytes. */
 #include "banner.h"
 
 #include "text.h"
@@ -8,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "key: text" inside a comment: nothing in it ends the comment or opens
- * another. */
+/* "key: text" inside a comment: nothing in it ends the comment or opens another. */
 static void print_note(const char *indent, const char *key, const char *text, FILE *out)
 {
     fprintf(out, " * %s", indent);

@@ -1,25 +1,49 @@
 /* Genome text: a small straight-line program with named inputs, named values (`let`) and any number of genomes.
  *
- *   footpoint-genome 1
- *   # comment
- *   note scene quad4                      free provenance: a key and the rest of the line
- *   input xA yA zA xB                     names of the inputs; may be repeated
- *   segment quad4 any                     optional: the inputs are the nodes of a segment and the slave node; then the
- *                                         assumed order of its corners (any | nearest | nearest-shorter)
- *   range xC -0.5 2                       optional: the input's closed interval; at most one for each input
- *   let c1x = - xB xA                     one prefix expression, may use inputs and earlier lets
- *   exchange p q                          optional, of a frame: exchanging xi and eta turns the one value into the
- * other function newton u v un vn             optional, of a frame: what the values un and vn are if others stand for u
- * and v require - xC xD                       optional, any number: a prefix expression over inputs and lets that is >
- * 0 genome fast note error_xi 1.2e-3 ... xi = + * 0.05 c1x yA                  one output, prefix expression eta = yA
- *   end
+ *     footpoint-genome 1                   the format and its version: the first words of the file
+ *     # comment                            anywhere, to the end of the line
+ *     note scene quad4                     provenance: a key and the rest of the line; any number
+ *     input xA yA zA xB                    names of inputs, in order; may be repeated
+ *     segment quad4 any                    the inputs are nodes of a segment and the slave node: a kind of segment.h
+ *                                          and the order of corners assumed: any | nearest | nearest-shorter
+ *     range xC -0.5 2                      closed interval of an input; at most one for each
+ *     let c1x = - xB xA                    a value: one expression of inputs and earlier lets
+ *     exchange p q                         of a frame: exchanging xi and eta turns the one value into the other
+ *     function newton u v un vn            of a frame: newton of a pair (a,b) is what the values un and vn are where a
+ *                                          stands for u and b for v
+ *     require - xC xD                      an expression that is > 0 on the region; any number
+ *     genome fast                          a function to be made
+ *     note training_xi genes 5 mean 1e-3   its own provenance
+ *     xi = + * 0.05 c1x yA                 an output: one expression; any number
+ *     eta = yA
+ *     end
  *
- * An expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
- * leaf +1); it may run over several lines.  Operators: + - * / (quotient) % (protected quotient: 1 where the divisor is
- * 0) min max, and neg sqrt abs with one operand.  Numbers are decimal and exact: 0.05 means 1/20.
+ *     file       = "footpoint-genome" "1" { line | genome }
+ *     line       = note | input | segment | range | let | exchange | function | require
+ *     note       = "note" KEY text-to-the-end-of-the-line
+ *     input      = "input" NAME { NAME }                       before the first let and the first genome
+ *     segment    = "segment" KIND ORDER                        at most one; ORDER other than "any" for quad4 alone
+ *     range      = "range" INPUT NUMBER NUMBER                 lower limit <= upper limit
+ *     let        = "let" NAME "=" expression                   before the first genome
+ *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one such line at most
+ *     function   = "function" NAME SYMBOL SYMBOL SYMBOL SYMBOL
+ *     require    = "require" expression
+ *     genome     = "genome" NAME newline { note | output } "end"
+ *     output     = NAME "=" expression
+ *     expression = OP2 expression expression | OP1 expression | SYMBOL | NUMBER
+ *     OP2        = "+" | "-" | "*" | "/" | "%" | "min" | "max"
+ *     OP1        = "neg" | "sqrt" | "abs"
  *
- * The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are > 0.
- */
+ * Words are parted by blanks.  Each of the lines above is one line of the file, but expressions may go on over several:
+ * an expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
+ * leaf +1), and nothing may follow it on its line.  / is the quotient, % the protected quotient, which is 1 where the
+ * divisor is 0.  A NAME has letters, digits and underscores, 63 at most, does not begin with a digit and is no operator
+ * or keyword; a SYMBOL is the name of an input or of an earlier let.  A NUMBER is decimal, has an exponent if need be
+ * (1e-3), and is exact: 0.05 means 1/20.
+ *
+ * A file with `segment` has exactly the inputs of that kind (quad4: xA yA zA ... xD yD zD xS yS zS), and each of its
+ * genomes the outputs xi and eta.  The region that bounds and verdicts of a header hold on is the box of the ranges, as
+ * far as all `require`s are > 0. */
 #ifndef FOOTPOINT_GENOME_H
 #define FOOTPOINT_GENOME_H
 
@@ -29,8 +53,7 @@
 #define GENOME_FORMAT 1
 
 /** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
- *  -1-k: constant k of the file's table.  Those between are operators of evolution's twin trees alone (evolve/twin.h).
- */
+ *  -1-k: constant k of the file's table.  Those between are operators of twin trees alone (evolve/twin.h). */
 enum gene_operator {
     GENE_ADD,
     GENE_SUB,

@@ -3,9 +3,9 @@
  *
  * The check is that of runtime/check.h, which explains it, with two differences.  The radius r within which the Hessian
  * is compared is twice the step that Newton's method would make, not the error allowed, where that is more: the same
- * proof, and coarse functions pass, too, where their answer is good.  And rounding errors,
- * 1e9 times those of double, are counted by the lengths that each product consists of.  Not by their proved bounds,
- * ten times as large, which would leave little to be sure of. */
+ * proof, and coarse functions pass, too, where their answer is good.  And rounding errors, 1e9 times those of double,
+ * are counted by the lengths that each product consists of, not by their proved bounds, which are ten times as large
+ * and would leave little to be sure of. */
 #include "header_single.h"
 
 #include "text.h"

@@ -46,13 +46,12 @@ double region_width(const struct region *r, size_t variable, struct interval sid
 /** True if all of the box belongs to the region. */
 bool region_holds(struct region *r, const struct interval *box);
 
-/** Values of all inputs at a point given by variable, which is moved into the ranges where it is outside by rounding.
- */
+/** Values of all inputs at a point given by variable, moved into the ranges where rounding puts it outside. */
 void region_inputs(const struct region *r, const double *at, double *input);
 
 /** A random point of the region: all inputs; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
  *  short, whole multiples of a power of 2, so many bits below that of their range.  False when *tries, which are
- * counted down, are used up: the region is hard to hit. */
+ *  counted down, are used up: the region is hard to hit. */
 bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *input);
 
 #endif

@@ -1,5 +1,6 @@
-/* A gene is -1 - code, code = (mantissa * 16 + exponent) * 2 + sign, for the number (-1)^sign mantissa
- * 10^(exponent - 12).  The mantissa has no trailing zeros unless the exponent is the largest, and 0 has the sign and
+/* A gene is -1 - code, code = (mantissa * 16 + exponent) * 2 + sign, for the number
+ *     (-1)^sign mantissa 10^(exponent - 12).
+ * The mantissa has no trailing zeros unless the exponent is the largest, and 0 has the sign and
  * the exponent 0, so that each number has one gene. */
 #include "decimal.h"
 

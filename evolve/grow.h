@@ -17,8 +17,8 @@ struct grow_plan {
     bool clamped;       /* what is grown is kept between low and high, near which the constants begin */
     double low, high;
 };
-/** The plan that the project uses, for these symbols: multiplications and
- *  divisions count, as in the paper, and additions a little. */
+/** The plan that the project uses, for these symbols: multiplications and divisions count, as in the paper, and
+ *  additions a little. */
 struct grow_plan grow_plan_new(const int *symbol, size_t symbols, double max_cost, size_t max_length);
 
 /** Grow a tree and offer all stages, fitted in the judge's norm to all samples, to the front.  Deterministic. */

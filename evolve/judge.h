@@ -25,12 +25,11 @@ void judge_free(struct judge *j);
 /** True of the target of twin trees: not a column, but the true xi and eta, the last two of the table. */
 bool judge_takes_both(const struct judge *j, size_t target);
 
-/** Error of a tree against table column `target`, or of a twin tree against both: mean, 99 % or maximum of |value -
- * target|.  INFINITY where a value is not finite, or where the mean is sure to exceed `bound`. */
+/** Error of a tree against table column `target`, or of a twin tree against both: mean, 99 % or maximum of
+ *  |value - target|.  INFINITY where a value is not finite, or where the mean is sure to exceed `bound`. */
 double judge_error(struct judge *j, const struct tree *t, size_t target, double bound);
 
-/** The same for ranking: the mean is computed in float, with about six digits and in half the time; not of
- *  twin trees. */
+/** The same for ranking: the mean is computed in float, with about six digits and in half the time; not of twin trees. */
 double judge_rank(struct judge *j, const struct tree *t, size_t target, double bound);
 
 /** Genes times samples evaluated so far; of twin trees, lines times samples. */

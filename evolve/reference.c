@@ -7,9 +7,9 @@
  * Putting xi = N/E into (8) and multiplying by E^2 leaves a quintic in eta whose real roots are all stationary points,
  * save where E vanishes.  E vanishes at a real eta only if c1 is parallel to c3 (edges AB and DC are parallel), so the
  * coordinate to eliminate is the one whose vector is least parallel to c3; what may then escape is a saddle at an apex,
- * never a minimum.  Roots come from the companion matrix
- * (gsl_poly_complex_solve) and are polished by Newton's iteration on (7), (8) in long double.  Coordinates are relative
- * to the centre and divided by the size of the segment before anything else. */
+ * never a minimum.  Roots come from the companion matrix (gsl_poly_complex_solve) and are polished by Newton's
+ * iteration on (7), (8) in long double.  Coordinates are relative to the centre and divided by the size of the segment
+ * before anything else. */
 #include "reference.h"
 #include "surface.h"
 

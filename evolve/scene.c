@@ -1,4 +1,4 @@
-/* Reads a scene: a libconfig text (scenes/, README.md for its meaning).  Every key, type, unit and range is checked,
+/* Reads a scene: a libconfig text (its meaning: evolve/README.md).  Every key, type, unit and range is checked,
  * and each complaint names its line. */
 #include "mesh.h"
 #include "samplers.h"

@@ -1,4 +1,4 @@
-/* A scene: the text file that says what the generated code is for; see evolve/scenes/ and README.md. */
+/* A scene: the text file that says what the generated code is for; see evolve/scenes/ and evolve/README.md. */
 #ifndef FOOTPOINT_SCENE_H
 #define FOOTPOINT_SCENE_H
 
@@ -46,8 +46,7 @@ struct tier {
     char *name;                   /* owned */
     char *frame;                  /* owned: file evolve/frames/<frame>.gen */
     int frame_line, frame_column; /* where the scene names it; 0: it does not */
-    char **terminal; /* owned: names of inputs or lets of the frame, those about a reference point of its own with its
-                        suffix */
+    char **terminal; /* owned: names of inputs or lets of the frame, with the suffix of tier_suffix() */
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - *, where no functions are listed */
@@ -91,8 +90,8 @@ struct scene {
     char *warnings; /* owned: lines about what is unusual, "file:line: warning: ..."; or NULL */
 };
 
-/** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d "file:line: error:
- * ..." */
+/** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d filled
+ *  ("file:line: error: ..."). */
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
 

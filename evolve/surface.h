@@ -22,9 +22,9 @@ struct surface {
     void (*shape)(double xi, double eta, double *phi);
     /** r, r_xi and r_eta at (xi,eta). */
     void (*point)(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
-    /** Foot point of the scene's meaning: the local minimum of the distance nearest to s->xs whose (xi,eta) lies in lo
-     * < xi,eta <= hi (component-wise; on triangles xi + eta <= hi[0], too).  Fills xi, eta, gap of *s.  False if there
-     * is none, or if none can be told with certainty. */
+    /** Foot point of the scene's meaning: the local minimum of the distance nearest to s->xs whose (xi,eta) lies in
+     *  lo < xi,eta <= hi (component-wise; on triangles xi + eta <= hi[0], too).  Fills xi, eta, gap of *s.  False if
+     *  there is none, or if none can be told with certainty. */
     bool (*foot)(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
     /** A random segment about the origin, edges of length about 2.  False: draw again.  NULL: see patches_samples(). */
     bool (*draw)(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);

@@ -129,7 +129,7 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
 
 /** Contact forces (10), (11): fs = -gap k m on the slave node, and its reaction fm[i] = -phi_i(xi,eta) fs on corner i.
  *  (11) is printed without the minus; with it the five forces add up to zero to rounding, and so do their moments if m
- * is the segment's normal at the exact foot point: see footpoint_force_balanced.  All forces are zero when gap >= 0.
+ *  is the segment's normal at the exact foot point: see footpoint_force_balanced.  All forces are zero when gap >= 0.
  *  @param[in]  gap        mesh length
  *  @param[in]  stiffness  k >= 0, force per mesh length
  *  @param[in]  m          unit normal
@@ -142,15 +142,15 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
 
 /** Contact forces that balance whatever (xi,eta) is: along the offset d = xS - r(xi,eta) itself, fs = -k d on the slave
  *  node if d . n < 0 with the segment's normal n there, and fm[i] = -phi_i(xi,eta) fs.  To rounding, the five forces
- * add up to zero and so do their moments about any point, at an approximate foot point as at the exact one, and at a
- * point clamped to an edge.  (With footpoint_force the moments add up to zero only if m is parallel to d, as the
- * segment's normal at the exact foot point is, but not (6).)  At the exact foot point d = gap n, and these are (10),
- * (11) with that normal, and the gradients of the energy k gap^2/2.  All forces are zero where d . n >= 0.
+ *  add up to zero and so do their moments about any point, at an approximate foot point as at the exact one, and at a
+ *  point clamped to an edge.  (With footpoint_force the moments add up to zero only if m is parallel to d, as the
+ *  segment's normal at the exact foot point is, but not (6).)  At the exact foot point d = gap n, and these are (10),
+ *  (11) with that normal, and the gradients of the energy k gap^2/2.  All forces are zero where d . n >= 0.
  *  @param[in]  loc        {xi, eta}
  *  @param[in]  stiffness  k >= 0, force per mesh length
  *  @param[out] fs, fm     as in footpoint_force
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (no normal), FOOTPOINT_ERR_ARGUMENT (k < 0)
- */
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (no normal),
+ *          FOOTPOINT_ERR_ARGUMENT (k < 0) */
 int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                              const double xS[3], const double loc[2], double stiffness, double fs[3], double fm[4][3]);
 

@@ -4,8 +4,8 @@
 
 #include "rivals.h"
 
-/** Of converged Newton: Gauss-Newton steps before it, and the step at which it stops.  A step
- *  of 1e-5 is followed by an error of about its square: that is "loose". */
+/** Of converged Newton: Gauss-Newton steps before it, and the step at which it stops.  A step of 1e-5
+ *  is followed by an error of about its square: that is "loose". */
 enum { RIVAL_NEWTON_GAUSS = 3 };
 #define RIVAL_NEWTON_TOLERANCE 1e-10
 #define RIVAL_NEWTON_LOOSE 1e-5

@@ -1,19 +1,153 @@
-# The README keeps its word: its program compiles and runs, its genome compiles, its figures are those of the headers.
+# The READMEs keep their word.  Programs compile, run and print what is shown; the genome compiles; commands, options,
+# files, functions and links that are named exist; figures are those of the headers and genomes that they are about.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
-cp generated/footpoint_quad4.h "$work/"
-awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' README.md > "$work/use.c"
-$CC -std=c99 -Wall -Wextra -Wpedantic -Werror "$work/use.c" -o "$work/use" -lm
-expect 'the program' 0 'xi -0.349489 eta 0.395534 gap 0.193207' '' "$work/use"
-awk '/^footpoint-genome/ { on = 1 } /^```$/ { on = 0 } on' README.md > "$work/example.gen"
+documents='README.md codegen/README.md evolve/README.md generated/README.md runtime/README.md tests/README.md'
+
+check() { # check NAME WRONG: what is wrong, a line each
+    [ -z "$2" ]
+    good=$?
+    [ $good = 0 ] || echo "$2" | sed 's/^/# /'
+    report $((! good)) "$1"
+}
+# blocks FILE LANGUAGE: the fenced blocks of a language
+blocks() { awk -v fence="^\`\`\`$2\$" '$0 ~ fence { on = 1; next } /^```$/ { on = 0 } on' "$1"; }
+# quoted FILES: what stands in backticks outside of blocks, one a line
+quoted() { cat "$@" | awk '/^```/ { on = !on; next } !on' | tr '\n' ' ' | grep -o '`[^`]*`' | tr -d '`'; }
+
+lines=$(wc -l < README.md)
+check 'the front page has 200 lines at most' "$([ "$lines" -le 200 ] || echo "$lines lines")"
+
+# ---- programs and genomes ---------------------------------------------------------------------------------------------
+
+for document in README.md generated/README.md; do
+    blocks $document c > "$work/use.c"
+    shown=$(awk '/^```/ { if (on) exit; if (inside = !inside) { on = after && $0 == "```"; after = after || $0 == "```c" } next } on' \
+        $document)
+    [ -n "$shown" ]; report $((! $?)) "$document shows what its program prints"
+    $CC -std=c99 -Wall -Wextra -Wpedantic -Werror -Igenerated "$work/use.c" -o "$work/use" -lm
+    expect "the program of $document" 0 "$shown" '' "$work/use"
+done
+cp README.md "$work/" && (cd "$work" && blocks README.md c > use.c)
+expect 'the compile line' 0 "$(blocks README.md '' | grep '^xi ')" '' \
+    sh -c "cp -r generated '$work/' && cd '$work' && $(blocks README.md sh | grep 'use\.c')"
+
+awk '/^footpoint-genome/ { on = 1 } /^```$/ { on = 0 } on' codegen/README.md > "$work/example.gen"
 expect 'the genome' 0 'genome,mul,div,add,sqrt,compare
 example,1,1,2,0,1' '' "$BIN/footpoint-codegen" --count "$work/example.gen"
-for f in fast coarse gauss2 medium balanced fine precise accurate full; do
-    row=$(sed -n "s/^| \*\*footpoint_quad4_$f\*\* | \([0-9]*\) | \([0-9]*\) | \([0-9]*\) |.*/\1 \2 \3/p" README.md)
-    counted=$(awk -v f="footpoint_quad4_$f" '$2 == f { on = 1 } on && /operations:/ { print $3, $5, $7; exit }' generated/footpoint_quad4.h)
-    [ -n "$row" ] && [ "$row" = "$counted" ]; report $((! $?)) "operations of quad4_$f"
-    row=$(awk -F' \\| ' -v f="footpoint_quad4_$f" 'index($1, "**" f "**") { sub(/ \|$/, "", $9); print $7, $8, $9 }' README.md)
-    noted=$(awk -v f=$f '/^genome/ { on = $2 == f } on && /^note heldout_xi/ { printf "%.1e %.1e %.1e\n", $6, $8, $10 }' \
-        evolve/genomes/quad4.gen | sed 's/e-0/e-/g')
-    [ -n "$row" ] && [ "$row" = "$noted" ]; report $((! $?)) "errors of quad4_$f"
+tools=$(cd "$BIN" && pwd)
+blocks codegen/README.md sh | grep '^build/footpoint-codegen' | sed 's/#.*//' > "$work/lines"
+while read -r program options; do
+    (cd "$work" && "$tools/${program#build/}" $options) > "$work/log" 2>&1
+    report $((! $?)) "footpoint-codegen $options"
+done < "$work/lines"
+
+# ---- what is named exists ---------------------------------------------------------------------------------------------
+
+awk -F ':.*## ' '/^[a-z -]+:.*## / { gsub(" ", "\n", $1); print $1 }' Makefile | sort > "$work/targets"
+for document in $documents; do
+    blocks $document sh | sed 's/#.*//'
+    quoted $document
+done > "$work/commands"
+sed -n 's/.*\<make \(.*\)/\1/p' "$work/commands" | sed "s/[&|;>].*//; s/'[^']*'//g" | tr ' ' '\n' | grep '^[a-z]' | grep -v '[=.]' |
+    sort -u | comm -23 - "$work/targets" > "$work/wrong"
+check 'targets of make' "$(cat "$work/wrong")"
+sed -n 's/.*\<make \(.*\)/\1/p' "$work/commands" | grep -o '\<[A-Z_]*=' | sort -u | while read -r variable; do
+    grep -q "${variable%=}" Makefile || echo "$variable"
+done > "$work/wrong"
+check 'variables of make' "$(cat "$work/wrong")"
+
+: > "$work/help"
+for program in evolve codegen bench pga perceptron calibrate; do
+    "$BIN/footpoint-$program" --help > "$work/help.$program" 2> "$work/log" || echo "# no $program"
+    cat "$work/help.$program" >> "$work/help"
 done
+# Options behind a program are that program's; those named by themselves are some program's, or mpirun's.
+sed -e ':a' -e '/\\$/N; s/\\\n//; ta' "$work/commands" |
+    sed -n 's/.*footpoint-\(evolve\|codegen\|bench\|pga\|perceptron\|calibrate\) \(.*\)/\1 \2/p' |
+    while read -r program options; do
+        for option in $options; do
+            case $option in
+            --*) grep -q -e "$option\\>" "$work/help.$program" || echo "footpoint-$program $option" ;;
+            esac
+        done
+    done > "$work/wrong"
+check 'options behind programs' "$(cat "$work/wrong")"
+grep -v '^mpirun\|^srun' "$work/commands" | grep -o '^--[a-z-]*' | sort -u | while read -r option; do
+    [ "$option" = --mca ] || grep -q -e "$option\\>" "$work/help" || echo "$option"
+done > "$work/wrong"
+check 'options by themselves' "$(cat "$work/wrong")"
+
+# Rooms and recipes name folders by themselves; these are files that users type.
+quoted $documents | tr ' ' '\n' | sed 's/[,;:]$//' |
+    grep -E '^(tests/(cli|long|example|expressions|scenes|meshes|paper|hard)|evolve/(scenes|frames|genomes)|generated)/[A-Za-z0-9_./-]+$' |
+    grep -vE '(NAME|mine)' | sort -u | while read -r path; do
+    [ -e "$path" ] || [ -e "$path.c" ] || echo "$path"
+done > "$work/wrong"
+check 'files' "$(cat "$work/wrong")"
+
+for document in $documents; do
+    grep -o '](\([^)]*\))' $document | sed 's/^](//; s/)$//' | while read -r link; do
+        [ -e "$(dirname $document)/$link" ] || echo "$document: $link"
+    done
+done > "$work/wrong"
+check 'links and pictures' "$(cat "$work/wrong")"
+
+cat runtime/*.h generated/*.h > "$work/declared"
+{ quoted $documents; cat $documents | awk '/^```/ { on = !on; next } on'; } | grep -oE '\<footpoint_[a-z0-9_]+\>' | sort -u |
+    grep -vE '^footpoint_(example|mine|plates|ccx)' | while read -r name; do
+    grep -q "\\<$name\\>" "$work/declared" || [ -e "generated/$name.h" ] || [ -e "runtime/$name.h" ] || echo "$name"
+done > "$work/wrong"
+check 'functions' "$(cat "$work/wrong")"
+
+# ---- figures ----------------------------------------------------------------------------------------------------------
+
+# operations HEADER FUNCTION: mul div add, as the banner says
+operations() { awk -v f="$2" '$2 == f { on = 1 } on && /operations:/ { print $3, $5, $7; exit }' "generated/footpoint_$1.h"; }
+# heldout SCENE GENOME NOTE: mean, 99 % and worst
+heldout() {
+    awk -v g="$2" -v note="$3" '/^genome/ { on = $2 == g } on && $1 == "note" && $2 == note { printf "%.1e %.1e %.1e\n", $6, $8, $10 }' \
+        "evolve/genomes/$1.gen" | sed 's/e-0/e-/g'
+}
+for f in fast coarse gauss2 medium balanced fine precise accurate full; do
+    counted=$(operations quad4 footpoint_quad4_$f) noted=$(heldout quad4 $f heldout_xi)
+    row=$(sed -n "s/^| \*\*footpoint_quad4_$f\*\* | \([0-9]*\) | \([0-9]*\) | \([0-9]*\) |.*/\1 \2 \3/p" generated/README.md)
+    [ -n "$row" ] && [ "$row" = "$counted" ]; report $((! $?)) "operations of quad4_$f"
+    row=$(awk -F' \\| ' -v f="footpoint_quad4_$f" 'index($1, "**" f "**") { sub(/ \|$/, "", $9); print $7, $8, $9 }' generated/README.md)
+    [ -n "$row" ] && [ "$row" = "$noted" ]; report $((! $?)) "errors of quad4_$f"
+    row=$(awk -F' *\\| *' -v f="\`_$f\`" '$2 == f { print $3, $4, $5, $6, $7 }' README.md)
+    [ -n "$row" ] && [ "$row" = "${counted% *} $noted" ]; report $((! $?)) "quad4_$f on the front page"
+done
+row=$(sed -n 's/^| `footpoint_locate` .* \([0-9.e-]*\), proved .*/\1/p' README.md)
+noted=$(sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/check.h)
+[ "$row" = "$(printf '%.1e' "$noted" | sed 's/e-0/e-/')" ]; report $((! $?)) 'what footpoint_locate proves'
+for f in coarse balanced accurate; do
+    row=$(awk -F' *\\| *' -v f="\`_$f\`" '/^\| `paper_quad4` / { on = 1 } on && $2 == f { print $3, $4, $5, $6; exit }' generated/README.md)
+    xi=$(heldout paper-quad4 $f heldout_xi) eta=$(heldout paper-quad4 $f heldout_eta)
+    set -- $xi $eta
+    counted=$(operations paper_quad4 footpoint_paper_quad4_$f)
+    [ "$row" = "${counted% *} $1 / $4 $2 / $5" ]; report $((! $?)) "paper_quad4_$f"
+done
+for kind in gregory bezier; do
+    for f in facet normals smooth corrected precise exact full; do
+        set -- $(heldout $kind $f heldout_xi)
+        [ -n "$1" ] || continue
+        row=$(awk -F' *\\| *' -v f="\`_$f\`" -v kind=$kind '/^\| (gregory|bezier) \|/ { on = $2 == kind } on && $2 == f { print $3, $4; exit }' \
+            generated/README.md)
+        [ "$row" = "$1 $3" ]; report $((! $?)) "errors of ${kind}_$f"
+    done
+done
+
+# What was bred and what derived by hand: genomes of more than one gene, and twin trees.
+functions=$(cat generated/*.h | grep -c 'operations:') exact=$(cat generated/*.h | grep -c 'exact_xi:')
+bred=$(awk '/^genome/ { good = 0 } /^note training_/ && $4 > 1 || /^note twin/ { if (!good++) n++ } END { print n }' evolve/genomes/*.gen)
+told=$(tr '\n' ' ' < README.md | sed -n 's/.*Of the \([0-9]*\) functions in `generated.`, \([0-9]*\) are exact. Of the other \([0-9]*\), evolution bred \([0-9]*\):.* The other \([0-9]*\) are values.*/\1 \2 \3 \4 \5/p')
+expect 'how many functions were bred' 0 "$functions $exact $((functions - exact)) $bred $((functions - exact - bred))" '' echo "$told"
+worst() { awk -v a="$1" -v b="$2" 'BEGIN { print(a + 0 > b + 0 ? a : b) }'; }
+xi=$(heldout paper-quad4 program3 heldout_xi) eta=$(heldout paper-quad4 program3 heldout_eta)
+random_xi=$(heldout paper-quad4 program3 heldout_random_xi) random_eta=$(heldout paper-quad4 program3 heldout_random_eta)
+expect 'the bred programs on and off the lattice' 0 \
+    "$(worst ${xi##* } ${eta##* }) $(worst ${random_xi##* } ${random_eta##* }) ${random_xi%% *}" '' echo "$(tr '\n' ' ' < README.md |
+        sed -n 's/.*`paper_quad4_program3` is off by \([^ ]*\) at worst, off the lattice by \([^ ]*\) (mean \([^,]*\),.*/\1 \2 \3/p')"
+expect 'expressions counted' 0 "$(grep -h '^genome ' tests/expressions/*.gen | wc -l)" '' \
+    sed -n 's/^`tests\/expressions\/` holds \([0-9]*\) expressions.*/\1/p' codegen/README.md
