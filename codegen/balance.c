@@ -3,7 +3,7 @@
  * two times for their sum). */
 #include "balance.h"
 
-#include "schedule.h"
+#include "scales.h"
 
 #include <stdlib.h>
 
@@ -110,7 +110,7 @@ static double sort_node(struct dag *g, int n, const double *ready, const struct 
 /* Time at which the last output is ready. */
 static double balance(struct dag *g, const struct cost_model *m, bool trees)
 {
-    struct schedule *s = schedule_new(g, m, SCALES_KEPT);
+    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT);
     double *ready = new_array(g->nodes, sizeof *ready), longest = 0;
     for (size_t i = 0; i < s->n; i++) {
         const int n = s->order[i];

@@ -2,11 +2,7 @@
 #ifndef FOOTPOINT_C_CODE_H
 #define FOOTPOINT_C_CODE_H
 
-#include "dialect.h"
 #include "unit.h"
-
-/** The words of the proved text. */
-extern const struct dialect c_double;
 
 /** Prints `text` with @R for the real type, @F for the suffix of its constants, @D for what begins the names of the
  *  helpers, @G for what ends the names of their guards, @N for `name`. */

@@ -9,12 +9,6 @@
 
 static const double BEHIND = 1.5; /* how dear a shape may be at first, in terms of the genome as written */
 
-double operations_cost(const struct operations *ops, const struct cost_model *m)
-{
-    return m->mul * (double)ops->mul + m->add * (double)ops->add + m->div * (double)ops->div +
-           m->sqrt * (double)ops->sqrt + m->compare * (double)ops->compare;
-}
-
 struct compile_options compile_defaults(void)
 {
     struct diag d;

@@ -156,3 +156,9 @@ bool cost_model_find(const char *name, struct cost_model *m, struct diag *d)
         return diag_system(d, name, "neither throughput, paper or latency nor a cost file");
     return read_model(name, m, d);
 }
+
+double operations_cost(const struct operations *ops, const struct cost_model *m)
+{
+    return m->mul * (double)ops->mul + m->add * (double)ops->add + m->div * (double)ops->div +
+           m->sqrt * (double)ops->sqrt + m->compare * (double)ops->compare;
+}

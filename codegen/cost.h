@@ -12,6 +12,17 @@ struct cost_model {
     bool chain; /* cost of the longest chain of dependent operations, ties by the sum */
 };
 
+/** Operations as written: every *, /, + or -, and square root that the statements hold; constant quotients such as
+ *  (7.0 / 3.0), which a compiler folds, are none. */
+struct operations {
+    long mul, div, add, sqrt;
+    long compare;     /* min, max, abs and the test of a protected quotient */
+    long temporaries; /* named values */
+};
+
+/** Sum of the costs of all operations. */
+double operations_cost(const struct operations *ops, const struct cost_model *m);
+
 /** "throughput", "paper", "latency", or a file that footpoint-calibrate wrote.  False with *d filled otherwise. */
 bool cost_model_find(const char *name, struct cost_model *m, struct diag *d);
 

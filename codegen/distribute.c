@@ -3,7 +3,7 @@
  * arise: e v is always built on less than e (c + v). */
 #include "distribute.h"
 
-#include "schedule.h"
+#include "scales.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -178,7 +178,7 @@ static void spread_sum(struct dag *g, const struct schedule *s, int sum)
 
 static void spread_sums(struct dag *g, const struct cost_model *m)
 {
-    struct schedule *s = schedule_new(g, m, SCALES_KEPT);
+    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT);
     for (size_t i = 0; i < s->n; i++)
         if (g->node[s->order[i]].kind == NODE_SUM && g->node[s->order[i]].edges <= MOST_OPERANDS)
             spread_sum(g, s, s->order[i]);
@@ -187,7 +187,7 @@ static void spread_sums(struct dag *g, const struct cost_model *m)
 
 static bool distribute_all(struct dag *g, const struct cost_model *m)
 {
-    struct schedule *s = schedule_new(g, m, SCALES_KEPT);
+    struct schedule *s = scaled_schedule(g, m, SCALES_KEPT);
     struct readings r = {0};
     bool *done = new_array(g->nodes, sizeof *done), any = false;
     read_products(&r, s);

@@ -7,50 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INLINE_LENGTH = 56, LINE_LENGTH = 116 };
-
-/* One statement; long ones are broken at spaces. */
-static void write_statement(struct emitter *e, const char *head, const char *value)
-{
-    size_t column = 4;
-    char *all = new_joined(head, value, ";\n");
-    growing_add(&e->body, "    ");
-    for (char *word = all; *word;) {
-        char *end = word + 1;
-        while (*end && *end != ' ')
-            end++;
-        const char kept = *end;
-        *end = '\0';
-        if (column + strlen(word) > LINE_LENGTH) {
-            growing_add(&e->body, "\n       ");
-            column = 7;
-        }
-        growing_add(&e->body, word);
-        column += strlen(word);
-        *end = kept;
-        word = end;
-    }
-    free(all);
-}
-
-static void name_value(struct emitter *e, const char *type, char prefix, long number, const char *value, char name[32])
-{
-    char head[64];
-    snprintf(name, 32, "%c%ld", prefix, number);
-    snprintf(head, sizeof head, "%s %s = ", type, name);
-    write_statement(e, head, value);
-    e->out->ops.temporaries++;
-}
-
-void emitter_name(struct emitter *e, char prefix, long number, const char *value, char name[32])
-{
-    name_value(e, "const double", prefix, number, value, name);
-}
-
-void emitter_name_constant(struct emitter *e, long number, const char *value, char name[32])
-{
-    name_value(e, "double", 'u', number, value, name);
-}
+enum { INLINE_LENGTH = 56 };
 
 /* Where divisions are cheap, each user of an inverse divides by itself instead of multiplying by the inverse. */
 static bool divides_anew(const struct emitter *e, int n)
@@ -169,7 +126,7 @@ static void print_output(struct emitter *e, size_t o)
     char *value = new_joined(negative ? "-" : "", text, "");
     e->out->negations += negative;
     snprintf(head, sizeof head, "*%s%s = ", e->file->segment ? "" : "out_", e->s->dag->output_name[o]);
-    write_statement(e, head, value);
+    emitter_write(e, head, value);
     free(text);
     free(value);
 }

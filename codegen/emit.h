@@ -5,14 +5,6 @@
 #include "genome.h"
 #include "schedule.h"
 
-/** Operations as written: every *, /, + or -, and square root that the statements hold; constant quotients such as
- *  (7.0 / 3.0), which a compiler folds, are none. */
-struct operations {
-    long mul, div, add, sqrt;
-    long compare;     /* min, max, abs and the test of a protected quotient */
-    long temporaries; /* named values */
-};
-
 struct emission {
     char *text; /* owned: indented lines, the last ones set *out_... (segment: *xi, *eta) */
     struct operations ops;

@@ -3,8 +3,7 @@
 #include "evidence.h"
 
 #include "bound.h"
-#include "c_code.h"
-#include "dialect.h"
+#include "dialects.h"
 #include "point.h"
 #include "poles.h"
 #include "text.h"

@@ -6,7 +6,53 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SEARCHED = 64 /* constants; older ones are named anew */ };
+enum { LINE_LENGTH = 116, MOST_SEARCHED = 64 /* constants; older ones are named anew */ };
+
+/* ---- statements ---- */
+
+void emitter_write(struct emitter *e, const char *head, const char *value)
+{
+    size_t column = 4;
+    char *all = new_joined(head, value, ";\n");
+    growing_add(&e->body, "    ");
+    for (char *word = all; *word;) {
+        char *end = word + 1;
+        while (*end && *end != ' ')
+            end++;
+        const char kept = *end;
+        *end = '\0';
+        if (column + strlen(word) > LINE_LENGTH) {
+            growing_add(&e->body, "\n       ");
+            column = 7;
+        }
+        growing_add(&e->body, word);
+        column += strlen(word);
+        *end = kept;
+        word = end;
+    }
+    free(all);
+}
+
+static void name_value(struct emitter *e, const char *type, char prefix, long number, const char *value, char name[32])
+{
+    char head[64];
+    snprintf(name, 32, "%c%ld", prefix, number);
+    snprintf(head, sizeof head, "%s %s = ", type, name);
+    emitter_write(e, head, value);
+    e->out->ops.temporaries++;
+}
+
+void emitter_name(struct emitter *e, char prefix, long number, const char *value, char name[32])
+{
+    name_value(e, "const double", prefix, number, value, name);
+}
+
+void emitter_name_constant(struct emitter *e, long number, const char *value, char name[32])
+{
+    name_value(e, "double", 'u', number, value, name);
+}
+
+/* ---- operations ---- */
 
 /* As an operand of a product. */
 static char *factor_text(const struct phrase *t)

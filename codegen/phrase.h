@@ -36,6 +36,9 @@ struct emitter {
     size_t constants, constant_room;
 };
 
+/** Adds a statement, `head` and `value`; a long one is broken at spaces. */
+void emitter_write(struct emitter *e, const char *head, const char *value);
+
 /** Adds the statement "const double NAME = value;": a temporary, "t" or "u" and a number. */
 void emitter_name(struct emitter *e, char prefix, long number, const char *value, char name[32]);
 

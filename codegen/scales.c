@@ -369,7 +369,8 @@ static void find_levels(struct search *x)
     }
 }
 
-double scales_improve(struct schedule *s, bool groups)
+/* Changes the scales, all ONE so far; returns the work, in pairs of terms compared. */
+static double improve(struct schedule *s, bool groups)
 {
     const size_t all = s->dag->nodes + s->dag->outputs;
     size_t edges = 0;
@@ -413,4 +414,13 @@ double scales_improve(struct schedule *s, bool groups)
     free(x.affected);
     free(x.term);
     return x.work;
+}
+
+struct schedule *scaled_schedule(const struct dag *g, const struct cost_model *model, enum scale_search search)
+{
+    struct schedule *s = schedule_new(g, model);
+    if (search != SCALES_KEPT)
+        s->work = improve(s, search == SCALES_GROUPS);
+    schedule_finish(s);
+    return s;
 }

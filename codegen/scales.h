@@ -4,8 +4,11 @@
 
 #include "schedule.h"
 
-/** Changes the scales, all ONE so far, so that few multiplications by constants are left; returns the work, in pairs of
- *  terms compared.  groups: operands that share a coefficient in a sum are changed together, too. */
-double scales_improve(struct schedule *s, bool groups);
+/** Which scales: every value as the graph has it, or in scales that cost fewer multiplications by constants; changed
+ *  one by one, or in groups of operands that share a coefficient in a sum, too, which takes longer. */
+enum scale_search { SCALES_KEPT, SCALES_SINGLE, SCALES_GROUPS };
+
+/** A finished schedule of the outputs, in such scales; its `work` is that of the search for them. */
+struct schedule *scaled_schedule(const struct dag *g, const struct cost_model *model, enum scale_search search);
 
 #endif

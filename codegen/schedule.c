@@ -7,7 +7,6 @@
  * registers are few.  The scales are chosen in scales.c. */
 #include "schedule.h"
 
-#include "scales.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -272,10 +271,9 @@ int schedule_doublings(const struct schedule *s, rational c)
     return n * s->model->add < s->model->mul ? n : 0;
 }
 
-struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, enum scale_search search)
+struct schedule *schedule_new(const struct dag *g, const struct cost_model *model)
 {
     struct schedule *s = new_array(1, sizeof *s);
-    size_t edges = 0;
     s->dag = g;
     s->model = model;
     s->order = new_array(g->nodes, sizeof *s->order);
@@ -283,21 +281,24 @@ struct schedule *schedule_new(const struct dag *g, const struct cost_model *mode
     s->alone = new_array(g->nodes, sizeof *s->alone);
     s->stage = new_array(g->nodes, sizeof *s->stage);
     s->scale = new_array(g->nodes, sizeof *s->scale);
-    for (size_t n = 0; n < g->nodes; n++) {
+    for (size_t n = 0; n < g->nodes; n++)
         s->scale[n] = ONE;
-        edges += g->node[n].kind == NODE_SUM ? g->node[n].edges : 0;
-    }
     order_nodes(s);
     order_stages(s);
-    if (search != SCALES_KEPT)
-        s->work = scales_improve(s, search == SCALES_GROUPS);
+    return s;
+}
+
+void schedule_finish(struct schedule *s)
+{
+    size_t edges = 0;
+    for (size_t n = 0; n < s->dag->nodes; n++)
+        edges += s->dag->node[n].kind == NODE_SUM ? s->dag->node[n].edges : 0;
     order_urgent(s);
     for (s->terms = 16; s->terms < 2 * edges; s->terms *= 2)
         ;
     s->term = new_array(s->terms, sizeof *s->term);
     if (edges <= MOST_COUNTED)
         count_terms(s, edges);
-    return s;
 }
 
 void schedule_free(struct schedule *s)

@@ -25,13 +25,12 @@ struct schedule {
     size_t terms;
 };
 
-/** Which scales: every value as the graph has it, or in scales that cost fewer multiplications by constants; changed
- *  one by one, or in groups, too, which takes longer. */
-enum scale_search { SCALES_KEPT, SCALES_SINGLE, SCALES_GROUPS };
-
-/** A schedule of the outputs. */
-struct schedule *schedule_new(const struct dag *g, const struct cost_model *model, enum scale_search search);
+/** The outputs' nodes in order and in stages, every value as the graph has it: scales may change now, and only now. */
+struct schedule *schedule_new(const struct dag *g, const struct cost_model *model);
 void schedule_free(struct schedule *s);
+
+/** The order of statements, and the terms that sums share. */
+void schedule_finish(struct schedule *s);
 
 /** Coefficient with which edge i of node n multiplies the emitted value of its operand, in the emitted value of n. */
 rational schedule_coefficient(const struct schedule *s, int n, size_t i);

@@ -8,6 +8,7 @@
 #include "distribute.h"
 #include "horner.h"
 #include "multiples.h"
+#include "scales.h"
 #include "shape.h"
 #include "share.h"
 #include "walk.h"
@@ -246,7 +247,7 @@ static void emit_multiples(struct search *s, const struct schedule *schedule, co
     size_t saved;
     struct dag *g = s->options->cost.chain ? NULL : multiples_taken(schedule, &saved);
     if (g && cost - (double)saved * s->options->cost.mul < s->least - 1e-9) {
-        struct schedule *again = schedule_new(g, &s->options->cost, SCALES_SINGLE);
+        struct schedule *again = scaled_schedule(g, &s->options->cost, SCALES_SINGLE);
         emit_schedule(s, again, from, false);
         schedule_free(again);
     }
@@ -256,7 +257,7 @@ static void emit_multiples(struct search *s, const struct schedule *schedule, co
 /* Emits a graph, in its own scales or in those that a search finds; returns the cost. */
 static double emit(struct search *s, const struct dag *g, const struct candidate *from, enum scale_search scales)
 {
-    struct schedule *schedule = schedule_new(g, &s->options->cost, scales);
+    struct schedule *schedule = scaled_schedule(g, &s->options->cost, scales);
     const bool steers = scales != SCALES_GROUPS;
     const double cost = emit_schedule(s, schedule, from, steers);
     if (steers) {

@@ -2,10 +2,18 @@
 #ifndef FOOTPOINT_SEARCH_H
 #define FOOTPOINT_SEARCH_H
 
-#include "compile.h"
+#include "cost.h"
+#include "emit.h"
 
 /** A genome of more nodes is compiled as it is written: no other shapes of it, and one emission. */
 enum { SEARCH_MOST_NODES = 100000 };
+
+struct compile_options {
+    struct cost_model cost;
+    unsigned long seed;
+    long effort;   /* work that the search may do, in units of about a millisecond; same effort, same bytes */
+    FILE *explain; /* one line per pass with its counts, or NULL */
+};
 
 struct search;
 

@@ -139,7 +139,7 @@ static void complete(const double *const x[5], const struct bilinear *f, struct 
     footpoint_bilinear_wide_at(x, f->exponent, c->loc, &w);
     const struct twofold h11 = twofold_dot(w.a, w.a), h22 = twofold_dot(w.b, w.b);
     const struct twofold h12 = twofold_subtract(twofold_dot(w.a, w.b), twofold_dot(w.c, w.d));
-    const double turn = fabs(h12.high), noise = 8.0 * BILINEAR_UNIT;
+    const double turn = fabs(h12.high), noise = 8.0 * (BILINEAR_UNIT + c->reach);
     for (int i = 0; i < 3; i++)
         c->d[i] = w.d[i].high;
     c->square = twofold_dot(w.d, w.d);

@@ -89,7 +89,7 @@ static double side_of(const struct truth_surface *f, const wide z[2])
         nn += n * n;
         dn += n * d[k];
     }
-    if (!(nn > (wide)1e-12 * aa * bb && dd > (wide)1e-18))
+    if (!(nn > (wide)1e-12 * aa * bb && nn > (wide)1e-24 && dd > (wide)1e-18)) /* rounding of loc makes a normal */
         return 0;
     const double side = (double)dn / sqrt((double)nn) / sqrt((double)dd);
     return fabs(side) > 1e-5 ? side : 0;
