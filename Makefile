@@ -40,10 +40,12 @@ ifneq ($(OPENMP),)
 $(call demand,OPENMP,$(call one_of,OPENMP,0 1),0 or 1)
 endif
 
+# What is made is told on stderr in a few words, by `$(call say,CC,file)`; V=1 shows commands, -s neither.
 ifeq ($(V),1)
 Q :=
 else
 Q := @
+say = $(if $(findstring s,$(firstword -$(MAKEFLAGS))),,@printf '  %-4s %s\n' '$(1)' '$(2)' >&2)
 endif
 
 ifeq ($(CONFIG),release)
@@ -72,7 +74,7 @@ evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c k
 evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c)) \
                $(addprefix runtime/,bezier.c gregory.c normals.c)
 pga_mpi     := evolve/pga_main.c evolve/migrate.c
-genome_lib  := codegen/base.c codegen/outfile.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
+genome_lib  := codegen/base.c codegen/console.c codegen/outfile.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
 ccx_lib     := $(wildcard runtime/attach*.c)
 runtime_lib := $(filter-out $(ccx_lib),$(wildcard runtime/*.c))
 # Geometry of segments, which scenes are made of, too.
@@ -102,6 +104,7 @@ CFLAGS_mpi    = $(call pkg,--cflags ompi-c)
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
+	$(call say,CC,$<)
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -MMD -MP -c $< -o $@
 
 $(call object,evolve/evolve_main.c evolve/pga_main.c $(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
@@ -145,27 +148,33 @@ bench-program: $(BIN)/footpoint-bench
 
 $(BIN)/footpoint-codegen: $(call object,codegen/codegen_main.c $(codegen_lib))
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_codegen)
 
 $(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.c codegen/outfile.c)
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_calibrate)
 
 $(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evolve_lib) $(genome_lib) $(geometry))
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
 
 $(BIN)/footpoint-pga: $(call object,$(pga_mpi) $(evolve_lib) $(genome_lib) $(geometry))
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
 
 $(BIN)/footpoint-perceptron: $(call object,evolve/perceptron_main.c $(evolve_lib) $(genome_lib) $(geometry))
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
 
 $(BIN)/footpoint-bench: $(call object,$(bench_parts) $(test_lib) $(evolve_lib) $(genome_lib) $(geometry)) \
                         $(foreach isa,$(ISAS),$(OBJ)/tests/bench_methods-$(isa).o)
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
 
 $(LIB).a: $(call object,$(runtime_lib))
@@ -173,6 +182,7 @@ $(LIB).a: $(call object,$(runtime_lib))
 $(LIB)_ccx.a: $(call object,$(ccx_lib))
 $(LIB).a $(LIB)_ccx.a: Makefile
 	@mkdir -p $(@D) && rm -f $@
+	$(call say,AR,$@)
 	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
 # The number of the binary interface: raised when a program built before would no longer run.
@@ -181,16 +191,19 @@ SONAME := libfootpoint.so.$(ABI)
 
 $(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib)) runtime/footpoint.map
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,runtime/footpoint.map $(filter %.o,$^) -o $@ -lm
 	@ln -sf libfootpoint.so $(@D)/$(SONAME)
 
 $(BIN)/footpoint.mod: runtime/footpoint.f90
 	@mkdir -p $(@D)
+	$(call say,FC,$<)
 	$(Q)$(FC) -std=f2003 -Wall -Wextra -pedantic -Werror -fsyntax-only -J$(@D) $<
 	@touch $@
 
 $(OBJ)/pic/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
+	$(call say,CC,$< (pic))
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -fPIC -MMD -MP -c $< -o $@
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
@@ -205,13 +218,15 @@ $(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/methods.awk Makefile
 
 # The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.
 $(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
-	$(Q)$(BIN)/footpoint-codegen --allow-poles $< -o $@
+	$(call say,GEN,$@)
+	$(Q)$(BIN)/footpoint-codegen --allow-poles --quiet $< -o $@
 
 $(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/methods.awk
 	$(Q)awk -f tests/methods.awk $< > $@
 
 $(OBJ)/rival_counts.inc: tests/count_rivals.cpp $(wildcard tests/rivals*.h) tests/trust_region.h tests/pinball.h
 	@mkdir -p $(@D)
+	$(call say,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
 $(OBJ)/tests/test_headers.o: CFLAGS += -I$(OBJ)
@@ -229,6 +244,7 @@ isa_id = $(subst -,_,$(1))
 $(OBJ)/tests/bench_methods-%.o: tests/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
                                 $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
 	@mkdir -p $(@D)
+	$(call say,CC,$< ($*))
 	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(OPT_release) $(FAST) $(ISA_$*) -I$(OBJ) \
 	    -DBENCH_ISA=$(call isa_id,$*) -DBENCH_ISA_NAME='"$*"' \
 	    -DBENCH_FLAGS='"$(strip $(OPT_release) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
@@ -261,6 +277,7 @@ TESTS := $(patsubst tests/%.c,$(BIN)/tests/%,$(test_main))
 
 $(BIN)/tests/%: $(OBJ)/tests/%.o $(call object,$(test_lib) $(evolve_lib) $(codegen_lib) $(runtime_lib) $(ccx_lib))
 	@mkdir -p $(@D)
+	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_test)
 
 JOBS ?= $(shell nproc)

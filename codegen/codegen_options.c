@@ -25,6 +25,10 @@ static const char usage[] =
     "      --seed N          seed of the search (default %lu)\n"
     "      --explain         each pass and its counts to standard error\n"
     "\n"
+    "      --quiet           say nothing while working (otherwise on standard error: a line for each function "
+    "written;\n"
+    "                        on a terminal one line, with the time left)\n"
+    "\n"
     "  -h, --help            this text\n"
     "      --version         version\n"
     "\n"
@@ -64,7 +68,7 @@ static bool is_identifier(const char *name)
     return true;
 }
 
-enum { COUNT = 256, PREFIX, VERSION, LANGUAGE, PRECISION, POLES, COST, EFFORT, SEED, EXPLAIN, SAMPLES };
+enum { COUNT = 256, PREFIX, VERSION, LANGUAGE, PRECISION, POLES, COST, EFFORT, SEED, EXPLAIN, SAMPLES, QUIET };
 
 static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
                                              {"help", no_argument, NULL, 'h'},
@@ -79,6 +83,7 @@ static const struct option long_options[] = {{"output", required_argument, NULL,
                                              {"effort", required_argument, NULL, EFFORT},
                                              {"seed", required_argument, NULL, SEED},
                                              {"explain", no_argument, NULL, EXPLAIN},
+                                             {"quiet", no_argument, NULL, QUIET},
                                              {NULL, 0, NULL, 0}};
 
 /* One option with its argument. */
@@ -135,6 +140,9 @@ static bool read_option(int option, const char *argument, struct codegen_options
         return true;
     case EXPLAIN:
         compile->explain = stderr;
+        return true;
+    case QUIET:
+        o->unit.quiet = true;
         return true;
     default:
         return false;

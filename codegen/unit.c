@@ -1,6 +1,7 @@
 /* From genomes to proved functions; see unit.h. */
 #include "unit.h"
 
+#include "console.h"
 #include "homogeneous.h"
 #include "single.h"
 #include "text.h"
@@ -118,21 +119,43 @@ static void hash_genome(const struct genome_file *f, size_t k, char sha256[65])
     free(text);
 }
 
-static bool build(struct unit *u, size_t k, const struct unit_options *o, struct diag *d)
+/* Compiling takes about as long as the evidence: two steps a genome. */
+static void tell(const struct steps *s, const struct genome_file *f, size_t k, bool compiled)
+{
+    char what[200];
+    snprintf(what, sizeof what, "%.80s, %zu of %zu, %s", f->genome[k].name, k + 1, f->genomes,
+             compiled ? "proofs and bounds" : "search for the cheapest form");
+    steps_show(s, 2 * k + compiled, what);
+}
+
+static void tell_done(struct steps *s, const struct genome_file *f, size_t k)
+{
+    const char *slash = strrchr(f->path, '/');
+    char what[400];
+    snprintf(what, sizeof what, "%.200s: %.80s, %zu of %zu", slash ? slash + 1 : f->path, f->genome[k].name, k + 1,
+             f->genomes);
+    steps_log(s, what);
+}
+
+static bool build(struct unit *u, size_t k, const struct unit_options *o, struct steps *s, struct diag *d)
 {
     const struct genome_file *f = u->file;
     struct function *function = &u->function[k];
     struct compiled *c = &function->code;
     function->genome = &f->genome[k];
     function->name = new_format("%s_%s", o->prefix, function->genome->name);
+    tell(s, f, k, false);
     if (!compile_genome(f, function->genome, &o->compile, c, d))
         return false;
+    tell(s, f, k, true);
     function->program = program_read(f, function->genome, c->emission.text, d);
     if (!function->program || !prove_equal(f, function->genome, function->program, &function->proof, d))
         return false;
-    if (c->removed)
+    if (c->removed) {
+        console_line(s->terminal, "");
         fprintf(stderr, "%s:%d: warning: genome '%s': %zu division%s cancelled (a removed singularity)\n", f->path,
                 function->genome->line, function->genome->name, c->removed, c->removed == 1 ? "" : "s");
+    }
     if (!o->evidence)
         return true;
     if (o->precision == PRECISION_FLOAT && !check_float(f, function, d))
@@ -159,8 +182,11 @@ struct unit *unit_new(const struct genome_file *f, const char sha256[65], const 
     u->function = new_array(f->genomes, sizeof *u->function);
     bool good = f->genomes > 0 || diag_at(d, f->path, 0, 0, "the file holds no genome");
     good = good && check_names(f, d);
+    struct steps steps = steps_start(!o->quiet && !o->compile.explain, 2 * f->genomes);
     for (size_t k = 0; good && k < f->genomes; k++)
-        good = build(u, k, o, d);
+        if ((good = build(u, k, o, &steps, d)) && o->evidence)
+            tell_done(&steps, f, k);
+    steps_end(&steps);
     if (good)
         return u;
     unit_free(u);

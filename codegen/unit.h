@@ -28,6 +28,7 @@ struct unit_options {
     enum precision precision;
     bool allow_poles;                      /* functions may divide by 0, and have a status then */
     bool evidence;                         /* find poles and error bounds */
+    bool quiet;                            /* say nothing while working */
     const struct measure_samples *samples; /* not owned: to measure float code on; NULL: there are none */
     struct compile_options compile;
 };
@@ -39,7 +40,8 @@ struct unit {
     struct function *function; /* owned: by genome of the file */
 };
 
-/** Compiles and proves each genome; warnings go to stderr.  NULL with *d filled when a genome is refused. */
+/** Compiles and proves each genome; warnings go to stderr, and unless quiet what is being done.  NULL with *d filled
+ *  when a genome is refused. */
 struct unit *unit_new(const struct genome_file *f, const char sha256[65], const struct unit_options *o, struct diag *d);
 void unit_free(struct unit *u);
 

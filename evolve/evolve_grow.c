@@ -2,6 +2,7 @@
  * for one output from one base; its rank tells the others what it found, in the order of the jobs. */
 #include "evolve_grow.h"
 
+#include "../codegen/console.h"
 #include "frame.h"
 #include "greedy.h"
 #include "grow.h"

@@ -2,6 +2,7 @@
  * so that the two agree after a restart. */
 #include "evolve_keeper.h"
 
+#include "../codegen/console.h"
 #include "frame.h"
 
 #include <math.h>

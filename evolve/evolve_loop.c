@@ -5,6 +5,7 @@
  * So all ranks save, and end, at the same generation, and what the islands find does not depend on time. */
 #include "evolve_loop.h"
 
+#include "../codegen/console.h"
 #include "evolve_keeper.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* footpoint-pga: the paper's genetic algorithm on polynomials, over MPI.  Every process reads the scene and holds the
  * table of monomials; rank 0 breeds, and the polynomials of a generation are fitted and measured by all ranks. */
+#include "../codegen/console.h"
 #include "frame.h"
 #include "migrate.h"
 #include "pga_terms.h"

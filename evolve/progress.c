@@ -1,52 +1,28 @@
 /* Progress lines; see progress.h. */
 #include "progress.h"
 
-#include "stop.h"
+#include "../codegen/console.h"
 
-#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 enum { LOG_LINES = 20, LINE = 400 };
 /* Seconds between lines: least on a terminal; most in a log, at first and ever after. */
 static const double blink = 0.2, first_silence = 10, last_silence = 600;
 
-/* mpirun hands its ranks a pipe: what counts is where mpirun itself writes, if it is on this host. */
-static int find_terminal(void)
-{
-    char path[64];
-    if (isatty(STDERR_FILENO) == 1)
-        return STDERR_FILENO;
-    if (!getenv("OMPI_COMM_WORLD_RANK"))
-        return -1;
-    snprintf(path, sizeof path, "/proc/%ld/fd/2", (long)getppid());
-    const int file = open(path, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0 || isatty(file) == 1)
-        return file;
-    close(file);
-    return -1;
-}
-
 void progress_phase(bool shown, const char *text)
 {
-    const int terminal = shown ? find_terminal() : -1;
-    if (terminal < 0)
-        return;
-    fprintf(stderr, "\r%s\033[K", text);
-    fflush(stderr);
-    if (terminal != STDERR_FILENO)
-        close(terminal);
+    const int terminal = shown ? console_find() : -1;
+    console_line(terminal, text);
+    console_leave(terminal);
 }
 
 struct progress progress_start(bool shown, size_t first, size_t generations, double until)
 {
     const double t = seconds_now();
     return (struct progress){.shown = shown,
-                             .terminal = shown ? find_terminal() : -1,
+                             .terminal = shown ? console_find() : -1,
                              .first = first,
                              .generations = generations,
                              .logged = first,
@@ -63,23 +39,6 @@ static bool due(const struct progress *p, size_t generation, double t)
     if (p->terminal >= 0)
         return t - p->last >= blink;
     return (generation - p->logged) * LOG_LINES >= p->generations - p->first || t - p->last >= p->silence;
-}
-
-static void time_text(double seconds, char text[32])
-{
-    const unsigned long s = (unsigned long)(seconds + 0.5);
-    if (s < 100)
-        snprintf(text, 32, "%lu s", s);
-    else if (s < 3600)
-        snprintf(text, 32, "%lu:%02lu min", s / 60, s % 60);
-    else
-        snprintf(text, 32, "%lu:%02lu h", s / 3600, s / 60 % 60);
-}
-
-static int columns(int terminal)
-{
-    struct winsize w;
-    return ioctl(terminal, TIOCGWINSZ, &w) == 0 && w.ws_col > 1 ? w.ws_col - 1 : 79;
 }
 
 void number_text(double value, char text[NUMBER_TEXT])
@@ -104,7 +63,7 @@ static double time_left(const struct progress *p, size_t generation, double t, b
 void progress_show(struct progress *p, size_t generation, const char *best, const char *brief, double work)
 {
     const double t = seconds_now(), spent = t - p->start;
-    char line[LINE], rest[32], speed[NUMBER_TEXT];
+    char line[LINE], rest[TIME_TEXT], speed[NUMBER_TEXT];
     bool limited;
     if (!p->shown || generation == p->first || !due(p, generation, t))
         return;
@@ -115,7 +74,7 @@ void progress_show(struct progress *p, size_t generation, const char *best, cons
     p->silence = fmin(2 * p->silence, last_silence);
     const int n = snprintf(line, sizeof line, "generation %zu/%zu  %s left%s  %s genes x samples/s  %s", generation,
                            p->generations, rest, limited ? " (limit)" : "", speed, best);
-    const int width = p->terminal >= 0 ? columns(p->terminal) : LINE - 1;
+    const int width = p->terminal >= 0 ? console_columns(p->terminal) : LINE - 1;
     if (n > width)
         snprintf(line, sizeof line, "%zu/%zu  %s left  %s/s  %s", generation, p->generations, rest, speed, brief);
     if (p->terminal >= 0)

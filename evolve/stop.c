@@ -1,8 +1,7 @@
-/* Signals and the clock; see stop.h. */
+/* Signals; see stop.h. */
 #include "stop.h"
 
 #include <signal.h>
-#include <time.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t noted;
@@ -42,11 +41,4 @@ const char *stop_name(enum stop_reason reason)
 int stop_status(enum stop_reason reason)
 {
     return reason == STOP_INTERRUPTED ? 128 + SIGINT : reason == STOP_TERMINATED ? 128 + SIGTERM : 0;
-}
-
-double seconds_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }

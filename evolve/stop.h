@@ -19,7 +19,4 @@ const char *stop_name(enum stop_reason reason);
  *  128 + the signal's number where somebody ended it. */
 int stop_status(enum stop_reason reason);
 
-/** Seconds on a clock that never goes back. */
-double seconds_now(void);
-
 #endif

@@ -4,6 +4,7 @@
  * coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
  * the best that the machine has is taken. */
 #include "../codegen/base.h"
+#include "../codegen/console.h"
 #include "../evolve/root.h"
 #include "../evolve/scene.h"
 #include "bench_map.h"
@@ -23,12 +24,12 @@
 
 struct bench_options {
     const char *scene, *isa, *map;
-    bool csv, contact;
+    bool csv, contact, quiet;
 };
 
 static void print_usage(FILE *out)
 {
-    fputs("usage: footpoint-bench [--scene NAME] [--csv] [--isa NAME] [--map FOLDER] [--contact]\n"
+    fputs("usage: footpoint-bench [--scene NAME] [--csv] [--isa NAME] [--map FOLDER] [--contact] [--quiet]\n"
           "Speed against error of every search, on held-out samples.\n"
           "  --scene NAME   a scene of evolve/scenes, or a path; default: all of evolve/scenes\n"
           "  --csv          comma-separated values\n"
@@ -36,6 +37,7 @@ static void print_usage(FILE *out)
           "                 default: the best that this machine has\n"
           "  --map FOLDER   errors of our functions over the segment, FOLDER/SCENE-FUNCTION.vtk\n"
           "  --contact      instead: contact or not, and how deep, by the pinball test; comma-separated values\n"
+          "  --quiet        say nothing while working: otherwise, beside --csv, which scene is done and what is left\n"
           "  --help         this text\n"
           "  --version      version\n",
           out);
@@ -144,6 +146,20 @@ static bool is_float(const char *path)
     return single;
 }
 
+/* Scene i of those in `steps`, told on stderr where the table is not. */
+static bool bench_step(const struct bench_options *o, const struct bench_table *table, struct steps *steps, size_t i,
+                       const char *name, struct diag *d)
+{
+    const char *slash = strrchr(name, '/');
+    char what[200];
+    snprintf(what, sizeof what, "bench: %.150s, %zu of %zu", slash ? slash + 1 : name, i + 1, steps->total);
+    steps_show(steps, i, what);
+    const bool done = (!o->scene && is_float(name)) || bench_scene(o, table, name, d);
+    if (done)
+        steps_log(steps, what);
+    return done;
+}
+
 static bool bench_all(const struct bench_options *o, const struct bench_table *table, struct diag *d)
 {
     char pattern[1024];
@@ -152,19 +168,33 @@ static bool bench_all(const struct bench_options *o, const struct bench_table *t
     snprintf(pattern, sizeof pattern, "%s/evolve/scenes/*.scene", root_default());
     if (glob(pattern, 0, NULL, &found) != 0)
         return diag_at(d, "evolve/scenes", 0, 0, "no scene here; run from the root of the source, or name one");
+    struct steps steps = steps_start(o->csv && !o->quiet, found.gl_pathc);
     for (size_t i = 0; done && i < found.gl_pathc; i++)
-        done = is_float(found.gl_pathv[i]) || bench_scene(o, table, found.gl_pathv[i], d);
+        done = bench_step(o, table, &steps, i, found.gl_pathv[i], d);
+    steps_end(&steps);
     globfree(&found);
+    return done;
+}
+
+static bool bench_one(const struct bench_options *o, const struct bench_table *table, struct diag *d)
+{
+    struct steps steps = steps_start(o->csv && !o->quiet, 1);
+    const bool done = bench_step(o, table, &steps, 0, o->scene, d);
+    steps_end(&steps);
     return done;
 }
 
 int main(int argc, char **argv)
 {
-    static const struct option options[] = {
-        {"scene", required_argument, NULL, 's'}, {"csv", no_argument, NULL, 'c'},
-        {"contact", no_argument, NULL, 'p'},     {"isa", required_argument, NULL, 'i'},
-        {"map", required_argument, NULL, 'm'},   {"help", no_argument, NULL, 'h'},
-        {"version", no_argument, NULL, 'v'},     {NULL, 0, NULL, 0}};
+    static const struct option options[] = {{"scene", required_argument, NULL, 's'},
+                                            {"csv", no_argument, NULL, 'c'},
+                                            {"contact", no_argument, NULL, 'p'},
+                                            {"isa", required_argument, NULL, 'i'},
+                                            {"map", required_argument, NULL, 'm'},
+                                            {"quiet", no_argument, NULL, 'q'},
+                                            {"help", no_argument, NULL, 'h'},
+                                            {"version", no_argument, NULL, 'v'},
+                                            {NULL, 0, NULL, 0}};
     struct bench_options o = {0};
     struct diag d;
     for (int option; (option = getopt_long(argc, argv, "", options, NULL)) != -1;)
@@ -183,6 +213,9 @@ int main(int argc, char **argv)
             break;
         case 'm':
             o.map = optarg;
+            break;
+        case 'q':
+            o.quiet = true;
             break;
         case 'h':
             print_usage(stdout);
@@ -204,5 +237,5 @@ int main(int argc, char **argv)
     }
     if (o.contact)
         puts(contact_table_head);
-    return exit_status(o.scene ? bench_scene(&o, table, o.scene, &d) : bench_all(&o, table, &d), &d);
+    return exit_status(o.scene ? bench_one(&o, table, &d) : bench_all(&o, table, &d), &d);
 }

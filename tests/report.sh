@@ -2,9 +2,11 @@
 # report.sh FOLDER: one run of the bench as a page: pictures of time against error of each scene, tables, error maps,
 # and the rivals that lie below our front; then the hard cases.  BENCH_OPTIONS, say "--scene quad4", go to the bench.
 folder=$1 BIN=${BIN:-build}
+say() { echo "report: $*" >&2; }
 rm -rf "$folder" && mkdir -p "$folder/maps" || exit 3
 "$BIN/footpoint-bench" --csv --map "$folder/maps" $BENCH_OPTIONS > "$folder/bench.csv" || exit 3
 awk -f tests/report/front.awk "$folder/bench.csv" > "$folder/front.txt" || exit 3
+say 'hard cases'
 work=$folder/work
 mkdir "$work" && . tests/hard/build.inc && hard_build "$work/hard" "${CC:-gcc}" -O3 -ffp-contract=off || exit 3
 "$work/hard" 100 > "$folder/hard.csv"
@@ -73,6 +75,7 @@ area.</p>
 ours that is as accurate, by more than the noise of the two (<a href="front.txt">front.txt</a>).</p>
 END
     for scene in $scenes; do
+        say "pictures of $scene"
         echo "<h2>$scene</h2>"
         for sample in $(awk -F, -v s="$scene" '$1 == s && !seen[$2]++ { print $2 }' "$folder/bench.csv"); do
             part "$scene" "$sample"

@@ -9,7 +9,7 @@ expect 'an argument too many' 2 '' "footpoint-bench: unexpected argument 'x'" "$
 expect 'unknown instruction set' 2 '' "footpoint-bench: error: no methods for 'z80' here" "$bench" --isa z80
 expect 'unknown scene' 3 '' '*' "$bench" --scene none.scene
 
-expect 'a scene of no function' 0 '*' '' "$bench" --csv --scene $scene
+expect 'a scene of no function' 0 '*' '' "$bench" --csv --quiet --scene $scene
 cp "$work/stdout" "$work/small.csv"
 awk -F, '
     NR == 1 { columns = NF; bad += !/^scene,sample,method,ours,mode,mul,div,add,sqrt,ns,ratio,mean_xi,p99_xi,/; next }
@@ -53,7 +53,8 @@ expect 'rounding errors are alike' 0 '4 rivals below the front' '' \
 
 mkdir "$work/maps"
 sed 's/^heldout.*/heldout = 300;/; s/^training.*/training = 300;/' evolve/scenes/quad4.scene > "$work/quad4.scene"
-expect 'maps' 0 '*' '' "$bench" --csv --scene "$work/quad4.scene" --map "$work/maps"
+expect 'maps' 0 '*' '*' "$bench" --csv --scene "$work/quad4.scene" --map "$work/maps"
+[ "$(sed 's/[0-9]* s$/N s/' "$work/stderr")" = 'bench: quad4.scene, 1 of 1, N s' ]; report $((! $?)) 'what is done is told'
 awk '$1 == "DIMENSIONS" { cells = ($2 - 1) * ($3 - 1) } $1 == "CELL_DATA" { bad += $2 != cells } /^[0-9.e+-]+$/ { n++ }
     END { exit !(!bad && n == 3 * cells) }' "$work"/maps/quad4-footpoint_quad4_accurate.vtk
 report $((! $?)) 'a value for each cell'

@@ -78,7 +78,7 @@ expect 'squares in a sum are found' 0 'genome,mul,div,add,sqrt,compare
 g,3,0,3,0,0' '' "$codegen" --count "$g"
 genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
 expect 'output folder missing' 3 '' "$work/none/h.h: error: cannot write: No such file or directory" \
-    "$codegen" "$g" -o "$work/none/h.h"
+    "$codegen" --quiet "$g" -o "$work/none/h.h"
 "$codegen" "$g" -o "$work/h.h"
 cp "$work/h.h" "$work/before.h"
 "$codegen" "$g" -o "$work/h.h"
@@ -110,11 +110,11 @@ expect 'a quotient without ranges' 1 '' \
 [ ! -e "$work/h.h" ]; report $((! $?)) 'nothing is written'
 expect 'is counted' 0 'genome,mul,div,add,sqrt,compare
 g,0,1,1,0,0' '' "$codegen" --count "$g"
-expect 'is allowed' 0 '' '' "$codegen" "$g" --allow-poles --prefix p -o "$work/h.h"
+expect 'is allowed' 0 '' '' "$codegen" --quiet "$g" --allow-poles --prefix p -o "$work/h.h"
 grep -q '^FOOTPOINT_FN int p_g(double in_x, double in_y, double \*out_r)$' "$work/h.h"
 report $((! $?)) 'and its function returns a status'
 genome 'input x y' 'range y -1 1' 'genome g' 'r = / x + y 3' 'end'
-expect 'ranges show that there is no pole' 0 '' '' "$codegen" "$g" --prefix p -o "$work/h.h"
+expect 'ranges show that there is no pole' 0 '' '' "$codegen" --quiet "$g" --prefix p -o "$work/h.h"
 grep -q '^FOOTPOINT_FN void p_g(double in_x, double in_y, double \*out_r)$' "$work/h.h"
 report $((! $?)) 'and no status is needed'
 genome 'input x y' 'range x 1 2' 'range y -4 1' 'genome g' 'r = / x + y 3' 'end'
@@ -125,7 +125,7 @@ genome 'input x y' 'range x 1 2' 'range y 1 2' 'require - 1.5 * x y' 'require - 
 expect 'requires that contradict each other' 1 '' "$g:5:1: error: no inputs in the ranges have all requires > 0" \
     "$codegen" "$g" --allow-poles -o "$work/none.h"
 genome 'input x y' 'genome g' 'r = % x y' 'end'
-expect 'a protected quotient has no pole' 0 '' '' "$codegen" "$g" -o "$work/h.h"
+expect 'a protected quotient has no pole' 0 '' '' "$codegen" --quiet "$g" -o "$work/h.h"
 
 # ---- names and hashes ----
 for tail in n points; do
@@ -141,3 +141,21 @@ genome 'input x' 'genome a' 'r = x' 'end' '# a comment' 'genome b' 'r = * x 2' '
 [ -n "$first" ] && [ "$first" = "$(hash_of a)" ]; report $((! $?)) "a genome's hash is its own"
 [ "$first" = "$(printf '%s\n' 'footpoint-genome 1' 'input x' '' 'genome a' 'r = x' 'end' | sha256sum | cut -d ' ' -f 1)" ]
 report $((! $?)) 'and that of its printed text'
+
+# While it works: in a log a line for each function, on a terminal one line with the time left; stdout is data alone.
+genome 'input x y' 'range y 1 2' 'genome a' 'r = * x y' 'end' 'genome b' 'r = / x y' 'end'
+expect 'a line for each function' 0 '' '*' "$codegen" "$g" -o "$work/h.h"
+sed 's/[0-9]* s$/N s/' "$work/stderr" > "$work/lines"
+[ "$(cat "$work/lines")" = 'g.gen: a, 1 of 2, N s
+g.gen: b, 2 of 2, N s' ]; report $((! $?)) 'says which'
+expect 'none if quiet' 0 '' '' "$codegen" --quiet "$g" -o "$work/h.h"
+expect 'none for counts' 0 '*' '' "$codegen" --count "$g"
+if [ -n "$(command -v script)" ]; then
+    script -qec "stty cols 60; $codegen --count $g > $work/data" /dev/null > "$work/tty"
+    tr '\r' '\n' < "$work/tty" | sed 's/\x1b\[K//' | grep -v '^$' > "$work/lines"
+    [ "$(sed 's/[0-9]* s left/N s left/' "$work/lines")" = 'a, 1 of 2, search for the cheapest form ...
+a, 1 of 2, proofs and bounds ...  N s left
+b, 2 of 2, search for the cheapest form ...  N s left
+b, 2 of 2, proofs and bounds ...  N s left' ] && [ "$(wc -l < "$work/data")" = 3 ]
+    report $((! $?)) 'a line on a terminal'
+fi
