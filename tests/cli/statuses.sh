@@ -84,7 +84,7 @@ done
 quick="quad4 locate batch batch_lanes newton contact derivatives normals"
 for compiler in "$CC -std=gnu11 -Ofast" "clang -std=gnu11 -Ofast" "$CC -std=gnu11 -Ofast -march=native" "$CC -std=gnu11 -O2"; do
     sources=$(for f in $quick; do echo "$PWD/runtime/$f.c"; done)
-    $compiler -I"$PWD" "$PWD/tests/library_statuses.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
+    $compiler -I"$PWD" "$PWD/tests/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
     good=$?
     [ $good -eq 0 ] || head -12 "$work/log" | sed 's/^/# /'
     report $((!good)) "the library, $compiler"
