@@ -6,7 +6,7 @@ SEED        ?= 1
 CONFIG      ?= release
 CXX         ?= g++
 ifeq ($(origin CC),default)
-CC  := gcc
+CC  := $(if $(shell command -v gcc 2> /dev/null),gcc,cc)
 CXX := g++
 endif
 
@@ -15,6 +15,30 @@ MAKEFLAGS += --no-builtin-rules
 .SECONDARY:
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := all
+
+# ---- what is given, checked before anything is built ------------------------------------------------------------------
+
+CONFIGS := release debug asan fma
+one_of   = $(if $(filter 1,$(words $($(1)))),$(filter $(2),$($(1))))
+upper    = $(subst 5,,$(subst 6,,$(subst 7,,$(subst 8,,$(subst 9,,$(1))))))
+lower    = $(subst 0,,$(subst 1,,$(subst 2,,$(subst 3,,$(subst 4,,$(1))))))
+whole    = $(if $(filter 1,$(words $($(1)))),$(if $(call lower,$(call upper,$($(1)))),,yes))
+positive = $(if $(call whole,$(1)),$(subst 0,,$($(1))))
+demand   = $(if $(2),,$(error $(1)=$($(1)): $(3)))
+
+$(call demand,CONFIG,$(call one_of,CONFIG,$(CONFIGS)),not a configuration; there are $(CONFIGS))
+$(call demand,RANKS,$(call positive,RANKS),not a number of ranks)
+$(call demand,GENERATIONS,$(call whole,GENERATIONS),not a number of generations)
+$(call demand,SEED,$(call whole,SEED),not a whole number)
+ifneq ($(JOBS),)
+$(call demand,JOBS,$(call positive,JOBS),not a number of jobs)
+endif
+ifneq ($(FROM),)
+$(call demand,FROM,$(call one_of,FROM,scratch),scratch or nothing)
+endif
+ifneq ($(OPENMP),)
+$(call demand,OPENMP,$(call one_of,OPENMP,0 1),0 or 1)
+endif
 
 ifeq ($(V),1)
 Q :=
@@ -48,8 +72,9 @@ evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c k
 evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c)) \
                $(addprefix runtime/,bezier.c gregory.c normals.c)
 pga_mpi     := evolve/pga_main.c evolve/migrate.c
-genome_lib  := codegen/base.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
-runtime_lib := $(wildcard runtime/*.c)
+genome_lib  := codegen/base.c codegen/outfile.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
+ccx_lib     := $(wildcard runtime/attach*.c)
+runtime_lib := $(filter-out $(ccx_lib),$(wildcard runtime/*.c))
 # Geometry of segments, which scenes are made of, too.
 geometry    := $(filter-out runtime/quad4.c,$(wildcard runtime/quad*.c runtime/tri*.c))
 test_main   := $(wildcard tests/test_*.c)
@@ -81,13 +106,15 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 
 $(call object,evolve/evolve_main.c evolve/pga_main.c $(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
 
+# A file with one line, written where that is new.
+line = mkdir -p $(@D) && { [ "$$(cat $@ 2> /dev/null)" = '$(1)' ] || echo '$(1)' > $@; }
+
 # New flags rebuild everything.
 $(OBJ)/flags: FORCE
-	@mkdir -p $(@D)
-	@echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' > $@
+	@$(call line,$(CC) $(CFLAGS))
 FORCE:
 
--include $(shell find $(OBJ) -name '*.d' 2>/dev/null)
+-include $(wildcard $(OBJ)/*/*.d $(OBJ)/*/*/*.d)
 
 # ---- programs and libraries -------------------------------------------------------------------------------------------
 
@@ -96,15 +123,23 @@ LIB := $(BIN)/libfootpoint
 ifeq ($(origin FC),default)
 FC := gfortran
 endif
-MODULE := $(if $(findstring gfortran,$(FC)),$(if $(shell command -v $(FC)),$(BIN)/footpoint.mod))
-GENERATED := $(sort $(wildcard generated/*.h))
-# Those in double, which the bench and its tests call.
-DOUBLES := $(if $(GENERATED),$(shell grep -l '^ . precision: double' $(GENERATED)))
+MODULE := $(if $(findstring gfortran,$(FC)),$(if $(shell command -v $(FC) 2> /dev/null),$(BIN)/footpoint.mod))
+
+# The scenes and frames that footpoint comes with; those of one's own, beside them, are neither installed nor measured.
+SHIPPED := bezier blocks-quad4 bricks-quad4 gregory paper-gregory paper-quad4 parallelogram-quad4 plane-quad4 punch-quad4 \
+           quad4 quad4-float quad8 quad9 rectangle-quad4 tri3 tri6 whole-quad4
+FRAMES  := affine bezier gregory guarded parallelogram plane quad8 quad9 similarity similarity_gregory steps tri3 tri6
+header_of = generated/footpoint_$(subst -,_,$(1)).h
+GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
+# Those in double, and one's own where SCENE names it, are what the bench and its tests call.
+OWN     := $(filter-out $(SHIPPED),$(basename $(notdir $(SCENE))))
+METHODS := $(wildcard $(GENERATED) $(foreach scene,$(OWN),$(call header_of,$(scene))))
+DOUBLES := $(if $(METHODS),$(shell awk '/^ . precision: double/ { print FILENAME }' $(METHODS)))
 
 all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
 evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
-runtime: $(LIB).a $(LIB).so $(MODULE)
+runtime: $(LIB).a $(LIB)_ccx.a $(LIB).so $(MODULE)
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
 
@@ -112,7 +147,7 @@ $(BIN)/footpoint-codegen: $(call object,codegen/codegen_main.c $(codegen_lib))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_codegen)
 
-$(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.c)
+$(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.c codegen/outfile.c)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_calibrate)
 
@@ -134,11 +169,14 @@ $(BIN)/footpoint-bench: $(call object,$(bench_parts) $(test_lib) $(evolve_lib) $
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
 
 $(LIB).a: $(call object,$(runtime_lib))
+# The search for CalculiX, by the name that CalculiX gives it: for nobody else's programs.
+$(LIB)_ccx.a: $(call object,$(ccx_lib))
+$(LIB).a $(LIB)_ccx.a: Makefile
 	@mkdir -p $(@D) && rm -f $@
-	$(Q)ar rcs $@ $^
+	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
 # The number of the binary interface: raised when a program built before would no longer run.
-ABI := 0
+ABI := $(shell sed -n 's/^FOOTPOINT_\([0-9]*\) {/\1/p' runtime/footpoint.map)
 SONAME := libfootpoint.so.$(ABI)
 
 $(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib)) runtime/footpoint.map
@@ -156,12 +194,13 @@ $(OBJ)/pic/%.o: %.c $(OBJ)/flags
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -fPIC -MMD -MP -c $< -o $@
 
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
-$(OBJ)/methods.h: $(DOUBLES) Makefile
-	@mkdir -p $(@D)
+$(OBJ)/methods: FORCE
+	@$(call line,$(DOUBLES))
+
+$(OBJ)/methods.h: $(DOUBLES) $(OBJ)/methods Makefile
 	$(Q)for h in $(DOUBLES); do echo "#include \"$$PWD/$$h\""; done > $@
 
-$(OBJ)/methods.inc: $(DOUBLES) tests/methods.awk Makefile
-	@mkdir -p $(@D)
+$(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/methods.awk Makefile
 	$(Q)awk -f tests/methods.awk $(DOUBLES) > $@
 
 # The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.
@@ -220,7 +259,7 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 
 TESTS := $(patsubst tests/%.c,$(BIN)/tests/%,$(test_main))
 
-$(BIN)/tests/%: $(OBJ)/tests/%.o $(call object,$(test_lib) $(evolve_lib) $(codegen_lib) $(runtime_lib))
+$(BIN)/tests/%: $(OBJ)/tests/%.o $(call object,$(test_lib) $(evolve_lib) $(codegen_lib) $(runtime_lib) $(ccx_lib))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_test)
 
@@ -255,10 +294,11 @@ paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's
 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
-PACKAGES := gcc g++ clang make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev libflint-arb-dev libmpfr-dev libgmp-dev \
-            libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
-# What `make check-long` compares with and fuzzes with; without them it skips those checks.
-PACKAGES_LONG := form maxima python3-sympy gappa gfortran libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc
+# By name all that is needed: what packages merely recommend is not installed.
+PACKAGES := gcc g++ gfortran clang libc6-dev make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev \
+            libflint-arb-dev libmpfr-dev libgmp-dev libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
+# What `make check-long` compares with, fuzzes with and unpacks with; without them it skips those checks.
+PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2
 
 deps-long: PACKAGES += $(PACKAGES_LONG)
 deps deps-long: ## install the packages that are missing (Debian; deps-long: for check-long, too); needs no privileges when all are there
@@ -267,7 +307,8 @@ deps deps-long: ## install the packages that are missing (Debian; deps-long: for
 	done; \
 	if [ -n "$$missing" ]; then \
 	    sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
-	    $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo apt-get install -y -qq $$missing; \
+	    $$sudo apt-get update -qq && \
+	    DEBIAN_FRONTEND=noninteractive $$sudo apt-get install -y -qq --no-install-recommends $$missing; \
 	fi
 
 # ---- installation -----------------------------------------------------------------------------------------------------
@@ -281,50 +322,88 @@ MANDIR     ?= $(PREFIX)/share/man
 DATADIR    := $(BINDIR)/../share/footpoint
 
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base.h)
-# What C++ may include is meant for others.
-PUBLIC  := $(shell grep -l 'extern "C"' runtime/*.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
+HEADERS := $(GENERATED) $(filter-out $(LIBRARY),$(sort $(wildcard runtime/footpoint-*.h))) runtime/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := $(addprefix evolve/footpoint-,evolve.1 pga.1 perceptron.1) \
            $(addprefix codegen/footpoint-,codegen.1 calibrate.1) tests/footpoint-bench.1
 PAGES_3 := runtime/footpoint.3
+DATA_frames  := $(FRAMES:%=evolve/frames/%.gen)
+DATA_scenes  := $(SHIPPED:%=evolve/scenes/%.scene)
+DATA_genomes := $(SHIPPED:%=evolve/genomes/%.gen)
+MESHES  := $(addprefix tests/meshes/,blocks.inp blocks-nodes.inp bricks.inp punch.inp)
+PC      := footpoint.pc footpoint_ccx.pc
+CMAKE   := footpoint-config.cmake footpoint-config-version.cmake
+SHARED  := libfootpoint.so.$(VERSION)
+
+# Folders are absolute and may have blanks in their names, but nothing that scripts and packages give a meaning.
+ifneq ($(filter install install-runtime uninstall,$(MAKECMDGOALS)),)
+blank :=
+blank := $(blank) $(blank)
+tab   := $(shell printf '\t')
+define newline
+
+
+endef
+FOLDERS := PREFIX BINDIR LIBDIR INCLUDEDIR MANDIR
+hash  := \#
+strange = $(strip $(foreach c," ' ` \ | & ; $$ $(hash),$(findstring $(c),$($(1)))) \
+              $(if $(findstring $(tab),$($(1))),tab) $(if $(findstring $(newline),$($(1))),newline))
+$(foreach v,$(FOLDERS),$(call demand,$(v),$(filter /%,$(firstword $(subst $(blank),_,$($(v))))),no absolute path))
+$(foreach v,$(FOLDERS) DESTDIR,$(call demand,$(v),$(if $(call strange,$(v)),,yes),no folder to install in: $(call strange,$(v))))
+endif
+
+# A folder below DESTDIR, as one word of the shell.
+to  = '$(DESTDIR)$(1)'
+put = install -d $(call to,$(2)) && install -m $(or $(3),644) $(1) $(call to,$(2))
 # Packages name their folders from their own, so that an installation may be staged and moved.
-from = $$(realpath -m --relative-to=$(1) $(2))
+from = $$(realpath -m --relative-to='$(1)' '$(2)')
 fill = sed -e "s|@VERSION@|$(VERSION)|; s|@ABI@|$(ABI)|" -e "s|@PREFIX@|$(call from,$(1),$(PREFIX))|" \
     -e "s|@LIB@|$(call from,$(PREFIX),$(LIBDIR))|; s|@INCLUDE@|$(call from,$(PREFIX),$(INCLUDEDIR))|"
-put = install -d $(DESTDIR)$(2) && install -m $(or $(3),644) $(1) $(DESTDIR)$(2)
+remove = rm -f $(foreach file,$(notdir $(1)),$(call to,$(2)/$(file)))
+# A folder of ours, unless there is something else in it.
+close = rmdir $(call to,$(1)) 2> /dev/null || :
 
-install: runtime codegen evolve calibrate-program bench-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR=
+install: install-runtime codegen evolve calibrate-program bench-program ## install everything: PREFIX= DESTDIR= BINDIR= LIBDIR= INCLUDEDIR=
 	$(Q)$(call put,$(PROGRAMS),$(BINDIR),755)
-	$(Q)$(call put,$(LIBRARY) $(MODULE),$(INCLUDEDIR))
-	$(Q)$(call put,$(GENERATED) $(filter-out $(LIBRARY),$(PUBLIC)) runtime/footpoint.f90,$(INCLUDEDIR)/footpoint)
-	$(Q)$(call put,$(LIB).a,$(LIBDIR))
-	$(Q)install -m 644 $(LIB).so $(DESTDIR)$(LIBDIR)/libfootpoint.so.$(VERSION)
-	$(Q)ln -sf libfootpoint.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
-	$(Q)ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libfootpoint.so
-	$(Q)install -d $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(LIBDIR)/cmake/footpoint
-	$(Q)$(call fill,$(LIBDIR)/pkgconfig) runtime/footpoint.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/footpoint.pc
-	$(Q)for f in footpoint-config footpoint-config-version; do \
-	    $(call fill,$(LIBDIR)/cmake/footpoint) runtime/$$f.cmake.in > $(DESTDIR)$(LIBDIR)/cmake/footpoint/$$f.cmake; \
-	done
-	$(Q)for d in frames scenes genomes; do $(call put,evolve/$$d/*,$(DATADIR)/evolve/$$d) || exit $$?; done
-	$(Q)$(call put,tests/meshes/*.inp,$(DATADIR)/tests/meshes)
+	$(Q)$(foreach d,frames scenes genomes,$(call put,$(DATA_$(d)),$(DATADIR)/evolve/$(d)) &&) :
+	$(Q)$(call put,$(MESHES),$(DATADIR)/tests/meshes)
 	$(Q)$(call put,$(PAGES_1),$(MANDIR)/man1)
+
+install-runtime: runtime ## the library and the headers alone, which take a C compiler: the same variables
+	$(Q)$(call put,$(LIBRARY) $(MODULE),$(INCLUDEDIR))
+	$(Q)$(call put,$(HEADERS),$(INCLUDEDIR)/footpoint)
+	$(Q)$(call put,$(LIB).a $(LIB)_ccx.a,$(LIBDIR))
+	$(Q)install -m 644 $(LIB).so $(call to,$(LIBDIR)/$(SHARED))
+	$(Q)ln -sf $(SHARED) $(call to,$(LIBDIR)/$(SONAME))
+	$(Q)ln -sf $(SONAME) $(call to,$(LIBDIR)/libfootpoint.so)
+	$(Q)install -d $(call to,$(LIBDIR)/pkgconfig) $(call to,$(LIBDIR)/cmake/footpoint)
+	$(Q)$(foreach f,$(PC),$(call fill,$(LIBDIR)/pkgconfig) runtime/$(f).in | \
+	    sed '/=/s/ /\\ /g' > $(call to,$(LIBDIR)/pkgconfig/$(f)) &&) :
+	$(Q)$(foreach f,$(CMAKE),$(call fill,$(LIBDIR)/cmake/footpoint) runtime/$(f).in \
+	    > $(call to,$(LIBDIR)/cmake/footpoint/$(f)) &&) :
 	$(Q)$(call put,$(PAGES_3),$(MANDIR)/man3)
 
-uninstall: ## remove what install put there: the same variables
-	$(Q)rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/footpoint $(LIBDIR)/cmake/footpoint $(DATADIR)) \
-	    $(addprefix $(DESTDIR)$(BINDIR)/,$(notdir $(PROGRAMS))) \
-	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/,$(notdir $(LIBRARY)) footpoint.mod) \
-	    $(addprefix $(DESTDIR)$(LIBDIR)/libfootpoint.,a so so.$(ABI) so.$(VERSION)) \
-	    $(DESTDIR)$(LIBDIR)/pkgconfig/footpoint.pc $(addprefix $(DESTDIR)$(MANDIR)/man1/,$(notdir $(PAGES_1))) \
-	    $(addprefix $(DESTDIR)$(MANDIR)/man3/,$(notdir $(PAGES_3)))
+uninstall: ## remove what install put there, and nothing else: the same variables
+	$(Q)$(foreach d,frames scenes genomes,$(call remove,$(DATA_$(d)),$(DATADIR)/evolve/$(d)) &&) :
+	$(Q)$(call remove,$(MESHES),$(DATADIR)/tests/meshes)
+	$(Q)$(call remove,$(PROGRAMS),$(BINDIR))
+	$(Q)$(call remove,$(LIBRARY) footpoint.mod,$(INCLUDEDIR))
+	$(Q)$(call remove,$(HEADERS),$(INCLUDEDIR)/footpoint)
+	$(Q)$(call remove,libfootpoint.a libfootpoint_ccx.a libfootpoint.so $(SONAME) $(SHARED),$(LIBDIR))
+	$(Q)$(call remove,$(PC),$(LIBDIR)/pkgconfig)
+	$(Q)$(call remove,$(CMAKE),$(LIBDIR)/cmake/footpoint)
+	$(Q)$(call remove,$(PAGES_1),$(MANDIR)/man1)
+	$(Q)$(call remove,$(PAGES_3),$(MANDIR)/man3)
+	$(Q)$(foreach d,frames scenes genomes,$(call close,$(DATADIR)/evolve/$(d));) $(call close,$(DATADIR)/evolve); \
+	    $(call close,$(DATADIR)/tests/meshes); $(call close,$(DATADIR)/tests); $(call close,$(DATADIR)); \
+	    $(call close,$(INCLUDEDIR)/footpoint); $(call close,$(LIBDIR)/cmake/footpoint)
 
 clean: ## remove everything that was built
 	rm -rf build
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        perceptrons paper build-tests deps deps-long install uninstall clean help FORCE
+        perceptrons paper build-tests deps deps-long install install-runtime uninstall clean help FORCE

@@ -1,4 +1,4 @@
-/* Diagnostics, values of options, memory and whole-file output; see base.h. */
+/* Diagnostics, values of options and memory; see base.h. */
 #include "base.h"
 
 #include <ctype.h>
@@ -7,7 +7,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 bool diag_at(struct diag *d, const char *file, int line, int column, const char *format, ...)
 {
@@ -114,33 +113,6 @@ char *read_text(const char *path, size_t *size, struct diag *d)
     text[n] = '\0';
     *size = n;
     return text;
-}
-
-bool outfile_open(struct outfile *f, const char *path, struct diag *d)
-{
-    if (strlen(path) >= sizeof f->path)
-        return diag_at(d, path, 0, 0, "path is too long");
-    snprintf(f->path, sizeof f->path, "%s", path);
-    snprintf(f->aside, sizeof f->aside, "%s.%ld.tmp", path, (long)getpid());
-    f->stream = fopen(f->aside, "wb");
-    return f->stream ? true : diag_system(d, path, "cannot write");
-}
-
-bool outfile_commit(struct outfile *f, struct diag *d)
-{
-    const bool written = !ferror(f->stream) && fflush(f->stream) == 0 && fsync(fileno(f->stream)) == 0;
-    const bool closed = fclose(f->stream) == 0;
-    if (written && closed && rename(f->aside, f->path) == 0)
-        return true;
-    diag_system(d, f->path, "cannot write");
-    unlink(f->aside);
-    return false;
-}
-
-void outfile_discard(struct outfile *f)
-{
-    fclose(f->stream);
-    unlink(f->aside);
 }
 
 void sha256_hex(const void *data, size_t size, char hex[65])

@@ -1,5 +1,5 @@
-/* What every tool of the project shares: one-line diagnostics, values of options, the memory gateway, and files that
- * are written whole or not at all.  A leaf: C library only. */
+/* What every tool of the project shares: one-line diagnostics, values of options, the memory gateway.  A leaf: C library
+ * only. */
 #ifndef FOOTPOINT_BASE_H
 #define FOOTPOINT_BASE_H
 
@@ -44,15 +44,6 @@ char *new_text(const char *text, size_t n);
 
 /** Whole file as NUL-terminated text (*size without the NUL), or NULL with *d filled. Free with free(). */
 char *read_text(const char *path, size_t *size, struct diag *d);
-
-/** A file under construction: written aside, renamed over `path` by outfile_commit. */
-struct outfile {
-    FILE *stream;
-    char path[1024], aside[1100];
-};
-bool outfile_open(struct outfile *f, const char *path, struct diag *d);
-bool outfile_commit(struct outfile *f, struct diag *d); /* flush, sync, close, rename; removes the aside on failure */
-void outfile_discard(struct outfile *f);
 
 /** SHA-256 of `size` bytes as 64 hexadecimal digits and a NUL. */
 void sha256_hex(const void *data, size_t size, char hex[65]);

@@ -3,6 +3,7 @@
 #include "formulas.h"
 #include "fortran.h"
 #include "header.h"
+#include "outfile.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -52,8 +53,14 @@ static bool read_samples(const struct codegen_options *o, const struct genome_fi
 
 static bool run(const struct codegen_options *o, struct diag *d)
 {
+    const struct file_use file[] = {{"the output", o->output, true, 0},
+                                    {"the genome file", o->genomes, false, 0},
+                                    {"--samples", o->samples, false, 0},
+                                    {"--cost", o->cost, false, 0}};
     char sha256[65];
     size_t size;
+    if (!files_apart("footpoint-codegen", file, sizeof file / sizeof *file, d))
+        return false;
     char *text = read_text(o->genomes, &size, d);
     if (!text)
         return false;

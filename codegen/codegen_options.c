@@ -117,6 +117,7 @@ static bool read_option(int option, const char *argument, struct codegen_options
         o->unit.allow_poles = true;
         return true;
     case COST:
+        o->cost = argument;
         if (cost_model_find(argument, &compile->cost, &d))
             return true;
         fprintf(stderr, "%s\n", d.text);

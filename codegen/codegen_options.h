@@ -7,8 +7,9 @@
 enum language { LANGUAGE_C, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
 
 struct codegen_options {
-    const char *genomes, *output, *samples; /* files, not owned; output NULL: --count; samples NULL: none */
-    bool precision_given;                   /* else the genomes' note `precision` counts */
+    const char *genomes, *output; /* files, not owned; output NULL: --count */
+    const char *samples, *cost;   /* files, not owned; NULL: none */
+    bool precision_given;         /* else the genomes' note `precision` counts */
     char prefix[160];
     enum language language;
     struct unit_options unit; /* its prefix is the one above; samples are yet to be read */

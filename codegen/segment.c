@@ -74,7 +74,7 @@ static const char quad9[] =
                 "        pv[k] = f[column[k]] * dg[row[k]];\n"
                 "    }\n");
 
-/* A Bezier patch, runtime/bezier.h, as a sum over its corners c: of the handles a[c][0] along xi and a[c][1] along eta,
+/* A Bezier patch, runtime/bezier.c, as a sum over its corners c: of the handles a[c][0] along xi and a[c][1] along eta,
  * whose sum leads to the inner point. */
 static const char bezier[] =
     "    @R a[4][2][3];\n"
@@ -108,7 +108,7 @@ static const char bezier[] =
     "        }\n"
     "    }\n";
 
-/* A Gregory patch, runtime/gregory.h, as a sum over its corners c: of the handles a[c][0] along xi and a[c][1] along
+/* A Gregory patch, runtime/gregory.c, as a sum over its corners c: of the handles a[c][0] along xi and a[c][1] along
  * eta and the inner points q, which the two edges make each for itself.  w weighs these; f and g are the Bernstein
  * polynomials of a corner and of its handle, h their sum, and fd, gd, hd what they rise by towards larger xi, eta. */
 static const char gregory[] =

@@ -2,6 +2,7 @@
  * that all values of the frame can be there at once; of both outputs of a twin tree together. */
 #include "archive.h"
 
+#include "../codegen/outfile.h"
 #include "frame.h"
 #include "twin_text.h"
 

@@ -2,6 +2,7 @@
  * over with the expression it belongs to, so that a run that finds nothing better writes the same bytes again. */
 #include "archive.h"
 
+#include "../codegen/outfile.h"
 #include "frame.h"
 #include "scene_region.h"
 #include "twin_text.h"

@@ -9,7 +9,7 @@
 #ifndef FOOTPOINT_CHECKPOINT_H
 #define FOOTPOINT_CHECKPOINT_H
 
-#include "../codegen/base.h"
+#include "../codegen/outfile.h"
 
 #include <sha256.h>
 

@@ -218,11 +218,6 @@ static bool exclude(const bool given[ENTRIES], const char *one, const char *othe
            usage(d, "--%s and --%s exclude each other", one, other);
 }
 
-static bool same_file(const char *a, const char *b)
-{
-    return a && b && strcmp(a, b) == 0;
-}
-
 static bool consistent(const struct evolve_options *o, const bool given[ENTRIES], struct diag *d)
 {
     if (!o->scene)
@@ -237,11 +232,6 @@ static bool consistent(const struct evolve_options *o, const bool given[ENTRIES]
         return usage(d, "--log-every needs %s%s", "--log", "");
     if (given[find_entry("time-limit")] && !(o->time_limit > 0))
         return usage(d, "--time-limit 0 is out of range%s%s", "", "");
-    if (same_file(o->checkpoint, o->log))
-        return usage(d, "%s and %s are the same file", "--checkpoint", "--log");
-    if (same_file(o->checkpoint, o->output) || same_file(o->log, o->output))
-        return usage(d, "--output and %s are the same file%s", same_file(o->log, o->output) ? "--log" : "--checkpoint",
-                     "");
     return true;
 }
 

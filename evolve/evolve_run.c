@@ -8,6 +8,7 @@
 #include "frame_cost.h"
 #include "progress.h"
 #include "root.h"
+#include "scene_files.h"
 #include "scene_follow.h"
 
 #include <limits.h>
@@ -19,17 +20,6 @@
 static void genomes_path(const struct run *r, char path[1024])
 {
     snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", r->options->root, r->scene->name);
-}
-
-static bool probe(const char *path, struct diag *d)
-{
-    struct outfile f;
-    if (!path)
-        return true;
-    if (!outfile_open(&f, path, d))
-        return false;
-    outfile_discard(&f);
-    return true;
 }
 
 static bool choose_paths(struct run *r, struct diag *d)
@@ -88,6 +78,22 @@ static bool complete_scene(struct run *r, struct diag *d)
     return true;
 }
 
+/* A run may go on with its start file and its checkpoint; apart from that, what it writes is nothing that it reads. */
+static bool files_suit(const struct run *r, struct diag *d)
+{
+    enum { NONE, GENOMES, CHECKPOINTS };
+    const struct evolve_options *o = r->options;
+    const struct file_use file[] = {{"--output", r->output, true, GENOMES},
+                                    {"--start", r->resume || !*r->start ? NULL : r->start, false, GENOMES},
+                                    {"--checkpoint", o->checkpoint, true, CHECKPOINTS},
+                                    {"--resume", o->resume, false, CHECKPOINTS},
+                                    {"--front", o->front, true, NONE},
+                                    {"--log", o->log, true, NONE},
+                                    {"--seeds", o->seeds, false, NONE}};
+    return scene_files_apart("footpoint-evolve", o->root, r->scene, file, sizeof file / sizeof *file, d) &&
+           outfile_probe(r->output, d) && outfile_probe(o->checkpoint, d) && outfile_probe(o->front, d);
+}
+
 /* What is read: the cheap part, in which most mistakes show. */
 static bool load(struct run *r, struct diag *d)
 {
@@ -98,8 +104,7 @@ static bool load(struct run *r, struct diag *d)
         return false;
     const bool first = r->team->rank == 0;
     const bool good =
-        (!first || (probe(r->output, d) && probe(o->checkpoint, d) && probe(o->front, d) && keep_start(r, d))) &&
-        complete_scene(r, d) && load_archive(r, d);
+        complete_scene(r, d) && (!first || (files_suit(r, d) && keep_start(r, d))) && load_archive(r, d);
     if (r->resume && r->start[0])
         unlink(r->start);
     return good;

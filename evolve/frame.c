@@ -167,11 +167,16 @@ static bool frame_is_new(const struct scene *s, size_t tier)
     return true;
 }
 
+void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH])
+{
+    snprintf(path, FRAME_PATH, "%s/evolve/frames/%s.gen", root, t->frame);
+}
+
 static bool add_frame(const char *root, const struct scene *s, size_t tier, struct genome_file *program, struct diag *d)
 {
-    char path[1024];
+    char path[FRAME_PATH];
     const struct tier *t = &s->tier[tier];
-    snprintf(path, sizeof path, "%s/evolve/frames/%s.gen", root, t->frame);
+    frame_path(root, t, path);
     if (access(path, R_OK) != 0)
         return diag_at(d, s->path, t->line, 0, "tier '%s': cannot read frame '%s'", t->name, path);
     struct genome_file *frame = genome_read(path, d);

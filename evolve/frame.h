@@ -13,6 +13,10 @@
  *  @param[in] path  name of the program, as it will be written */
 struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d);
 
+/** The file of a tier's frame. */
+enum { FRAME_PATH = 1024 };
+void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH]);
+
 /** Genes of an expression of file `from`, expressed in the symbols and constants of `to`: symbols by name, constants by
  *  text.  Fills gene[0..e->length-1]; false with *d filled if `to` lacks a symbol. */
 bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, struct genome_file *to, int *gene,

@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_PATCH_LOCAL_H
 #define FOOTPOINT_PATCH_LOCAL_H
 
-#include "../runtime/gregory.h"
+#include "../runtime/footpoint-gregory-geometry.h"
 #include "reference.h"
 
 struct patch_local {

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_PATCH_SAMPLE_H
 #define FOOTPOINT_PATCH_SAMPLE_H
 
-#include "../runtime/gregory.h"
+#include "../runtime/footpoint-gregory-geometry.h"
 
 #include <stddef.h>
 

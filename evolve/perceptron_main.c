@@ -4,6 +4,7 @@
 #include "frame.h"
 #include "perceptron_options.h"
 #include "perceptron_train.h"
+#include "scene_files.h"
 #include "scene_region.h"
 
 #include <stdlib.h>
@@ -33,21 +34,18 @@ static struct genome_file *similarity_program(const struct study *s, struct diag
     return frame_program(s->options->root, &view, s->options->output, d);
 }
 
-/* What cannot be written shows before the training. */
-static bool probe(const char *path, struct diag *d)
+/* What cannot be written, or is read, shows before the training. */
+static bool files_suit(const struct study *s, struct diag *d)
 {
-    struct outfile f;
-    if (!outfile_open(&f, path, d))
-        return false;
-    outfile_discard(&f);
-    return true;
+    const struct perceptron_options *o = s->options;
+    const struct file_use output = {"--output", o->output, true, 0};
+    return scene_files_apart("footpoint-perceptron", o->root, s->scene, &output, 1, d) && outfile_probe(o->output, d);
 }
 
 static bool load(struct study *s, struct diag *d)
 {
     const struct perceptron_options *o = s->options;
-    if (!probe(o->output, d) || !(s->scene = scene_read(o->root, o->scene, d)) ||
-        !(s->program = similarity_program(s, d)) || !scene_samples(s->scene, PART_TRAINING, &s->training, d) ||
+    if (!(s->scene = scene_read(o->root, o->scene, d)) || !files_suit(s, d) || !(s->program = similarity_program(s, d)) || !scene_samples(s->scene, PART_TRAINING, &s->training, d) ||
         !scene_samples(s->scene, PART_HELDOUT, &s->heldout[0], d) ||
         !scene_samples(s->scene, PART_HELDOUT_RANDOM, &s->heldout[1], d))
         return false;

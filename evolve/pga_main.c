@@ -4,6 +4,7 @@
 #include "migrate.h"
 #include "pga_terms.h"
 #include "pga_write.h"
+#include "scene_files.h"
 #include "stop.h"
 
 #include <math.h>
@@ -33,16 +34,14 @@ static bool choose_tier(struct search *s, struct diag *d)
     return s->tier || diag_at(d, s->scene->path, 0, 0, "no tier '%.64s'", name);
 }
 
-/* What cannot be written shows before the search. */
-static bool probe(const struct search *s, struct diag *d)
+/* What cannot be written, or is read, shows before the search. */
+static bool files_suit(const struct search *s, struct diag *d)
 {
-    struct outfile f;
-    if (s->team->rank > 0)
-        return true;
-    if (!outfile_open(&f, s->options->output, d))
-        return false;
-    outfile_discard(&f);
-    return true;
+    const struct pga_options *o = s->options;
+    const struct file_use file[] = {
+        {"--output", o->output, true, 0}, {"--log", o->log, true, 0}, {"--terms", o->terms, false, 0}};
+    return s->team->rank > 0 || (scene_files_apart("footpoint-pga", o->root, s->scene, file, 3, d) &&
+                                 outfile_probe(o->output, d) && outfile_probe(o->log, d));
 }
 
 static bool load(struct search *s, struct diag *d)
@@ -50,7 +49,7 @@ static bool load(struct search *s, struct diag *d)
     const struct pga_options *o = s->options;
     struct sample_set training = {0};
     s->scene = scene_read(o->root, o->scene, d);
-    if (!s->scene || !choose_tier(s, d) || !(s->program = frame_program(o->root, s->scene, o->output, d)) ||
+    if (!s->scene || !choose_tier(s, d) || !files_suit(s, d) || !(s->program = frame_program(o->root, s->scene, o->output, d)) ||
         !scene_samples(s->scene, PART_TRAINING, &training, d))
         return false;
     struct kernel *kernel = kernel_new_widest();
@@ -245,7 +244,7 @@ static bool search_and_write(struct search *s, struct diag *d)
 
 static bool run(struct search *s, struct diag *d)
 {
-    const bool good = team_agree(s->team, probe(s, d) && load(s, d), d) && search_and_write(s, d);
+    const bool good = team_agree(s->team, load(s, d), d) && search_and_write(s, d);
     for (int k = 0; k < 2; k++)
         sample_set_free(&s->heldout[k]);
     judge_free(s->judge);

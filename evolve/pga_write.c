@@ -1,6 +1,7 @@
 /* Genome text of polynomials; see pga_write.h. */
 #include "pga_write.h"
 
+#include "../codegen/outfile.h"
 #include "archive.h"
 #include "constants.h"
 #include "frame.h"

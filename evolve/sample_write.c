@@ -1,6 +1,8 @@
 /* Samples of a scene to a file; see sample_write.h. */
 #include "sample_write.h"
 
+#include "scene_files.h"
+
 static void print_head(const struct segment_kind *kind, FILE *out)
 {
     fputs("part", out);
@@ -36,7 +38,9 @@ bool samples_write(const char *root, const char *scene_name, const char *path, s
 {
     struct scene *scene = scene_read(root, scene_name, d);
     struct outfile f;
-    bool good = scene && outfile_open(&f, path, d);
+    const struct file_use output = {"--samples", path, true, 0};
+    bool good =
+        scene && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) && outfile_open(&f, path, d);
     if (good) {
         print_head(scene->segment, f.stream);
         good = write_part(scene, PART_HELDOUT, "heldout", f.stream, d) &&

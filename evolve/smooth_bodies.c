@@ -3,7 +3,7 @@
 #include "smooth_bodies.h"
 
 #include "../codegen/base.h"
-#include "../runtime/normals.h"
+#include "../runtime/footpoint-node-normals.h"
 #include "stream.h"
 
 #include <gsl/gsl_math.h>

@@ -8,6 +8,7 @@
 #ifndef FOOTPOINT_ATTACH_H
 #define FOOTPOINT_ATTACH_H
 
+#include "ieee.h"
 #include "vector.h"
 
 /* Not for callers of the library. */
@@ -27,8 +28,8 @@ void footpoint_attach_tri3(const double x[3][3], const double xs[3], double loc[
  *  where the distance is convex over the segment; where it is not, the least of all stationary points and edges. */
 void footpoint_attach_quad4(const double x[4][3], const double xs[3], double loc[2]);
 
-/** A point of a quadratic triangle or serendipity quadrilateral that no other near it undercuts, and neither does any
- *  node.  On a face without much curvature that is the closest point. */
+/** The closest point of a quadratic triangle or serendipity quadrilateral: no other is nearer by more than 1e-10 of the
+ *  face's size.  (On a face that folds onto itself at the slave node, the search for others may give up.) */
 void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[2]);
 void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc[2]);
 

@@ -1,6 +1,6 @@
 /* For CalculiX: the closest point of a face, in place of the routine of that name, which finds it by a pattern search.
  * Nothing of CalculiX is in here but the list of arguments.  Link its program with this object, or with
- *     -u attach_2d_ -lfootpoint
+ *     -u attach_2d_ -lfootpoint_ccx -lfootpoint
  * before the archive of its own objects; nothing else changes.
  *
  * CalculiX wants the closest point of the closed face: local coordinates never leave it, and where it lies on an edge

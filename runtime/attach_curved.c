@@ -1,15 +1,16 @@
-/* A closest point of a quadratic face, clamped to it: sequential quadratic programming.  The face is brought to
+/* The closest point of a quadratic face, clamped to it: sequential quadratic programming, until attach_search.c finds
+ * nothing nearer.  The face is brought to
  *     r = k0 + k1 u + k2 v + k3 u^2 + k4 u v + k5 v^2 + k6 u^2 v + k7 u v^2,
  * half the squared distance f is replaced by its Taylor polynomial of second order, the least point of that over the
  * triangle or square is found exactly, and the step to it is halved until f falls.  Where the Hessian is not positive
  * definite it gives way to Gauss and Newton's, damped.  It starts from the closest point of the plane or bilinear face
  * of the corners, or from a node that is nearer. */
+#include "attach_curved.h"
 #include "../generated/footpoint_quad4.h"
-#include "attach.h"
 
 #include <float.h>
 
-enum { TERMS = 8, MAX_STEPS = 200, MAX_HALVINGS = 30 };
+enum { MAX_STEPS = 200, MAX_HALVINGS = 30, MAX_STARTS = 20 };
 
 /* The iteration is done when its next step would be below this. */
 #define NEXT_STEP 1e-9
@@ -17,13 +18,11 @@ enum { TERMS = 8, MAX_STEPS = 200, MAX_HALVINGS = 30 };
 /* ... or, without a Hessian inside, when its last one was. */
 #define NEARLY 1e-6
 
+/* What edges may be bent, over the size of the face, and still be straight. */
+#define STRAIGHT 1e-12
+
 /* How near a point on an edge is to it. */
 #define ON_EDGE 1e-6
-
-/* The polynomial, less the slave node: k0 = r(0,0) - xS; and the sum of squares of k3 to k7. */
-struct curved {
-    double k[TERMS][3], bend2;
-};
 
 static void set_triangle(struct curved *f, const double x[][3], const double xs[3])
 {
@@ -57,13 +56,15 @@ static void set_serendipity(struct curved *f, const double x[][3], const double 
     }
 }
 
-/* r - xS at (u,v) = loc. */
-static void away(const struct curved *f, const double loc[2], double r[3])
+/* Whether the midside nodes are the middles of straight edges, to rounding of coordinates. */
+static int is_bilinear(const struct curved *f)
 {
-    const double u = loc[0], v = loc[1];
-    for (int i = 0; i < 3; i++)
-        r[i] = f->k[0][i] + u * (f->k[1][i] + u * (f->k[3][i] + v * f->k[6][i]) + v * (f->k[4][i] + v * f->k[7][i])) +
-               v * (f->k[2][i] + v * f->k[5][i]);
+    double bent = 0.0, size = 0.0;
+    for (int i = 0; i < 3; i++) {
+        size += fabs(f->k[1][i]) + fabs(f->k[2][i]) + fabs(f->k[4][i]);
+        bent += fabs(f->k[3][i]) + fabs(f->k[5][i]) + fabs(f->k[6][i]) + fabs(f->k[7][i]);
+    }
+    return bent <= STRAIGHT * size;
 }
 
 static int positive(const struct model *m)
@@ -157,7 +158,7 @@ static int step_down(const struct curved *f, int corners, double slope, const do
     for (int k = 0; k <= MAX_HALVINGS; k++, length *= 0.5) {
         double next[2] = {loc[0] + length * move[0], loc[1] + length * move[1]};
         confine(corners, next);
-        away(f, next, r);
+        curved_away(f, next, r);
         const double there = vector_dot(r, r);
         if (there <= *here + length * slope) {
             *here = there;
@@ -170,11 +171,11 @@ static int step_down(const struct curved *f, int corners, double slope, const do
 }
 
 /* From loc, where r is r - xS. */
-static inline void descend(struct curved *f, int corners, double loc[2], double r[3])
+static void descend(struct curved *f, int corners, double loc[2], double r[3])
 {
     double here = vector_dot(r, r), move[2];
     f->bend2 = 0.0;
-    for (int k = 3; k < TERMS; k++)
+    for (int k = 3; k < CURVED_TERMS; k++)
         f->bend2 += vector_dot(f->k[k], f->k[k]);
     for (int n = 0; n < MAX_STEPS; n++) {
         const struct model full = model_of(f, loc, r, 0);
@@ -197,11 +198,24 @@ static inline void descend(struct curved *f, int corners, double loc[2], double 
     confine(corners, loc);
 }
 
+/* To the closest point, from loc: a local minimum, and from whatever is nearer than that, the next. */
+static inline void find_closest(struct curved *f, int corners, double loc[2], double r[3])
+{
+    double start[2];
+    descend(f, corners, loc, r);
+    for (int n = 0; n < MAX_STARTS && footpoint_attach_nearer(f, corners, loc, start); n++) {
+        loc[0] = start[0];
+        loc[1] = start[1];
+        curved_away(f, loc, r);
+        descend(f, corners, loc, r);
+    }
+}
+
 /* To the nearest of n nodes, at local coordinates `at`, if that is nearer than loc; and r - xS there. */
 static inline void prefer_node(const struct curved *f, int n, const double x[][3], const double at[][2],
                                const double xs[3], double loc[2], double r[3])
 {
-    away(f, loc, r);
+    curved_away(f, loc, r);
     double d[3], best = vector_dot(r, r);
     for (int i = 0; i < n; i++) {
         vector_sub(x[i], xs, d);
@@ -225,7 +239,7 @@ void footpoint_attach_tri6(const double x[6][3], const double xs[3], double loc[
     set_triangle(&f, x, xs);
     footpoint_attach_tri3(x, xs, loc);
     prefer_node(&f, 6, x, at, xs, loc, r);
-    descend(&f, 3, loc, r);
+    find_closest(&f, 3, loc, r);
 }
 
 void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc[2])
@@ -235,10 +249,14 @@ void footpoint_attach_quad8(const double x[8][3], const double xs[3], double loc
     struct curved f;
     double r[3];
     set_serendipity(&f, x, xs);
+    if (is_bilinear(&f)) {
+        footpoint_attach_quad4(x, xs, loc);
+        return;
+    }
     footpoint_quad4_coarse_at(x[0], x[1], x[2], x[3], xs, &loc[0], &loc[1]);
     if (!(fabs(loc[0]) + fabs(loc[1]) < HUGE_VAL))
         loc[0] = loc[1] = 0.0;
     confine(4, loc);
     prefer_node(&f, 8, x, at, xs, loc, r);
-    descend(&f, 4, loc, r);
+    find_closest(&f, 4, loc, r);
 }

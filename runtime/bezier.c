@@ -1,5 +1,5 @@
-/* Bicubic Bezier patches; see bezier.h. */
-#include "bezier.h"
+/* Bicubic Bezier patches; see footpoint-bezier-geometry.h. */
+#include "footpoint-bezier-geometry.h"
 
 #include "vector.h"
 

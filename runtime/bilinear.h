@@ -9,6 +9,8 @@
 #define FOOTPOINT_BILINEAR_H
 
 #include "footpoint.h"
+#include "ieee.h"
+#include "twofold.h"
 #include "vector.h"
 
 #include <float.h>
@@ -23,8 +25,6 @@
 #define BILINEAR_LEAST 0x1p-100 /* edges for which no product that matters under- or overflows, unscaled */
 #define BILINEAR_MOST 0x1p100
 #define BILINEAR_FARTHEST 0x1p40 /* |xS - xA| over the longest edge; beyond, no digit of xi and eta would be left */
-
-enum { BILINEAR_STATIONARY = 32 };
 
 /* Lengths are in 2^exponent mesh lengths. */
 struct bilinear {
@@ -67,6 +67,19 @@ static inline double bilinear_clamp(double x)
     return x < -1.0 ? -1.0 : x > 1.0 ? 1.0 : x;
 }
 
+/* y - x, exactly, in 2^exponent mesh lengths; but for what underflows. */
+static inline struct twofold bilinear_difference(double y, double x, int exponent)
+{
+    struct twofold d;
+    if (exponent == 0)
+        return twofold_sum(y, -x);
+    const double by = exponent > 0 ? 0.25 : 1.0; /* differences may overflow, or have no room below */
+    d = twofold_sum(by * y, -by * x);
+    d.high = ldexp(d.high, (exponent > 0 ? 2 : 0) - exponent);
+    d.low = ldexp(d.low, (exponent > 0 ? 2 : 0) - exponent);
+    return d;
+}
+
 /** Fills *f, in scaled lengths if the edges are extreme.
  *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (all corners coincide),
  *          FOOTPOINT_ERR_DOMAIN (xS is too far away) */
@@ -86,6 +99,15 @@ int footpoint_bilinear_prove(const struct bilinear *f, double xi, double eta, st
 /** The same from the products at (xi,eta), f1 and f2 of which are within `error` of the truth. */
 int footpoint_bilinear_prove_from(const struct bilinear *f, double xi, double eta, const struct bilinear_point *p,
                                   double error, struct bilinear_proof *proof);
+
+/* One point with twice the digits: r_xi, r_eta, c3 and xS - r; lengths. */
+struct bilinear_wide {
+    struct twofold a[3], b[3], c[3], d[3];
+};
+
+/** @param[in] x         the nodes A, B, C, D, S
+ *  @param[in] exponent  lengths are in 2^exponent mesh lengths */
+void footpoint_bilinear_wide_at(const double *const x[5], int exponent, const double z[2], struct bilinear_wide *p);
 
 /** Moves z to the stationary point next to it, to rounding, by residuals of twice the precision.
  *  @param[in]  x       the nodes A, B, C, D, S
@@ -125,12 +147,6 @@ static inline void bilinear_at(const struct bilinear *f, double xi, double eta, 
  *  @param[in] floor  what the square of the distance has to gain, at least, over the square of such a way */
 int footpoint_bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta,
                                   double slack, double floor);
-
-/** Points within [-1,1]^2 where a . d = b . d = 0 to rounding, all of them; where they are so close together that they
- *  cannot be told apart, some of them.  In no particular order.
- *  @param[out] loc  up to BILINEAR_STATIONARY x 2
- *  @return how many */
-int footpoint_bilinear_stationary(const struct bilinear *f, double loc[][2]);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

@@ -57,30 +57,35 @@ int footpoint_bilinear_prove(const struct bilinear *f, double xi, double eta, st
 }
 
 /* q(v) = h22 |a + v c3|^2 - (h12 + v b.c3)^2, less the margin, is positive for low <= v <= high, which hold 0 between
- * them.  It is convex, so either its tangent at 0 says so, or its discriminant. */
+ * them.  It is convex, so either its tangent at 0 says so, or its discriminant, less what rounding may add to the
+ * coefficient of v^2: that vanishes where b and c3 are parallel. */
 static int is_definite(double h11, double h12, double h22, double ac, double bc, double cc, double low, double high,
-                       double margin)
+                       double margin, double rounding)
 {
     const double q0 = h11 * h22 - h12 * h12 - margin, q1 = 2.0 * (h22 * ac - h12 * bc);
     if (!(q0 > 0.0 && h22 > 0.0))
         return 0;
-    return (q0 + q1 * low > 0.0 && q0 + q1 * high > 0.0) || 0.999 * 4.0 * q0 * (h22 * cc - bc * bc) > q1 * q1;
+    return (q0 + q1 * low > 0.0 && q0 + q1 * high > 0.0) ||
+           0.999 * 4.0 * q0 * (h22 * cc - bc * bc - rounding) > q1 * q1;
 }
 
 /* What |d'|^2 of bilinear.h has beyond the gradient is, with a' = a + v c3,
  *     |u a' + v b|^2 - 2 u v c3.d = u^2 a'.a' + 2 u v (a'.b - c3.d) + v^2 b.b,
  * a quadratic form in (u,v) whose coefficients depend on v alone, with the determinant q(v).  Where that is positive
  * for all v of the segment, no point is nearer; the same with xi and eta exchanged.  The margin covers rounding, and a
- * shift of the point by slack, which changes h11, h12, h22 by at most 2 (|a.c3| + |b.c3| + c3.c3 slack) slack. */
+ * shift of the point by slack, which changes h11, h12, h22 by at most 2 (|a.c3| + |b.c3| + c3.c3 slack) slack.  An
+ * eighth of that, over m^2, covers the coefficient of v^2, whose terms are at most `sum` over m^2. */
 int footpoint_bilinear_is_nearest(const struct bilinear *f, const struct bilinear_point *p, double xi, double eta,
                                   double slack, double floor)
 {
     const double change = fabs(p->ac) + fabs(p->bc) + 2.0 * f->m * p->cc;
     const double sum = p->h11 + p->h22 + 2.0 * fabs(p->h12) + 6.0 * f->m * change;
-    const double margin = (6.0 * change * slack + 96.0 * p->error + floor) * sum;
-    const double m1 = f->m1, m2 = f->m2;
-    return is_definite(p->h11, p->h12, p->h22, p->ac, p->bc, p->cc, m2 * (-1.0 - eta), m2 * (1.0 - eta), margin) ||
-           is_definite(p->h22, p->h12, p->h11, p->bc, p->ac, p->cc, m1 * (-1.0 - xi), m1 * (1.0 - xi), margin);
+    const double blur = 6.0 * change * slack + 96.0 * p->error, margin = (blur + floor) * sum;
+    const double m1 = f->m1, m2 = f->m2, rounding = 0.125 * blur * sum / (f->m * f->m);
+    return is_definite(p->h11, p->h12, p->h22, p->ac, p->bc, p->cc, m2 * (-1.0 - eta), m2 * (1.0 - eta), margin,
+                       rounding) ||
+           is_definite(p->h22, p->h12, p->h11, p->bc, p->ac, p->cc, m1 * (-1.0 - xi), m1 * (1.0 - xi), margin,
+                       rounding);
 }
 
 int footpoint_certify(const double xA[3], const double xB[3], const double xC[3], const double xD[3],

@@ -44,7 +44,7 @@ extern "C" {
 #define FOOTPOINT_OUTSIDE 6 /* the closest point of the segment lies on its edge */
 #endif
 #ifndef FOOTPOINT_NOT_UNIQUE
-#define FOOTPOINT_NOT_UNIQUE 7 /* another point is as near, to rounding */
+#define FOOTPOINT_NOT_UNIQUE 7 /* another point is as near, to 1e-10 of the longest edge */
 #endif
 #ifndef FOOTPOINT_UNPROVED
 #define FOOTPOINT_UNPROVED 8 /* a test failed that proves an answer; the answer may be right all the same */
@@ -112,7 +112,8 @@ int footpoint_select_segment(const double *xyz, int master, int candidates, cons
  *  number of segments; collapsed ones too.  Where they are equal but for rounding, a segment that (3), (4) give comes
  *  first, then the first in the caller's order.  About a microsecond a candidate.
  *  @param[out] distance  to the chosen segment, mesh length, >= 0; or NULL
- *  All else as in footpoint_select_segment; FOOTPOINT_ERR_DOMAIN only if there are no candidates. */
+ *  @return as footpoint_select_segment, FOOTPOINT_ERR_DOMAIN only if there are no candidates; and FOOTPOINT_UNPROVED, with
+ *          chosen and distance written, where footpoint_robust says so of a candidate */
 int footpoint_select_closest(const double *xyz, int master, int candidates, const int *seg, const double xS[3],
                              int *chosen, double *distance);
 
@@ -169,26 +170,30 @@ int footpoint_certify(const double xA[3], const double xB[3], const double xC[3]
                       const double xS[3], const double loc[2], double rho[2]);
 
 /** Closest point of the segment, -1 <= xi, eta <= 1, whatever segment and slave node: the iteration-free search, then a
- *  proof that its answer is right and that no point of the segment is nearer; where either fails, a comparison of all
- *  stationary points, edges and corners.  The point r(xi,eta) is right to 1e-10 of the longest edge.
+ *  proof that its answer is right and that no point of the segment is nearer; where either fails, a comparison, with
+ *  twice the digits, of the nearest points of the edges and all stationary points, the list of which is proved to be
+ *  complete.  The point r(xi,eta) is right to 1e-10 of the longest edge.
  *  @param[out] loc   {xi, eta}, in [-1,1]
  *  @param[out] dist  |xS - r|, mesh length; with the sign of (xS - r) . n, n = r_xi x r_eta: > 0 open, < 0 behind; > 0
  *                    where there is no normal.  At a foot point inside the segment this is the gap.
  *  @return FOOTPOINT_OK (the foot point);
  *          with loc and dist written: FOOTPOINT_OUTSIDE (the closest point, which lies on the edge of the segment),
- *          FOOTPOINT_NOT_UNIQUE (one of several points that are equally near, to rounding; dist is right),
- *          FOOTPOINT_ERR_DEGENERATE (the segment has no area: its closest point, with dist > 0);
+ *          FOOTPOINT_NOT_UNIQUE (another point, elsewhere in space, is as near to 1e-10 of the longest edge; dist is
+ *          right to that), FOOTPOINT_ERR_DEGENERATE (the segment has no area: its closest point, with dist > 0),
+ *          FOOTPOINT_UNPROVED (the nearest point found: rounding hides whether it is the nearest of all);
  *          with neither: FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DOMAIN (xS is farther away than 1e12 edges) */
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *dist);
 
-enum { FOOTPOINT_STATIONARY_MOST = 8 };
+enum { FOOTPOINT_STATIONARY_MOST = 5 };
 
 /** All points of the segment where (7), (8) hold, minima of the distance and others, -1 <= xi, eta <= 1, each to
- *  rounding: from the quintic that is left of (7), (8) when xi or eta is eliminated.  There are five at most.
+ *  rounding: from the quintics that are left of (7), (8) when xi or eta is eliminated, whose roots are isolated with
+ *  proof.  There are five at most.
  *  @param[out] loc    up to FOOTPOINT_STATIONARY_MOST x 2: xi, eta, in no particular order
  *  @param[out] count  how many
- *  @return FOOTPOINT_OK, FOOTPOINT_NOT_UNIQUE (some are too close together to be told apart; one stands for them);
+ *  @return FOOTPOINT_OK; FOOTPOINT_NOT_UNIQUE (some are too close together to be told apart, or there is a line of them;
+ *          one stands for them);
  *          FOOTPOINT_ERR_DEGENERATE (no area), FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DOMAIN as footpoint_certify */
 int footpoint_stationary(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                          const double xS[3], double loc[FOOTPOINT_STATIONARY_MOST][2], int *count);

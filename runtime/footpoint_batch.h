@@ -7,8 +7,8 @@
  * that the function of the same tier in generated/footpoint_quad4.h gives.
  *
  * With OpenMP (make OPENMP=1) the threads share the blocks of a batch. */
-#ifndef FOOTPOINT_BATCH_H
-#define FOOTPOINT_BATCH_H
+#ifndef FOOTPOINT_BATCH_INCLUDED
+#define FOOTPOINT_BATCH_INCLUDED
 
 #include "footpoint.h"
 

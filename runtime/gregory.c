@@ -1,4 +1,4 @@
-/* Gregory patches; see gregory.h.
+/* Gregory patches; see footpoint-gregory-geometry.h.
  *
  * Inner points.  Let c_0, c_1, c_2 be the differences of an edge's four control points, a_0 ... a_3 those from them to
  * the next row, of which a_0 and a_3 are given.  With g_0 = n_0 x c_0 and g_3 = n_3 x c_2, the edge's tangents turned
@@ -11,7 +11,7 @@
  * at each corner, q e with e = P_111 - P_110 and q = 9 (1-u)^2 (1-v)^2 f, f = u v^2/(u + v).  With z = u/(u + v) = 1 -
  * w, f = u v w,  f_u = v w^2,  f_v = u w (1 + z),  f_uu = -2 w^3,  f_uv = w^2 (1 + 2 z),  f_vv = 2 z^3: nothing is
  * divided but to form w. */
-#include "gregory.h"
+#include "footpoint-gregory-geometry.h"
 
 #include "vector.h"
 

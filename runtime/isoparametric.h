@@ -1,5 +1,6 @@
 /* What the segments whose shape functions are tables share: sums of nodes times weights, formed from differences of
- * nodes as in quad4.h.  Weights of shape functions add up to 1, those of their derivatives to 0.  Internal. */
+ * nodes as in footpoint-quad4-geometry.h.  Weights of shape functions add up to 1, those of their derivatives to 0.
+ * Internal. */
 #ifndef FOOTPOINT_ISOPARAMETRIC_H
 #define FOOTPOINT_ISOPARAMETRIC_H
 

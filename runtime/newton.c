@@ -4,7 +4,7 @@
  *     [ r_xi . r_eta - c3 . d   r_eta . r_eta         ].
  * Gauss-Newton drops c3 . d: always a descent direction, hence the first steps. */
 #include "footpoint.h"
-#include "quad4.h"
+#include "footpoint-quad4-geometry.h"
 #include "vector.h"
 
 #include <float.h>

@@ -1,5 +1,5 @@
-/* Node normals; see normals.h. */
-#include "normals.h"
+/* Node normals; see footpoint-node-normals.h. */
+#include "footpoint-node-normals.h"
 
 #include "vector.h"
 

@@ -1,5 +1,5 @@
-/* Geometry of the bilinear segment; see quad4.h. */
-#include "quad4.h"
+/* Geometry of the bilinear segment; see footpoint-quad4-geometry.h. */
+#include "footpoint-quad4-geometry.h"
 
 #include "vector.h"
 

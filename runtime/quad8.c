@@ -1,5 +1,5 @@
-/* Geometry of the eight-node segment; see quad8.h. */
-#include "quad8.h"
+/* Geometry of the eight-node segment; see footpoint-quad8-geometry.h. */
+#include "footpoint-quad8-geometry.h"
 
 #include "isoparametric.h"
 

@@ -1,5 +1,5 @@
-/* Geometry of the nine-node segment; see quad9.h. */
-#include "quad9.h"
+/* Geometry of the nine-node segment; see footpoint-quad9-geometry.h. */
+#include "footpoint-quad9-geometry.h"
 
 #include "isoparametric.h"
 

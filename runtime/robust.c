@@ -1,28 +1,28 @@
 /* The closest point of a segment, with certainty: the iteration-free search; one step of Newton's method with the proof
  * of certify.c; and the test that no other point is nearer.  On ordinary meshes that is all.  Where a foot point is not
- * inside, the nearest point of the four edges is tried, with the same test.  Else all candidates, stationary points and
- * edges, are compared. */
-#include "bilinear.h"
+ * inside, the nearest point of the four edges is tried, with the same test.  Else all candidates are compared with
+ * twice the digits: the nearest points of the edges, and all stationary points, a list that stationary.c proves
+ * complete. */
+#include "stationary.h"
 
 #include "../generated/footpoint_quad4.h"
 
 #define ACCURACY 0x1p-36 /* of m1 xi and m2 eta, over m: 1e-10 of the edge in space needs no more */
 #define SAME_POINT 1e-10 /* points of space that near, over m, are one */
-#define TIE_UNITS 64.0   /* rounding errors by which distances may differ that are equal */
-#define CONTENDER 1e-8   /* over m + s: candidates that much farther than the nearest are out of the question */
+#define TIE 0x1p-34      /* over m: distances that differ by less are equal; below 1e-10 */
 #define STEEP 1e-4       /* of the distance's square around a point of an edge: else rounding might move that too far */
 #define FAR_START 2.0    /* no foot point of the segment is looked for from farther away */
 
-enum { STEPS = 4, EDGES = 4, MOST = BILINEAR_STATIONARY + EDGES };
+enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
 
 struct answer {
     double loc[2], dist;
 };
 
-/* A candidate and xS - r there. */
-struct candidate {
+/* The nearest point of an edge. */
+struct edge_point {
     double loc[2], d[3], square;
-    int edge, least, certain; /* whether it is on an edge, may be a local minimum, has a proof */
+    int between; /* the ends of the edge */
 };
 
 static double signed_length(const double a[3], const double b[3], const double d[3])
@@ -64,7 +64,7 @@ static int find_foot(const struct bilinear *f, double xi, double eta, struct ans
 }
 
 /* The nearest point of edge k, in the order AB, DC, AD, BC. */
-static void nearest_of_edge(const struct bilinear *f, int k, struct candidate *c)
+static void nearest_of_edge(const struct bilinear *f, int k, struct edge_point *c)
 {
     const double *const along = k == 0 ? f->ab : k == 1 ? f->dc : k == 2 ? f->ad : f->bc;
     const double *const start = k == 1 ? f->ad : k == 3 ? f->ab : NULL;
@@ -78,7 +78,7 @@ static void nearest_of_edge(const struct bilinear *f, int k, struct candidate *c
     c->square = vector_dot(c->d, c->d);
     c->loc[k > 1] = 2.0 * t - 1.0;
     c->loc[k <= 1] = k & 1 ? 1.0 : -1.0;
-    c->edge = 1;
+    c->between = t > 0.0 && t < 1.0;
 }
 
 /* At the end `at` of its range, -1 or 1, a coordinate leads away from xS if it turns back into the segment: the slope
@@ -104,7 +104,7 @@ static int is_held(const struct bilinear *f, const double loc[2], const struct b
 /* The nearest point of the edges.  1 if nothing inside is nearer. */
 static int find_edge(const struct bilinear *f, struct answer *answer)
 {
-    struct candidate best, c;
+    struct edge_point best, c;
     struct bilinear_point p;
     nearest_of_edge(f, 0, &best);
     for (int k = 1; k < EDGES; k++) {
@@ -113,6 +113,8 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
             best = c;
     }
     bilinear_at(f, best.loc[0], best.loc[1], &p);
+    if (best.between && !(p.error <= ACCURACY * (fabs(best.loc[0]) < 1.0 ? p.h11 : p.h22)))
+        return 0; /* rounding may move it that far along the edge */
     if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
         return 0;
     answer->loc[0] = best.loc[0];
@@ -121,70 +123,97 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
     return 1;
 }
 
-static void set_inside(const struct bilinear *f, const double loc[2], struct candidate *c)
+/* A candidate: r is right to `reach`, over m, or any of several points that near to each other; `least` if it may be a
+ * local minimum. */
+struct candidate {
+    double loc[2], d[3], reach, variation;
+    struct twofold square; /* of the distance */
+    int edge, least;
+};
+
+/* The candidate at its loc: what (7), (8) and the Hessian say with twice the digits, so that what is left is that loc
+ * itself is rounded.  A local minimum it cannot be if the distance falls into the segment, or if it is a saddle. */
+static void complete(const double *const x[5], const struct bilinear *f, struct candidate *c)
 {
-    struct bilinear_point p;
-    c->loc[0] = bilinear_clamp(loc[0]);
-    c->loc[1] = bilinear_clamp(loc[1]);
-    bilinear_at(f, c->loc[0], c->loc[1], &p);
+    struct bilinear_wide w;
+    footpoint_bilinear_wide_at(x, f->exponent, c->loc, &w);
+    const struct twofold h11 = twofold_dot(w.a, w.a), h22 = twofold_dot(w.b, w.b);
+    const struct twofold h12 = twofold_subtract(twofold_dot(w.a, w.b), twofold_dot(w.c, w.d));
+    const double turn = fabs(h12.high), noise = 8.0 * BILINEAR_UNIT;
     for (int i = 0; i < 3; i++)
-        c->d[i] = p.d[i];
-    c->square = vector_dot(p.d, p.d);
-    c->edge = 0;
+        c->d[i] = w.d[i].high;
+    c->square = twofold_dot(w.d, w.d);
+    if (c->edge) {
+        c->least = !leads_nearer(c->loc[0], twofold_dot(w.a, w.d).high, noise * (turn + h11.high)) &&
+                   !leads_nearer(c->loc[1], twofold_dot(w.b, w.d).high, noise * (turn + h22.high));
+        return;
+    }
+    const double determinant = twofold_subtract(twofold_multiply(h11, h22), twofold_multiply(h12, h12)).high;
+    const double bend = 8.0 * (fabs(twofold_dot(w.a, w.c).high) + fabs(twofold_dot(w.b, w.c).high));
+    c->least = determinant > -noise * (h11.high * h22.high + turn * turn + bend * (turn + h11.high + h22.high));
 }
 
-/* A stationary point, refined; one that is a saddle for certain is no local minimum. */
-static void complete_inside(const double *const x[5], const struct bilinear *f, struct candidate *c)
+/* The nearest point of edge k, in the order AB, DC, AD, BC. */
+static void nearest_of_edge_widely(const double *const x[5], const struct bilinear *f, int k, struct candidate *c)
 {
-    struct bilinear_point p;
-    double radius;
-    c->certain = footpoint_bilinear_refine(x, f, c->loc, &radius);
-    set_inside(f, c->loc, c);
-    bilinear_at(f, c->loc[0], c->loc[1], &p);
-    c->least = p.h11 * p.h22 - p.h12 * p.h12 > -4.0 * p.error * (p.h11 + p.h22 + fabs(p.h12));
+    static const int end[][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
+    struct twofold along[3], from[3];
+    for (int i = 0; i < 3; i++) {
+        along[i] = bilinear_difference(x[end[k][1]][i], x[end[k][0]][i], f->exponent);
+        from[i] = bilinear_difference(x[4][i], x[end[k][0]][i], f->exponent);
+    }
+    const struct twofold square = twofold_dot(along, along);
+    const double t = square.high > 0.0 ? twofold_divide(twofold_dot(along, from), square).high : 0.0;
+    c->loc[k > 1] = bilinear_clamp(2.0 * t - 1.0);
+    c->loc[k <= 1] = k & 1 ? 1.0 : -1.0;
+    c->edge = 1;
+    c->reach = c->variation = 0.0;
+    complete(x, f, c);
 }
 
-/* A point of an edge that is not held there has to be a foot point. */
-static void complete_edge(const double *const x[5], const struct bilinear *f, struct candidate *c)
+static int list_all(const double *const x[5], const struct bilinear *f, struct candidate c[])
 {
-    struct bilinear_point p;
-    double z[2] = {c->loc[0], c->loc[1]}, radius;
-    bilinear_at(f, c->loc[0], c->loc[1], &p);
-    const double error = p.error * f->m;
-    c->certain = is_held(f, c->loc, &p) ||
-                 (footpoint_bilinear_refine(x, f, z, &radius) && fabs(z[0] - c->loc[0]) * f->m1 <= ACCURACY * f->m &&
-                  fabs(z[1] - c->loc[1]) * f->m2 <= ACCURACY * f->m);
-    c->least = !leads_nearer(c->loc[0], p.f1, error) && !leads_nearer(c->loc[1], p.f2, error);
+    struct stationary_point point[STATIONARY_MOST];
+    const int inside = footpoint_bilinear_stationary(x, f, point);
+    for (int k = 0; k < EDGES; k++)
+        nearest_of_edge_widely(x, f, k, &c[k]);
+    for (int k = 0; k < inside; k++) {
+        struct candidate *const to = &c[EDGES + k];
+        to->loc[0] = point[k].z[0];
+        to->loc[1] = point[k].z[1];
+        to->reach = point[k].reach;
+        to->variation = point[k].variation;
+        to->edge = 0;
+        complete(x, f, to);
+    }
+    return EDGES + inside;
 }
 
-static int is_nearer(const struct candidate *c, const struct candidate *than)
+/* Square of the distance of b less that of a. */
+static double rise(const struct candidate *a, const struct candidate *b)
 {
-    return c->least != than->least ? c->least : c->square < than->square;
+    return twofold_subtract(b->square, a->square).high;
 }
 
-/* Nearest of all candidates. */
+/* Whether another candidate is another point, and as near. */
+static int is_tied(const struct bilinear *f, const struct candidate *best, const struct candidate *c)
+{
+    double apart[3];
+    vector_sub(c->d, best->d, apart);
+    const double both = sqrt(best->square.high) + sqrt(c->square.high);
+    return c->least && bilinear_largest(apart) > SAME_POINT * f->m && rise(best, c) <= TIE * f->m * both;
+}
+
+/* Nearest of all candidates, of those as near a local minimum. */
 static int compare_all(const double *const x[5], const struct bilinear *f, struct answer *answer)
 {
     struct candidate c[MOST];
-    double loc[BILINEAR_STATIONARY][2];
-    const int inside = footpoint_bilinear_stationary(f, loc), all = inside + EDGES;
-    double nearest = HUGE_VAL;
+    const int all = list_all(x, f, c);
     int best = 0;
-    for (int k = 0; k < all; k++) {
-        if (k < inside)
-            set_inside(f, loc[k], &c[k]);
-        else
-            nearest_of_edge(f, k - inside, &c[k]);
-        nearest = c[k].square < nearest ? c[k].square : nearest;
-    }
-    for (int k = 0; k < all; k++) {
-        if (sqrt(c[k].square) > sqrt(nearest) + CONTENDER * (f->m + f->s))
-            c[k].least = c[k].certain = 0;
-        else if (k < inside)
-            complete_inside(x, f, &c[k]);
-        else
-            complete_edge(x, f, &c[k]);
-        best = is_nearer(&c[k], &c[best]) ? k : best;
+    for (int k = 1; k < all; k++) {
+        const double higher = rise(&c[best], &c[k]);
+        if (higher < 0.0 || (higher <= 0.0 && c[k].least > c[best].least))
+            best = k;
     }
     struct bilinear_point p;
     bilinear_at(f, c[best].loc[0], c[best].loc[1], &p);
@@ -195,16 +224,12 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
         answer->dist = fabs(answer->dist);
         return FOOTPOINT_ERR_DEGENERATE;
     }
-    const double least = sqrt(c[best].square), tie = TIE_UNITS * BILINEAR_UNIT * (f->s + f->m);
-    for (int k = 0; k < all; k++) {
-        double apart[3];
-        vector_sub(c[k].d, c[best].d, apart);
-        if (c[k].least && bilinear_largest(apart) > SAME_POINT * f->m && sqrt(c[k].square) <= least + tie)
+    if (!c[best].least || c[best].variation > TIE)
+        return FOOTPOINT_UNPROVED;
+    for (int k = 0; k < all; k++)
+        if (k != best && is_tied(f, &c[best], &c[k]))
             return FOOTPOINT_NOT_UNIQUE;
-        if (c[k].certain && bilinear_largest(apart) <= SAME_POINT * f->m)
-            c[best].certain = 1;
-    }
-    return !c[best].certain || !c[best].least ? FOOTPOINT_NOT_UNIQUE : c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+    return c[best].reach > SAME_POINT ? FOOTPOINT_NOT_UNIQUE : c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
 }
 
 /* All corners are one. */

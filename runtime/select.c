@@ -87,8 +87,10 @@ int footpoint_select_segment(const double *xyz, int master, int candidates, cons
 /* Distances that differ by less, as a fraction of the coordinates' extent, are equal but for rounding. */
 #define TIE (64.0 * DBL_EPSILON)
 
-/* Distance to a segment, and how far its corners are from xS: the scale of the rounding in that distance. */
-static int measure(const double *xyz, const int node[4], const double xS[3], double *distance, double *extent)
+/* Distance to a segment, and how far its corners are from xS: the scale of the rounding in that distance; *sure is
+ * cleared where the distance is not proved. */
+static int measure(const double *xyz, const int node[4], const double xS[3], double *distance, double *extent,
+                   int *sure)
 {
     const double *x[4];
     double at[2];
@@ -108,6 +110,7 @@ static int measure(const double *xyz, const int node[4], const double xS[3], dou
     if (status == FOOTPOINT_ERR_DOMAIN) /* from so far, the segment is a point */
         *distance = *extent;
     *distance = fabs(*distance);
+    *sure &= status != FOOTPOINT_UNPROVED;
     return isfinite(*distance) ? FOOTPOINT_OK : FOOTPOINT_ERR_NOT_FINITE;
 }
 
@@ -116,13 +119,13 @@ int footpoint_select_closest(const double *xyz, int master, int candidates, cons
 {
     double least = 0.0, margin = 0.0;
     enum place best = OUTSIDE;
-    int found = -1, status = check_master(xyz, master, candidates, xS);
+    int found = -1, sure = 1, status = check_master(xyz, master, candidates, xS);
     for (int s = 0; status == FOOTPOINT_OK && s < candidates; s++) {
         enum place place;
         double to, extent;
         status = place_in(xyz, master, seg + 4 * (size_t)s, xS, &place);
         if (status == FOOTPOINT_OK)
-            status = measure(xyz, seg + 4 * (size_t)s, xS, &to, &extent);
+            status = measure(xyz, seg + 4 * (size_t)s, xS, &to, &extent, &sure);
         if (status != FOOTPOINT_OK)
             return status;
         margin = fmax(margin, TIE * extent);
@@ -139,5 +142,5 @@ int footpoint_select_closest(const double *xyz, int master, int candidates, cons
     *chosen = found;
     if (distance)
         *distance = least;
-    return FOOTPOINT_OK;
+    return sure ? FOOTPOINT_OK : FOOTPOINT_UNPROVED;
 }

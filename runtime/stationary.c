@@ -1,261 +1,355 @@
-/* All stationary points of the distance to a bilinear segment.  Given eta, (7) is linear in xi: with a = c1 + c3 eta
- * and e = d0 - c2 eta it reads xi = p/Q, p = a . e, Q = a . a.  Then (8), times Q^2, is a quintic in eta,
- *     P = (Q c2 + p c3) . (Q e - p a) = 0.
- * It is formed in Bernstein's basis on the segment, where coefficients of one sign mean that there is no root, and
- * halving is exact but for rounding.  Each coefficient comes with a bound on its error, halved alike, so that no root
- * is lost: an interval is dropped only if all coefficients are of one sign beyond their errors, and kept whole where
- * all are within them.  Where a has next to no length, as at a collapsed edge, those bounds say little: so the same is
- * done with xi and eta exchanged, and what either finds counts.  Newton's method polishes each. */
-#include "bilinear.h"
+/* All stationary points of the distance to a bilinear segment.  Given t = (1 + eta)/2, (7) is linear in s = (1 + xi)/2:
+ * with a = (1-t) AB + t DC and e = (xS - xA) - t AD it reads s = p/Q, p = a . e, Q = a . a.  Then (8), times Q^2, is a
+ * quintic in t,
+ *     P = (Q AD + p c) . (Q e - p a) = 0,   c = DC - AB,
+ * and each of its roots where a is not 0 gives one point, so there are five at most.  P is formed with twice the
+ * precision from differences of nodes, which are exact: its coefficients are known to 1e-27 of the sizes of their
+ * terms.  roots.c tells its roots apart.
+ *
+ * Where a has next to no length, as at a collapsed edge, P says little: so the same is done with xi and eta exchanged.
+ * A stationary point is found by one of the two, or it lies in an interval of each of which nothing is known; for such
+ * pairs of intervals that (7), (8) do not exclude there is one point that stands for what is there. */
+#include "stationary.h"
+#include "roots.h"
 
-enum { DEGREE = 5, HALVINGS = 27, CLUSTERS = 12 };
+#define ERROR 0x1p-90  /* of coefficients and their halvings, in units of the sum of the sizes of all terms */
+#define BEYOND 0x1p-37 /* points that far outside, in s and t, count as on the edge */
+#define START 0x1p-18  /* width of an interval in t from which Newton's method is tried */
+#define END 0x1p-54    /* ... and to which it is narrowed if that fails */
+#define APART 1e-9     /* a point that near to one that the other family found is the same, in xi and eta ... */
+#define BLURRED 1e-3   /* ... and in the coordinate along its line, if that could not be sharpened */
+#define MARGIN 0x1p-40 /* for the rounding of bounds */
+#define SHARP 1e-10    /* a reach below is that of one point */
 
-#define ERROR_UNITS 512.0 /* of coefficients and their halvings, in units of the sum of the sizes of all terms */
-#define APART 1e-9        /* points nearer than that in xi and eta are one */
-#define OUTSIDE 1.02      /* a candidate beyond does not become a point of the segment by polishing */
-#define BLURRED 1e-3      /* points that near are one if rounding hides their places */
-#define ROUNDING 1e-11    /* by which a point on the edge may seem to be outside */
-#define POLISH 8          /* steps */
-#define NEAR 1e-6         /* a root moves by less when polished, unless it is badly conditioned */
-#define FARTHEST 0.05
-
-struct quintic {
-    double c[DEGREE + 1], error[DEGREE + 1];
-};
-
-/* Roots that the isolation cannot tell apart lie in [low, high]; in 0..1. */
-struct cluster {
-    double low, high;
-};
-
-/* The lines of one family, by a parameter from 0 to 1: direction and xS minus the middle, both linear in it. */
+/* The lines of one family, by t from -BEYOND (0) to 1 + BEYOND (1): direction and xS minus the start, linear in t. */
 struct lines {
-    const double *across, *twist; /* c2 or c1, and c3 */
-    double along[2][3], e[2][3];
-    double size, across_size, twist_size; /* of terms that e, across and twist were formed from */
+    struct twofold along[2][3], e[2][3], across[3], twist[3];
 };
 
-static struct lines lines_of(const struct bilinear *f, int exchanged)
+struct family {
+    struct lines lines;
+    struct roots_interval interval[ROOTS_MOST];
+    int count, exchanged;
+};
+
+static void extend(struct twofold from[3], double by, const struct twofold d[3])
 {
-    struct lines l;
-    const double *const from = exchanged ? f->ad : f->ab, *const to = exchanged ? f->bc : f->dc;
-    l.across = exchanged ? f->c1 : f->c2;
-    l.twist = f->c3;
+    for (int i = 0; i < 3; i++)
+        from[i] = twofold_add(from[i], twofold_scale(by, d[i]));
+}
+
+static void lines_of(const double *const x[5], int exponent, int exchanged, struct lines *l)
+{
+    const int next = exchanged ? 3 : 1, side = exchanged ? 1 : 3;
     for (int i = 0; i < 3; i++) {
-        l.along[0][i] = 0.5 * from[i];
-        l.along[1][i] = 0.5 * to[i];
-        l.e[0][i] = f->d0[i] + l.across[i];
-        l.e[1][i] = f->d0[i] - l.across[i];
+        l->along[0][i] = bilinear_difference(x[next][i], x[0][i], exponent);
+        l->along[1][i] = bilinear_difference(x[2][i], x[side][i], exponent);
+        l->across[i] = bilinear_difference(x[side][i], x[0][i], exponent);
+        l->e[0][i] = bilinear_difference(x[4][i], x[0][i], exponent);
+        l->e[1][i] = bilinear_difference(x[4][i], x[side][i], exponent);
+        l->twist[i] = twofold_subtract(l->along[1][i], l->along[0][i]);
     }
-    l.size = f->s + 4.0 * f->m;
-    l.across_size = exchanged ? f->m1 : f->m2;
-    l.twist_size = f->m1 < f->m2 ? f->m1 : f->m2;
-    return l;
+    extend(l->along[0], -BEYOND, l->twist);
+    extend(l->along[1], BEYOND, l->twist);
+    extend(l->e[0], BEYOND, l->across);
+    extend(l->e[1], -BEYOND, l->across);
 }
 
-static double length(const double a[3])
+/* ---- the quintic ---- */
+
+static double length(const struct twofold a[3])
 {
-    return sqrt(vector_dot(a, a));
+    return sqrt(a[0].high * a[0].high + a[1].high * a[1].high + a[2].high * a[2].high);
 }
 
-/* Product of a quadratic and a cubic. */
-static void add_product(const double u[3], const double v[4], double product[DEGREE + 1])
+/* Polynomials are sums of c[k] t^k (1-t)^(n-k).  product += u v. */
+static void add_product(int m, const struct twofold u[], int n, const struct twofold v[], struct twofold product[])
 {
-    static const double two[3] = {1, 2, 1}, three[4] = {1, 3, 3, 1}, five[6] = {1, 5, 10, 10, 5, 1};
-    for (int i = 0; i <= 2; i++)
-        for (int j = 0; j <= 3; j++)
-            product[i + j] += two[i] * three[j] / five[i + j] * u[i] * v[j];
+    for (int i = 0; i <= m; i++)
+        for (int j = 0; j <= n; j++)
+            product[i + j] = twofold_add(product[i + j], twofold_multiply(u[i], v[j]));
 }
 
-/* The cubic q l of a quadratic and a linear function. */
-static void cubic_of(const double q[3], double l0, double l1, double cubic[4])
+/* The same of sizes. */
+static void add_size(int m, const double u[], int n, const double v[], double product[])
 {
-    cubic[0] = q[0] * l0;
-    cubic[1] = (2.0 * q[1] * l0 + q[0] * l1) / 3.0;
-    cubic[2] = (q[2] * l0 + 2.0 * q[1] * l1) / 3.0;
-    cubic[3] = q[2] * l1;
+    for (int i = 0; i <= m; i++)
+        for (int j = 0; j <= n; j++)
+            product[i + j] += u[i] * v[j];
 }
 
-static void quintic_of(const struct lines *l, struct quintic *q)
+/* The product P of (Q AD + p c) and (Q e - p a), vectors of degrees 2 and 3. */
+static void product_of(const struct lines *l, struct twofold product[])
 {
-    const double(*const a)[3] = l->along, (*const e)[3] = l->e;
-    const double qq[3] = {vector_dot(a[0], a[0]), vector_dot(a[0], a[1]), vector_dot(a[1], a[1])};
-    const double p[3] = {vector_dot(a[0], e[0]), 0.5 * (vector_dot(a[0], e[1]) + vector_dot(a[1], e[0])),
-                         vector_dot(a[1], e[1])};
-    const double s0 = length(a[0]), s1 = length(a[1]), t = 2.0 * l->size;
-    const double q_size[3] = {s0 * s0, s0 * s1, s1 * s1}, p_size[3] = {s0 * t, 0.5 * (s0 + s1) * t, s1 * t};
-    double u[3], v[4], w[4], x[4];
-    for (int k = 0; k <= DEGREE; k++)
-        q->c[k] = q->error[k] = 0.0;
+    struct twofold q[3] = {{0.0, 0.0}}, p[3] = {{0.0, 0.0}};
     for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            u[k] = qq[k] * l->across[i] + p[k] * l->twist[i];
-        cubic_of(qq, e[0][i], e[1][i], v);
-        cubic_of(p, a[0][i], a[1][i], w);
-        for (int k = 0; k < 4; k++)
-            x[k] = v[k] - w[k];
-        add_product(u, x, q->c);
+        const struct twofold a[2] = {l->along[0][i], l->along[1][i]}, e[2] = {l->e[0][i], l->e[1][i]};
+        add_product(1, a, 1, a, q);
+        add_product(1, a, 1, e, p);
     }
-    for (int k = 0; k < 3; k++)
-        u[k] = q_size[k] * l->across_size + p_size[k] * l->twist_size;
-    cubic_of(q_size, t, t, v);
-    cubic_of(p_size, s0, s1, w);
-    for (int k = 0; k < 4; k++)
-        x[k] = v[k] + w[k];
-    add_product(u, x, q->error);
-    for (int k = 0; k <= DEGREE; k++)
-        q->error[k] *= ERROR_UNITS * BILINEAR_UNIT;
-}
-
-enum verdict { NO_ROOT, ANY_ROOT, ALL_ROOTS };
-
-static enum verdict judge(const struct quintic *q)
-{
-    int above = 0, below = 0;
-    for (int k = 0; k <= DEGREE; k++) {
-        above += q->c[k] > q->error[k];
-        below += q->c[k] < -q->error[k];
-    }
-    return above > DEGREE || below > DEGREE ? NO_ROOT : above || below ? ANY_ROOT : ALL_ROOTS;
-}
-
-/* By de Casteljau's scheme: the right half stays in c, the left one is returned. */
-static void halve(double c[DEGREE + 1], double left[DEGREE + 1])
-{
-    for (int n = 0; n <= DEGREE; n++) {
-        left[n] = c[0];
-        for (int k = 0; k < DEGREE - n; k++)
-            c[k] = 0.5 * (c[k] + c[k + 1]);
+    for (int i = 0; i < 3; i++) {
+        const struct twofold minus_a[2] = {twofold_scale(-1.0, l->along[0][i]), twofold_scale(-1.0, l->along[1][i])};
+        const struct twofold e[2] = {l->e[0][i], l->e[1][i]};
+        struct twofold u[3] = {{0.0, 0.0}}, v[4] = {{0.0, 0.0}};
+        add_product(2, q, 0, &l->across[i], u);
+        add_product(2, p, 0, &l->twist[i], u);
+        add_product(2, q, 1, e, v);
+        add_product(2, p, 1, minus_a, v);
+        add_product(2, u, 3, v, product);
     }
 }
 
-/* Neighbours make one cluster, from left to right; too many end in the last. */
-static void append(struct cluster *cluster, int *count, double low, double high)
+static void size_of(const struct lines *l, double product[])
 {
-    if (*count > 0 && (cluster[*count - 1].high >= low || *count == CLUSTERS)) {
-        cluster[*count - 1].high = high;
-        return;
-    }
-    cluster[*count].low = low;
-    cluster[(*count)++].high = high;
+    const double across = length(l->across), twist = length(l->twist);
+    const double a[2] = {length(l->along[0]) + BEYOND * twist, length(l->along[1]) + BEYOND * twist};
+    const double e[2] = {length(l->e[0]) + BEYOND * across, length(l->e[1]) + BEYOND * across};
+    double q[3] = {0.0}, p[3] = {0.0}, u[3] = {0.0}, v[4] = {0.0};
+    add_size(1, a, 1, a, q);
+    add_size(1, a, 1, e, p);
+    add_size(2, q, 0, &across, u);
+    add_size(2, p, 0, &twist, u);
+    add_size(2, q, 1, e, v);
+    add_size(2, p, 1, a, v);
+    add_size(2, u, 3, v, product);
 }
 
-/* All real roots in 0..1.  A quintic has few intervals with a root at each depth, so the stack holds the right halves.
- */
-static int isolate(const struct quintic *whole, struct cluster cluster[CLUSTERS])
+static void isolate(const double *const x[5], int exponent, int exchanged, struct family *family)
 {
-    struct {
-        struct quintic q;
-        double low, high;
-        int depth;
-    } stack[HALVINGS + 2];
-    int top = 0, count = 0;
-    stack[0].q = *whole;
-    stack[0].low = 0.0;
-    stack[0].high = 1.0;
-    stack[0].depth = 0;
-    while (top >= 0) {
-        const enum verdict verdict = judge(&stack[top].q);
-        if (verdict == NO_ROOT) {
-            top--;
-        } else if (verdict == ALL_ROOTS || stack[top].depth == HALVINGS) {
-            append(cluster, &count, stack[top].low, stack[top].high);
-            top--;
-        } else {
-            const double middle = 0.5 * (stack[top].low + stack[top].high);
-            stack[top + 1] = stack[top];
-            halve(stack[top].q.c, stack[top + 1].q.c);
-            halve(stack[top].q.error, stack[top + 1].q.error);
-            stack[top].low = middle;
-            stack[top + 1].high = middle;
-            stack[top + 1].depth = ++stack[top].depth;
-            top++;
+    static const double binomial[ROOTS_DEGREE + 1] = {1.0, 5.0, 10.0, 10.0, 5.0, 1.0};
+    struct roots_polynomial p = {{{0.0, 0.0}}, {0.0}};
+    lines_of(x, exponent, exchanged, &family->lines);
+    product_of(&family->lines, p.c);
+    size_of(&family->lines, p.error);
+    for (int k = 0; k <= ROOTS_DEGREE; k++) {
+        p.c[k] = twofold_divide(p.c[k], twofold_of(binomial[k]));
+        p.error[k] = p.error[k] / binomial[k] * ERROR + 0x1p-900; /* the latter for underflow */
+    }
+    family->count = footpoint_roots_isolate(&p, family->interval);
+    family->exchanged = exchanged;
+}
+
+/* ---- from roots to points ---- */
+
+static void at_line(const struct twofold ends[2][3], double t, struct twofold at[3])
+{
+    for (int i = 0; i < 3; i++)
+        at[i] = twofold_add(ends[0][i], twofold_multiply(twofold_of(t), twofold_subtract(ends[1][i], ends[0][i])));
+}
+
+static double clamp_near(double z)
+{
+    return fabs(z) <= 1.0 + 2.0 * BEYOND ? bilinear_clamp(z) : z;
+}
+
+/* xi and eta of the point of line t that is nearest to xS; xi or eta, on its line, may be anything. */
+static void point_of_line(const struct family *family, double t, double z[2])
+{
+    struct twofold a[3], e[3];
+    at_line(family->lines.along, t, a);
+    at_line(family->lines.e, t, e);
+    const double across = t * (1.0 + 2.0 * BEYOND) - BEYOND;
+    const struct twofold square = twofold_dot(a, a), s = twofold_divide(twofold_dot(a, e), square);
+    z[family->exchanged] = square.high > 0.0 ? clamp_near(2.0 * s.high - 1.0) : 0.0;
+    z[!family->exchanged] = bilinear_clamp(2.0 * across - 1.0);
+}
+
+/* The t of a point. */
+static double line_of(const struct family *family, const double z[2])
+{
+    return (0.5 * (1.0 + z[!family->exchanged]) + BEYOND) / (1.0 + 2.0 * BEYOND);
+}
+
+/* Whether p - Q > 0 or p < 0, that is s > 1 or s < 0, all over low <= t <= high. */
+static int is_outside(const struct lines *l, double low, double high)
+{
+    double a[2][3], e[2][3], p[3], q[3];
+    for (int i = 0; i < 3; i++) {
+        const double da = l->along[1][i].high - l->along[0][i].high, de = l->e[1][i].high - l->e[0][i].high;
+        a[0][i] = l->along[0][i].high + low * da;
+        a[1][i] = l->along[0][i].high + high * da;
+        e[0][i] = l->e[0][i].high + low * de;
+        e[1][i] = l->e[0][i].high + high * de;
+    }
+    const double size = length(l->along[0]) + length(l->along[1]);
+    const double margin = (MARGIN + BEYOND) * size * (size + length(l->e[0]) + length(l->e[1]));
+    int above = 1, below = 1;
+    p[0] = vector_dot(a[0], e[0]), p[1] = 0.5 * (vector_dot(a[0], e[1]) + vector_dot(a[1], e[0]));
+    p[2] = vector_dot(a[1], e[1]);
+    q[0] = vector_dot(a[0], a[0]), q[1] = vector_dot(a[0], a[1]), q[2] = vector_dot(a[1], a[1]);
+    for (int k = 0; k < 3; k++) {
+        above &= p[k] - q[k] > margin;
+        below &= p[k] < -margin;
+    }
+    return above || below;
+}
+
+static double between(const double *const x[5], const struct bilinear *f, const double z[2], const double y[2])
+{
+    struct bilinear_wide p, q;
+    double most = 0.0;
+    footpoint_bilinear_wide_at(x, f->exponent, z, &p);
+    footpoint_bilinear_wide_at(x, f->exponent, y, &q);
+    for (int i = 0; i < 3; i++)
+        most = bilinear_larger(most, fabs(p.d[i].high - q.d[i].high));
+    return most / f->m;
+}
+
+static int is_inside(const double z[2])
+{
+    return fabs(z[0]) <= 1.0 && fabs(z[1]) <= 1.0;
+}
+
+/* Newton's method from z; 1 if it leads to the root of a single interval. */
+static int settle(const double *const x[5], const struct bilinear *f, const struct family *family,
+                  const struct roots_interval *interval, double z[2])
+{
+    double to[2] = {z[0], z[1]}, radius;
+    if (!is_inside(z) || !footpoint_bilinear_refine(x, f, to, &radius))
+        return 0;
+    const double t = line_of(family, to);
+    if (t < interval->low - DBL_EPSILON || t > interval->high + DBL_EPSILON)
+        return 0;
+    z[0] = clamp_near(to[0]);
+    z[1] = clamp_near(to[1]);
+    return 1;
+}
+
+/* Whether the root of a single interval is that of one of the points. */
+static int is_known(const struct family *family, const struct roots_interval *interval,
+                    const struct stationary_point point[], int count)
+{
+    for (int k = 0; k < count; k++) {
+        const double t = line_of(family, point[k].z);
+        if (point[k].reach <= 0.0 && interval->low + APART < t && t < interval->high - APART)
+            return 1;
+    }
+    return 0;
+}
+
+/* The root of a single interval.  0 if its point is outside. */
+static int find(const double *const x[5], const struct bilinear *f, const struct family *family,
+                struct roots_interval *interval, struct stationary_point *point)
+{
+    static const double width[] = {0x1p-2, 0x1p-6, START};
+    double low[2], high[2];
+    for (int k = 0; k < 3; k++) {
+        footpoint_roots_narrow(interval, width[k]);
+        if (is_outside(&family->lines, interval->low, interval->high))
+            return 0;
+    }
+    point->reach = point->variation = 0.0;
+    for (int exactly = 0; exactly < 2; exactly++) {
+        point_of_line(family, 0.5 * (interval->low + interval->high), point->z);
+        point->blur[0] = point->blur[1] = APART;
+        if (settle(x, f, family, interval, point->z))
+            return is_inside(point->z);
+        footpoint_roots_narrow(interval, END);
+    }
+    point_of_line(family, footpoint_roots_middle(interval), point->z);
+    point_of_line(family, interval->low, low);
+    point_of_line(family, interval->high, high);
+    point->reach = between(x, f, low, high);
+    point->blur[family->exchanged] = BLURRED;
+    return is_inside(point->z);
+}
+
+/* ---- where nothing is known ---- */
+
+/* 1 if (7) or (8) is not 0 anywhere in the box of middle z and half-widths w: the rates at which a . d and b . d change
+ * are -a.a, c3.d - a.b and -b.b. */
+static int is_excluded(const struct bilinear *f, const double z[2], const double w[2])
+{
+    struct bilinear_point p;
+    bilinear_at(f, z[0], z[1], &p);
+    const double c = sqrt(vector_dot(f->c3, f->c3));
+    const double a = sqrt(vector_dot(p.a, p.a)) + c * w[1], b = sqrt(vector_dot(p.b, p.b)) + c * w[0];
+    const double d = sqrt(vector_dot(p.d, p.d)) + a * w[0] + b * w[1];
+    const double change1 = w[0] * a * a + w[1] * (c * d + a * b), change2 = w[1] * b * b + w[0] * (c * d + a * b);
+    const double error = 2.0 * p.error * f->m;
+    return fabs(p.f1) > 2.0 * (change1 / f->m1 + error) || fabs(p.f2) > 2.0 * (change2 / f->m2 + error);
+}
+
+static double distance(const double *const x[5], const struct bilinear *f, const double z[2])
+{
+    struct bilinear_wide p;
+    footpoint_bilinear_wide_at(x, f->exponent, z, &p);
+    return sqrt(twofold_dot(p.d, p.d).high);
+}
+
+/* The points nearest to xS of some lines of an interval, by the first of them: if P is 0 all over the interval, so is
+ * the slope of their distance. */
+static void represent(const double *const x[5], const struct bilinear *f, const struct family *family,
+                      const struct roots_interval *interval, struct stationary_point *point)
+{
+    static const double at[] = {0.5, 0.0, 0.25, 0.75, 1.0};
+    double first = 0.0;
+    point->reach = point->variation = 0.0;
+    point->blur[0] = point->blur[1] = APART;
+    for (int k = 0; k < 5; k++) {
+        double z[2];
+        point_of_line(family, interval->low + at[k] * (interval->high - interval->low), z);
+        z[0] = bilinear_clamp(z[0]);
+        z[1] = bilinear_clamp(z[1]);
+        const double there = distance(x, f, z);
+        if (k == 0) {
+            point->z[0] = z[0];
+            point->z[1] = z[1];
+            first = there;
+        }
+        point->reach = bilinear_larger(point->reach, between(x, f, z, point->z));
+        point->variation = bilinear_larger(point->variation, fabs(there - first) / f->m);
+    }
+}
+
+/* By the family whose lines are longer there. */
+static int find_pair(const double *const x[5], const struct bilinear *f, const struct family family[2],
+                     const struct roots_interval *i, const struct roots_interval *j, struct stationary_point *point)
+{
+    const double z[2] = {bilinear_clamp(j->low + j->high - 1.0), bilinear_clamp(i->low + i->high - 1.0)};
+    const double w[2] = {j->high - j->low + 4.0 * BEYOND, i->high - i->low + 4.0 * BEYOND};
+    struct bilinear_point p;
+    if (is_excluded(f, z, w))
+        return 0;
+    bilinear_at(f, z[0], z[1], &p);
+    const int second = vector_dot(p.b, p.b) / (f->m2 * f->m2) > vector_dot(p.a, p.a) / (f->m1 * f->m1);
+    represent(x, f, &family[second], second ? j : i, point);
+    return 1;
+}
+
+/* Keeps the last of count + 1 points unless it is one of the first `known`, of which the sharper stays. */
+static int keep(struct stationary_point point[], int known, int count)
+{
+    const struct stationary_point new = point[count];
+    for (int k = 0; k < known; k++) {
+        struct stationary_point *const old = &point[k];
+        if (fabs(old->z[0] - new.z[0]) <= bilinear_larger(old->blur[0], new.blur[0]) &&
+            fabs(old->z[1] - new.z[1]) <= bilinear_larger(old->blur[1], new.blur[1])) {
+            if (new.blur[0] + new.blur[1] < old->blur[0] + old->blur[1])
+                *old = new;
+            return count;
         }
     }
-    return count;
+    return count + 1;
 }
 
-/* Newton's method, as long as it stays near; z becomes the point on its way where the equations hold best.  Returns 1
- * if they hold there to rounding. */
-static int polish(const struct bilinear *f, double farthest, double z[2])
+int footpoint_bilinear_stationary(const double *const x[5], const struct bilinear *f, struct stationary_point point[])
 {
-    double x = z[0], y = z[1], least = HUGE_VAL, error = 0.0;
-    const double start[2] = {z[0], z[1]};
-    for (int n = 0; n < POLISH && fabs(x - start[0]) <= farthest && fabs(y - start[1]) <= farthest; n++) {
-        struct bilinear_point p;
-        struct bilinear_proof proof;
-        const int solved = footpoint_bilinear_prove(f, x, y, &p, &proof);
-        const double rest = bilinear_larger(fabs(p.f1), fabs(p.f2));
-        if (rest < least) {
-            least = rest;
-            error = p.error * f->m;
-            z[0] = x;
-            z[1] = y;
-        }
-        if (solved < 0 || (n > 1 && rest > 2.0 * least))
-            break;
-        x += proof.move[0];
-        y += proof.move[1];
-    }
-    return least <= 64.0 * error;
-}
-
-/* Appends z to n points unless it is near one of them; returns their number. */
-static int keep(double loc[][2], int n, const double z[2], double apart)
-{
-    for (int k = 0; k < n; k++)
-        if (fabs(loc[k][0] - z[0]) <= apart && fabs(loc[k][1] - z[1]) <= apart)
-            return n;
-    loc[n][0] = z[0];
-    loc[n][1] = z[1];
-    return n + 1;
-}
-
-static void offer(const struct bilinear *f, double xi, double eta, double loc[][2], int *count)
-{
-    double z[2] = {xi, eta};
-    if (!(fabs(xi) <= OUTSIDE && fabs(eta) <= OUTSIDE))
-        return;
-    if (!polish(f, NEAR, z) && !polish(f, FARTHEST, z))
-        return;
+    struct family family[2];
+    int count = 0, first = 0;
     for (int k = 0; k < 2; k++) {
-        if (!(fabs(z[k]) <= 1.0 + ROUNDING))
-            return;
-        z[k] = bilinear_clamp(z[k]);
+        isolate(x, f->exponent, k, &family[k]);
+        for (int i = 0; i < family[k].count; i++)
+            if (family[k].interval[i].single && !is_known(&family[k], &family[k].interval[i], point, first) &&
+                find(x, f, &family[k], &family[k].interval[i], &point[count]))
+                count = k == 0 ? count + 1 : keep(point, first, count);
+        first = k == 0 ? count : first;
     }
-    if (*count < BILINEAR_STATIONARY)
-        *count = keep(loc, *count, z, APART);
-}
-
-/* The point on line t of 0..1 that is nearest along it. */
-static void offer_line(const struct bilinear *f, const struct lines *l, int exchanged, double t, double loc[][2],
-                       int *count)
-{
-    double a[3], e[3];
-    for (int i = 0; i < 3; i++) {
-        a[i] = (1.0 - t) * l->along[0][i] + t * l->along[1][i];
-        e[i] = (1.0 - t) * l->e[0][i] + t * l->e[1][i];
-    }
-    const double s = vector_dot(a, e) / vector_dot(a, a);
-    offer(f, exchanged ? 2.0 * t - 1.0 : s, exchanged ? s : 2.0 * t - 1.0, loc, count);
-}
-
-int footpoint_bilinear_stationary(const struct bilinear *f, double loc[][2])
-{
-    int count = 0;
-    for (int exchanged = 0; exchanged < 2; exchanged++) {
-        const struct lines l = lines_of(f, exchanged);
-        struct quintic q;
-        struct cluster cluster[CLUSTERS];
-        quintic_of(&l, &q);
-        const int clusters = isolate(&q, cluster);
-        for (int k = 0; k < clusters; k++) {
-            const double low = cluster[k].low, high = cluster[k].high;
-            const int steps = high - low > 0x1p-20 ? 4 : 0;
-            for (int n = 0; n <= steps; n++)
-                offer_line(f, &l, exchanged, steps ? low + n * (high - low) / steps : 0.5 * (low + high), loc, &count);
-        }
-    }
+    for (int i = 0; i < family[0].count; i++)
+        for (int j = 0; j < family[1].count; j++)
+            if (!family[0].interval[i].single && !family[1].interval[j].single && count < STATIONARY_MOST &&
+                find_pair(x, f, family, &family[0].interval[i], &family[1].interval[j], &point[count]))
+                count = keep(point, count, count);
     return count;
 }
 
@@ -264,28 +358,19 @@ int footpoint_stationary(const double xA[3], const double xB[3], const double xC
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     struct bilinear f;
-    double found[BILINEAR_STATIONARY][2], sharp[BILINEAR_STATIONARY][2];
+    struct stationary_point point[STATIONARY_MOST];
     const int status = footpoint_bilinear_of(xA, xB, xC, xD, xS, &f);
     if (status != FOOTPOINT_OK)
         return status;
     if (!footpoint_bilinear_has_area(&f))
         return FOOTPOINT_ERR_DEGENERATE;
-    const int all = footpoint_bilinear_stationary(&f, found);
-    int refined = 0, blurred = 0;
-    for (int k = 0; k < all; k++) {
-        double z[2] = {found[k][0], found[k][1]}, radius;
-        if (footpoint_bilinear_refine(x, &f, z, &radius))
-            refined = keep(sharp, refined, z, APART);
-        else
-            blurred = keep(found, blurred, z, BLURRED);
-    }
-    int kept = refined;
-    for (int k = 0; k < blurred; k++)
-        kept = keep(sharp, kept, found[k], BLURRED);
-    *count = kept < FOOTPOINT_STATIONARY_MOST ? kept : FOOTPOINT_STATIONARY_MOST;
+    const int all = footpoint_bilinear_stationary(x, &f, point);
+    int sharp = 1;
+    *count = all < FOOTPOINT_STATIONARY_MOST ? all : FOOTPOINT_STATIONARY_MOST;
     for (int k = 0; k < *count; k++) {
-        loc[k][0] = bilinear_clamp(sharp[k][0]);
-        loc[k][1] = bilinear_clamp(sharp[k][1]);
+        sharp &= !(point[k].reach > SHARP);
+        loc[k][0] = point[k].z[0];
+        loc[k][1] = point[k].z[1];
     }
-    return kept > refined || kept > FOOTPOINT_STATIONARY_MOST ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
+    return sharp && all == *count ? FOOTPOINT_OK : FOOTPOINT_NOT_UNIQUE;
 }

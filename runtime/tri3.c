@@ -1,5 +1,5 @@
-/* Geometry of the three-node segment; see tri3.h. */
-#include "tri3.h"
+/* Geometry of the three-node segment; see footpoint-tri3-geometry.h. */
+#include "footpoint-tri3-geometry.h"
 
 #include "isoparametric.h"
 

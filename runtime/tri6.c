@@ -1,5 +1,5 @@
-/* Geometry of the six-node segment; see tri6.h. */
-#include "tri6.h"
+/* Geometry of the six-node segment; see footpoint-tri6-geometry.h. */
+#include "footpoint-tri6-geometry.h"
 
 #include "isoparametric.h"
 

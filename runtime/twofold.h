@@ -1,6 +1,6 @@
 /* Numbers of twice the precision, as sums of two doubles: for the few places where one double is not enough.  Dekker's
- * and Knuth's operations; errors are a few 2^-104 of the operands.  fma() is that of the C library, exact on any
- * machine. */
+ * and Knuth's operations in the forms whose error is at most 2^-101 of the result, whatever cancels (Joldes, Muller and
+ * Popescu 2017); fma() is that of the C library, exact on any machine. */
 #ifndef FOOTPOINT_TWOFOLD_H
 #define FOOTPOINT_TWOFOLD_H
 
@@ -9,6 +9,12 @@
 struct twofold {
     double high, low;
 };
+
+static inline struct twofold twofold_of(double a)
+{
+    const struct twofold x = {a, 0.0};
+    return x;
+}
 
 /* a + b, exactly. */
 static inline struct twofold twofold_sum(double a, double b)
@@ -37,6 +43,27 @@ static inline struct twofold twofold_multiply(struct twofold a, struct twofold b
 {
     const double high = a.high * b.high;
     return twofold_sum(high, fma(a.high, b.high, -high) + (a.high * b.low + a.low * b.high));
+}
+
+/* Times a power of two, or another number that leaves both parts exact. */
+static inline struct twofold twofold_scale(double by, struct twofold a)
+{
+    a.high *= by;
+    a.low *= by;
+    return a;
+}
+
+static inline struct twofold twofold_divide(struct twofold a, struct twofold b)
+{
+    const double first = a.high / b.high;
+    const struct twofold rest = twofold_subtract(a, twofold_multiply(twofold_of(first), b));
+    return twofold_sum(first, rest.high / b.high);
+}
+
+static inline struct twofold twofold_dot(const struct twofold a[3], const struct twofold b[3])
+{
+    return twofold_add(twofold_add(twofold_multiply(a[0], b[0]), twofold_multiply(a[1], b[1])),
+                       twofold_multiply(a[2], b[2]));
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_BENCH_GREGORY_H
 #define FOOTPOINT_BENCH_GREGORY_H
 
-#include "../runtime/gregory.h"
+#include "../runtime/footpoint-gregory-geometry.h"
 #include "rivals_gregory.h"
 
 /** Stands for xi and eta where a method gives none; finite, for code compiled without infinities. */

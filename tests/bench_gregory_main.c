@@ -7,7 +7,7 @@
 #include "../evolve/lattice_gregory.h"
 #include "../evolve/smooth.h"
 #include "../evolve/smooth_bodies.h"
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 #include "bench_gregory.h"
 #include "error_stats.h"
 

@@ -3,7 +3,6 @@
  * segments without area are refused, of any size; ordinary ones are answered, of any size.  Exit status 1 and a line
  * for each failure. */
 #include "runtime/footpoint_batch.h"
-#include "runtime/normals.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #ifndef FOOTPOINT_RIVALS_PATCHES_H
 #define FOOTPOINT_RIVALS_PATCHES_H
 
-#include "../runtime/gregory.h"
+#include "../runtime/footpoint-gregory-geometry.h"
 #include "rivals_gregory.h"
 
 /** R(kind, name, facet or normal foot point, start, Gauss-Newton steps, Newton steps). */

@@ -1,5 +1,5 @@
 /* Contact of one pair: choice of the segment (3), (4), normal (6), gap (9), forces (10), (11). */
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 #include "ordinary_quad.h"
 
 #include <math.h>

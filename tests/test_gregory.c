@@ -1,8 +1,8 @@
 /* Smoothed segments: Gregory and Bezier patches against (45)-(50) evaluated by de Casteljau's algorithm with 320 bits
  * (MPFR), derivatives against its difference quotients; one tangent plane along shared edges. */
 #include "../evolve/stream.h"
-#include "../runtime/gregory.h"
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-gregory-geometry.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>

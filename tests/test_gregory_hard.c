@@ -1,9 +1,9 @@
 /* Gregory patches beyond any scene: repeated nodes, normals along edges, sizes near the ends of double, and tilts up to
- * tan = 2.  What is made is finite everywhere; what cannot be made has the status that gregory.h says. */
+ * tan = 2.  What is made is finite everywhere; what cannot be made has the status that the header says. */
 #include "../evolve/reference_patch.h"
 #include "../evolve/stream.h"
-#include "../runtime/gregory.h"
-#include "../runtime/normals.h"
+#include "../runtime/footpoint-gregory-geometry.h"
+#include "../runtime/footpoint-node-normals.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>

@@ -3,10 +3,10 @@
 #include "../evolve/reference.h"
 #include "../evolve/scene.h"
 #include "../evolve/surface.h"
-#include "../runtime/quad8.h"
-#include "../runtime/quad9.h"
-#include "../runtime/tri3.h"
-#include "../runtime/tri6.h"
+#include "../runtime/footpoint-quad8-geometry.h"
+#include "../runtime/footpoint-quad9-geometry.h"
+#include "../runtime/footpoint-tri3-geometry.h"
+#include "../runtime/footpoint-tri6-geometry.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

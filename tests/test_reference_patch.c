@@ -5,7 +5,7 @@
 #include "../evolve/reference_patch.h"
 #include "../evolve/smooth.h"
 #include "../evolve/stream.h"
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

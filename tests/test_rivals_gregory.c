@@ -4,7 +4,7 @@
 #include "../evolve/smooth.h"
 #include "rivals_gregory.h"
 
-#include "../runtime/gregory.h"
+#include "../runtime/footpoint-gregory-geometry.h"
 
 #include <math.h>
 #include <setjmp.h>

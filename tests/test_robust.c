@@ -1,6 +1,6 @@
 /* Answers with a proof: footpoint_certify, footpoint_robust, footpoint_stationary, footpoint_differentiate, and what
  * footpoint_locate says of its answers.  Hard cases against extended precision are in tests/hard/, see cli/hard.sh. */
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 #include "ordinary_quad.h"
 
 #include <math.h>
@@ -24,6 +24,15 @@ static double size_of(const struct quad *q)
     for (int k = 0; k < 3; k++)
         size = fmax(size, fabs(q->x[2][k] - q->x[0][k]));
     return size;
+}
+
+/* The largest coordinate: what rounds the slave node's place. */
+static double extent_of(const struct quad *q)
+{
+    double extent = 0;
+    for (int k = 0; k < 12; k++)
+        extent = fmax(extent, fabs(q->x[k / 3][k % 3]));
+    return extent;
 }
 
 /* The saddle z = xi eta over the square, xS on its axis.  It has two closest points if xS is farther away than 1, where
@@ -134,6 +143,23 @@ static void test_two_closest(void **state)
         assert_true(fabs(loc[0] - side * loc[1]) < 1e-12);
         assert_true(fabs(loc[0] * loc[0] - 0.5) < 1e-12); /* 2 t^2 + (1.5 - t^2)^2 is least at t^2 = 1/2 */
         assert_true(fabs(dist - side * sqrt(2)) < 1e-12);
+    }
+}
+
+/* Folded, concave and crossing segments, all but plane, with the slave node on them: another sheet is 1e-4 to 1e-6 edges
+ * away, so that double precision does not tell stationary points apart. */
+static void test_nearly_plane(void **state)
+{
+    (void)state;
+    for (int flat = 4; flat <= 6; flat++) {
+        const struct quad_limits folded = {1.5, pow(10, -flat), 0, 1};
+        for (uint64_t i = 0; i < 100 * SEGMENTS; i++) {
+            const struct quad q = quad_draw(&folded, i);
+            double loc[2], dist;
+            const int status = footpoint_robust(NODES(&q), loc, &dist);
+            assert_true(status == FOOTPOINT_OK || status == FOOTPOINT_OUTSIDE);
+            assert_true(fabs(dist) < 1e-11 * extent_of(&q));
+        }
     }
 }
 
@@ -249,6 +275,15 @@ static void test_stationary(void **state)
     qsort(z, 3, sizeof *z, compare);
     for (int k = 0; k < 3; k++)
         assert_true(fabs(z[k][0] - (k - 1) * sqrt(0.5)) < 1e-12 && fabs(z[k][1] - z[k][0]) < 1e-12);
+    for (int k = 2; k <= 44; k++) { /* one becomes three: 2 t^2 + (1 + e - t^2)^2 is stationary at 0 and t^2 = e */
+        const double e = ldexp(1, -k);
+        q = saddle(1 + e);
+        assert_int_equal(footpoint_stationary(NODES(&q), z, &count), FOOTPOINT_OK);
+        assert_int_equal(count, 3);
+        qsort(z, 3, sizeof *z, compare);
+        for (int i = 0; i < 3; i++)
+            assert_true(fabs(z[i][0] - (i - 1) * sqrt(e)) < 1e-14 && fabs(z[i][1] - z[i][0]) < 1e-14);
+    }
     q = saddle(0.5);
     assert_int_equal(footpoint_stationary(NODES(&q), z, &count), FOOTPOINT_OK);
     assert_int_equal(count, 1);
@@ -310,7 +345,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_inside),        cmocka_unit_test(test_square),
         cmocka_unit_test(test_invariance),    cmocka_unit_test(test_two_closest),
-        cmocka_unit_test(test_no_area),       cmocka_unit_test(test_not_finite),
+        cmocka_unit_test(test_nearly_plane),  cmocka_unit_test(test_no_area),
+        cmocka_unit_test(test_not_finite),
         cmocka_unit_test(test_certify),       cmocka_unit_test(test_certify_refuses),
         cmocka_unit_test(test_locate_checks), cmocka_unit_test(test_stationary),
         cmocka_unit_test(test_derivatives),   cmocka_unit_test(test_derivatives_refused),

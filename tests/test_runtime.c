@@ -1,6 +1,6 @@
 /* The runtime library: search of one pair and of many, converged Newton, segment geometry, bad input. Contact normal,
  * gap, forces and the choice of a segment are in test_contact.c. */
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 #include "ordinary_quad.h"
 
 #include <limits.h>

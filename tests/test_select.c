@@ -2,7 +2,7 @@
  * node: ridges, valleys, reflex nodes, three to nine segments, edge and corner hits.  And forces that balance. */
 #include "../evolve/reference.h"
 #include "../runtime/footpoint.h"
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 #include "ordinary_quad.h"
 
 #include <float.h>

@@ -1,9 +1,9 @@
 /* Smooth bodies and their meshes: exact geometry, how near to it smoothed surfaces come, and node normals (44). */
 #include "../evolve/smooth_bodies.h"
 #include "../evolve/stream.h"
-#include "../runtime/gregory.h"
-#include "../runtime/normals.h"
-#include "../runtime/quad4.h"
+#include "../runtime/footpoint-gregory-geometry.h"
+#include "../runtime/footpoint-node-normals.h"
+#include "../runtime/footpoint-quad4-geometry.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

@@ -17,7 +17,7 @@ usage 'no time' "--time-limit 0 is out of range" '--time-limit 0'
 usage 'odd time' "--time-limit needs seconds or H:MM:SS, not '1:99'" '--time-limit 1:99'
 usage 'odd topology' "--topology knows no 'star'" '--topology star'
 usage 'more migrants than individuals' '--migrate-fraction 1.5 is out of range (0 to 0.5)' '--migrate-fraction 1.5'
-usage 'one file for two things' '--checkpoint and --log are the same file' '--checkpoint f --log f'
+usage 'one file for two things' '--checkpoint and --log are one file: f' '--checkpoint f --log f'
 
 # Without interruption, then in two parts on other numbers of ranks: genomes and log.
 "$evolve" $options --generations 60 -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
@@ -27,6 +27,8 @@ $mpirun -n 3 "$evolve" $options --generations 60 -o "$work/o.gen" --log "$work/l
 same "$work/whole.csv" "$work/log.csv" 'the same log from 3 ranks'
 $mpirun -n 3 "$evolve" $options --generations 30 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
 cp "$work/ck" "$work/good"; echo rubbish >> "$work/parts.csv"
+look=$(sed -n 's/^# submit it again .*until `\(.*\) run\.ckpt` says 100000$/\1/p' README.md)
+expect 'the generation, as the README'"'"'s job asks for it' 0 'generation 30' '' sh -c "$look '$work/good'"
 $mpirun -n 2 "$evolve" --resume "$work/ck" --generations 60 --quiet > /dev/null 2>&1
 same "$work/whole.gen" "$work/parts.gen" 'begun on 3 ranks, resumed on 2: the same genomes'
 same "$work/whole.csv" "$work/parts.csv" 'and the same log'

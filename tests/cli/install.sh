@@ -1,5 +1,5 @@
 # What `make install` puts in a scratch folder works from there and after it was moved: library, Fortran module,
-# programs, pages.  Projects with CMake and C++, and folders of other names, are in tests/long/projects.sh.
+# programs, pages; and `make uninstall` takes away that and nothing else.  Projects with CMake and C++, and folders of other names, are in tests/long/projects.sh.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-Wall -Wextra -Wpedantic -Werror'
@@ -17,17 +17,22 @@ logged 'make install' make -s install CC="$CC" PREFIX=/opt/footpoint DESTDIR="$w
 mv "$work/stage/opt/footpoint" "$work/moved"
 installed=$work/moved include=$work/moved/include lib=$work/moved/lib
 find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?)) 'nothing outside PREFIX'
+find "$include" -name '*.h' | sed 's|.*/||' | grep -v '^footpoint[-_.]' > "$work/log"
+[ ! -s "$work/log" ]; report $((! $?)) 'headers have our name'
+find "$include" -name '*.h' | sed 's|.*/||' | grep '_' | grep -vxF "$(ls generated)" > "$work/log"
+[ ! -s "$work/log" ]; report $((! $?)) 'and those of the library none that a generated one could have'
 ! grep -rlIF -e "$work" -e "$PWD" "$installed" > "$work/log"; report $((! $?)) 'no file knows where it was made'
 
 # ---- the library ----
-functions_of "$include"/*.h $(grep -l 'extern "C"' "$include"/footpoint/*.h) > "$work/declared"
-nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_0$/\1/p' | grep -v '^attach_2d_$' | sort \
-    > "$work/exported"
+functions_of "$include"/*.h "$include"/footpoint/footpoint-*.h > "$work/declared"
+nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_0$/\1/p' | sort > "$work/exported"
 logged 'the library exports what its headers declare' diff "$work/declared" "$work/exported"
 nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_0$' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'and nothing else'
-nm -g --defined-only "$lib/libfootpoint.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_|^attach_2d_$/' > "$work/log"
+nm -g --defined-only "$lib/libfootpoint.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_/' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'the archive has no other names'
+nm -g --defined-only "$lib/libfootpoint_ccx.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_attach_/ { print $3 }' > "$work/log"
+expect 'the library for CalculiX has one' 0 attach_2d_ '' cat "$work/log"
 
 cat > "$work/use.c" <<'C'
 #include <footpoint.h>
@@ -56,6 +61,33 @@ if command -v pkg-config > /dev/null; then
     logged 'C, static' $CC -std=c11 $strict "$work/use.c" -o "$work/use" $(pkg-config --cflags footpoint) \
         "$installed/lib/libfootpoint.a" -lm
     expect 'which answers' 0 "$answer" '' "$work/use"
+    # A program with a search of its own, out of an archive: only who asks for ours gets it.
+    cat > "$work/search.c" <<'C'
+#include <footpoint.h>
+#include <stdio.h>
+void attach_2d_(const double (*pneigh)[3], double *pnode, const int *nterms, double *ratio, double *dist, double *xil,
+                double *etl);
+int main(void)
+{
+    const double x[9][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    double at[3] = {0.25, 0.5, 2}, ratio[9], dist = -1, xi, eta;
+    const int nodes = 3;
+    attach_2d_(x, at, &nodes, ratio, &dist, &xi, &eta);
+    printf("%s %g\n", footpoint_strerror(FOOTPOINT_OK), dist);
+    return 0;
+}
+C
+    printf 'void attach_2d_(const void *x, double *p, const int *n, double *r, double *dist) { *dist = 77; }\n' > "$work/own.c"
+    (cd "$work" && $CC -c search.c own.c $(pkg-config --cflags footpoint) && ar rc own.a own.o); report $((! $?)) 'compiles'
+    for kind in shared static; do
+        [ $kind = shared ] && general=$(pkg-config --libs footpoint) || general=$lib/libfootpoint.a
+        expect "a program with a search of its own links, $kind" 0 '' '' \
+            $CC "$work/search.o" $general "$work/own.a" -lm -o "$work/search"
+        expect 'and keeps it' 0 'success 77' '' env LD_LIBRARY_PATH="$lib" "$work/search"
+    done
+    expect 'one that asks for ours links' 0 '' '' \
+        $CC "$work/search.o" $(pkg-config --libs footpoint_ccx) "$work/own.a" -lm -o "$work/search"
+    expect 'and has it' 0 'success 2' '' env LD_LIBRARY_PATH="$lib" "$work/search"
 else
     report 1 'skipped: no pkg-config'
 fi
@@ -143,5 +175,28 @@ fi
 
 # ---- gone again ----
 mkdir -p "$work/stage/opt" && mv "$work/moved" "$work/stage/opt/footpoint"
+own='include/footpoint/footpoint_mine.h share/footpoint/evolve/scenes/mine.scene lib/cmake/footpoint/mine.cmake'
+for file in $own; do : > "$work/stage/opt/footpoint/$file"; done
 logged 'make uninstall' make -s uninstall PREFIX=/opt/footpoint DESTDIR="$work/stage"
-find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?)) 'leaves nothing'
+find "$work/stage" ! -type d | sed "s|.*/opt/footpoint/||" | sort > "$work/log"
+printf '%s\n' $own | sort | cmp -s - "$work/log"; report $((! $?)) 'leaves what is not ours, and nothing else'
+for file in $own; do rm -f "$work/stage/opt/footpoint/$file"; done
+logged 'make uninstall, again' make -s uninstall PREFIX=/opt/footpoint DESTDIR="$work/stage"
+find "$work/stage" -name '*footpoint*' ! -path "$work/stage/opt/footpoint" > "$work/log"
+[ ! -s "$work/log" ]; report $((! $?)) 'closes its folders where nothing is left in them'
+
+# ---- folders with blanks in their names ----
+mkdir -p "$work/x/my/own" && : > "$work/x/my/own/file"
+ls -A > "$work/tree"
+spaced="$work/x/my tools"
+logged 'make install-runtime' make -s install-runtime CC="$CC" PREFIX="$spaced" LIBDIR="$spaced/the lib"
+ls -A | cmp -s - "$work/tree"; report $((! $?)) 'the source tree is as it was'
+if command -v pkg-config > /dev/null; then
+    export PKG_CONFIG_PATH="$spaced/the lib/pkgconfig"
+    eval "$CC -std=c99 '$work/use.c' -o '$work/use' $(pkg-config --cflags --libs footpoint) -lm" > "$work/log" 2>&1
+    report $((! $?)) 'pkg-config finds it'
+    expect 'it answers' 0 "$answer" '' env LD_LIBRARY_PATH="$spaced/the lib" "$work/use"
+fi
+logged 'make uninstall there' make -s uninstall PREFIX="$spaced" LIBDIR="$spaced/the lib"
+find "$work/x" ! -type d > "$work/log"
+expect 'takes away its files, and no other folder' 0 "$work/x/my/own/file" '' cat "$work/log"

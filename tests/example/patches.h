@@ -9,8 +9,8 @@
 #include "penalty.h"
 #pragma GCC diagnostic pop
 
-#include "../../runtime/gregory.h"
-#include "../../runtime/normals.h"
+#include "../../runtime/footpoint-gregory-geometry.h"
+#include "../../runtime/footpoint-node-normals.h"
 
 enum { NEWTON_STEPS = 2 };
 

@@ -1,8 +1,9 @@
 # CalculiX 2.20 with our search in place of its own: same displacements and contact stresses, on models of ours and on
 # all those with contact that come with its tests; at least 20 times faster per call on every kind of face.  Fetches
-# sources and libraries of Debian 12 into a scratch folder (CALCULIX=FOLDER keeps them and what is built between runs)
-# and installs nothing.  A table goes to $BIN/calculix.csv.  Ten minutes; MODELS='punch impact' runs just these.
+# sources and libraries of Debian 12, from where this machine's packages come, into a scratch folder (CALCULIX=FOLDER keeps
+# them and what is built between runs) and installs nothing.  A table goes to $BIN/calculix.csv.  Ten minutes; MODELS='punch impact' runs just these.
 . tests/cli/expect.inc
+. tests/calculix/sources.inc
 here=$PWD
 folder=${CALCULIX:-$work/calculix}
 skip() { echo "ok 1 - # skip $1"; exit 0; }
@@ -15,12 +16,9 @@ TOLERANCE=1e-4 # the solver itself stops at 5e-3 of the mean force
 LEAST_RATIO=20
 
 fetch() { # the source package, the examples, and libraries to link with, into $folder/root
-    keys=/usr/share/keyrings/debian-archive-keyring.gpg
     mkdir -p lists/partial cache/archives/partial root
-    for kind in deb deb-src; do
-        echo "$kind [signed-by=$keys] http://deb.debian.org/debian bookworm main"
-    done > sources.list
-    apt="apt-get -qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=/dev/null
+    copy_sources /etc/apt "$PWD"
+    apt="apt-get -qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=$PWD/sources.list.d
         -o Dir::State::lists=$PWD/lists -o Dir::Cache=$PWD/cache -o APT::Sandbox::User=root"
     $apt update && $apt source --download-only calculix-ccx=2.20-1 &&
         $apt download calculix-ccx-test libspooles2.2 libspooles-dev libarpack2 libarpack2-dev \
@@ -48,17 +46,18 @@ libraries="$libraries -lspooles -larpack -llapack -lblas -lpthread -lm"
     exit 1
 }
 
-# Both with a wrapper about the search; ours comes out of the library, by name, before CalculiX's archive has its turn.
+# Both with a wrapper about the search; ours comes out of its library before CalculiX's archive has its turn.
 source=$folder/CalculiX/ccx_2.20/src
+ours="$BIN/libfootpoint_ccx.a $BIN/libfootpoint.a"
 link() { gfortran -O2 -fopenmp "$source/ccx_2.20.o" "$@" "$source/ccx_2.20.a" $libraries; }
 recorded() { link -Wl,--wrap=attach_2d_ "$work/record.o" "$@"; }
 ${CC:-gcc} -O2 -D_DEFAULT_SOURCE -c tests/calculix/record.c -o "$work/record.o" &&
-    recorded -o "$work/original" && recorded -Wl,-u,attach_2d_ "$BIN/libfootpoint.a" -o "$work/ours" &&
-    link -Wl,-u,attach_2d_ "$BIN/libfootpoint.a" -o "$work/plain" &&
+    recorded -o "$work/original" && recorded -Wl,-u,attach_2d_ $ours -o "$work/ours" &&
+    link -Wl,-u,attach_2d_ $ours -o "$work/plain" &&
     nm "$work/plain" | grep -q footpoint_attach_quad4 &&
     objcopy --redefine-sym attach_2d_=original_attach_2d_ "$source/attach_2d.o" "$work/original_attach_2d.o" &&
     ${CC:-gcc} -O2 -D_DEFAULT_SOURCE tests/calculix/replay.c "$work/original_attach_2d.o" "$source/distattach_2d.o" \
-        "$BIN/libfootpoint.a" -lgfortran -lm -o "$work/replay"
+        $ours -lgfortran -lm -o "$work/replay"
 report $((! $?)) 'CalculiX links with either search'
 
 # ---- models ---------------------------------------------------------------------------------------------------------

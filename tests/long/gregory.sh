@@ -2,8 +2,8 @@
 # Newton finds every foot point of the smooth bodies and nearly every one of the paper's.
 . tests/cli/expect.inc
 FAST='-ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only'
-parts="tests/error_stats.c codegen/base.c codegen/genome.c codegen/genome_parse.c codegen/segment.c runtime/bezier.c runtime/gregory.c
-       runtime/normals.c $(ls runtime/quad*.c runtime/tri*.c evolve/*.c | grep -vE '_main\.c$|/migrate|/evolve_')"
+parts="tests/error_stats.c codegen/base.c codegen/outfile.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
+       runtime/bezier.c runtime/gregory.c runtime/normals.c $(ls runtime/quad*.c runtime/tri*.c evolve/*.c | grep -vE '_main\.c$|/migrate|/evolve_')"
 
 # shellcheck disable=SC2046,SC2086
 {

@@ -22,7 +22,7 @@ mkdir "$work/project"
 cat > "$work/project/use.c" <<'C'
 #include "footpoint.h"
 #include "footpoint/footpoint_quad4.h"
-#include "footpoint/quad4.h"
+#include "footpoint/footpoint-quad4-geometry.h"
 #include <stdio.h>
 
 int main(void)
@@ -85,6 +85,21 @@ program use_footpoint
 end program
 F
 answer_f='-0.349489 0.395534 0.193207'
+cat > "$work/project/ccx.c" <<'C'
+#include <stdio.h>
+void attach_2d_(const double (*pneigh)[3], double *pnode, const int *nterms, double *ratio, double *dist, double *xil,
+                double *etl);
+int main(void)
+{
+    const double x[9][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    double at[3] = {0.25, 0.5, 2}, ratio[9], dist, xi, eta;
+    const int nodes = 3;
+    attach_2d_(x, at, &nodes, ratio, &dist, &xi, &eta);
+    printf("%g %g %g\n", xi, eta, dist);
+    return 0;
+}
+C
+answer_ccx='0.25 0.5 2'
 
 # ---- CMake ----
 if command -v cmake > /dev/null; then
@@ -101,6 +116,8 @@ add_executable(use_static use.c)
 target_link_libraries(use_static PRIVATE footpoint::static)
 add_executable(use_cpp use.cpp)
 target_link_libraries(use_cpp PRIVATE footpoint::footpoint)
+add_executable(use_ccx ccx.c)
+target_link_libraries(use_ccx PRIVATE footpoint::ccx)
 if(CMAKE_Fortran_COMPILER)
   add_executable(use_fortran use.f90)
   target_link_libraries(use_fortran PRIVATE footpoint::footpoint)
@@ -121,7 +138,40 @@ CMAKE
     expect 'C, shared' 0 "$answer" '' "$work/built/use_shared"
     expect 'C, static' 0 "$answer" '' env -u LD_LIBRARY_PATH "$work/built/use_static"
     expect 'C++17' 0 "$answer_cpp" '' "$work/built/use_cpp"
+    expect 'the search for CalculiX' 0 "$answer_ccx" '' env -u LD_LIBRARY_PATH "$work/built/use_ccx"
     [ -z "$fortran" ] || expect 'Fortran' 0 "$answer_f" '' "$work/built/use_fortran"
+
+    # ---- the sources taken in: the two folders alone, without a language but C ----
+    mkdir "$work/inside" "$work/inside/footpoint"
+    cp -r runtime generated "$work/inside/footpoint"
+    cp "$work/project/use.c" "$work/project/ccx.c" "$work/inside"
+    cat > "$work/inside/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.14)
+project(inside C)
+include(FetchContent)
+FetchContent_Declare(footpoint SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}/footpoint" SOURCE_SUBDIR runtime)
+if(FETCH)
+  FetchContent_MakeAvailable(footpoint)
+else()
+  add_subdirectory(footpoint/runtime)
+endif()
+add_executable(use use.c)
+target_link_libraries(use PRIVATE footpoint::footpoint)
+add_executable(use_ccx ccx.c)
+target_link_libraries(use_ccx PRIVATE footpoint::ccx)
+add_library(alone OBJECT alone.c)
+target_link_libraries(alone PRIVATE footpoint::headers)
+CMAKE
+    echo '#include "footpoint_quad4.h"' > "$work/inside/alone.c"
+    for options in '' '-DBUILD_SHARED_LIBS=ON' '-DFETCH=ON -DCMAKE_BUILD_TYPE=Release'; do
+        rm -rf "$work/inside/built"
+        logged "add_subdirectory $options" env CC="$CC" cmake -S "$work/inside" -B "$work/inside/built" $options
+        logged 'builds' cmake --build "$work/inside/built" -j2
+        expect 'and answers' 0 "$answer" '' env -u LD_LIBRARY_PATH "$work/inside/built/use"
+        expect 'and so does the search for CalculiX' 0 "$answer_ccx" '' \
+            env -u LD_LIBRARY_PATH "$work/inside/built/use_ccx"
+        ! nm "$work/inside/built/use" | grep -q attach_2d_; report $((! $?)) 'which nobody else gets'
+    done
 else
     report 1 'skipped: no cmake'
 fi

@@ -1,12 +1,12 @@
 /* Geometry of a bicubic Bezier patch over a four-node segment (Farin, "Curves and surfaces for CAGD", 2002), made from
  * the four corner nodes and the unit normals there.  Neighbours meet in a common edge curve, but with a kink along it;
- * gregory.h joins them smoothly.
+ * footpoint-gregory-geometry.h joins them smoothly.
  *
  * Corners A, B, C, D at (xi,eta) = (-1,-1), (1,-1), (1,1), (-1,1); u = (1 + xi)/2 and v = (1 + eta)/2 are the paper's
  * coordinates.  A leaf; units as in footpoint.h.  Control points are kept relative to A, so that a patch far from the
  * origin loses no more digits than its nodes have lost already. */
-#ifndef FOOTPOINT_SEGMENT_BEZIER_H
-#define FOOTPOINT_SEGMENT_BEZIER_H
+#ifndef FOOTPOINT_BEZIER_GEOMETRY_INCLUDED
+#define FOOTPOINT_BEZIER_GEOMETRY_INCLUDED
 
 #include "footpoint.h"
 

@@ -1,8 +1,8 @@
 /* Geometry of the bilinear segment: what (7)-(11) need of r(xi,eta) = sum phi_i x_i.  A leaf; see footpoint.h for the
  * order of corners and for units.  Everything is formed from differences of nodes, so that a segment far from the
  * origin loses no more digits than its coordinates have lost already. */
-#ifndef FOOTPOINT_SEGMENT_QUAD4_H
-#define FOOTPOINT_SEGMENT_QUAD4_H
+#ifndef FOOTPOINT_QUAD4_GEOMETRY_INCLUDED
+#define FOOTPOINT_QUAD4_GEOMETRY_INCLUDED
 
 #include "footpoint.h"
 

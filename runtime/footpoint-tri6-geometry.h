@@ -1,8 +1,8 @@
 /* Geometry of the six-node segment, the face of a ten-node tetrahedron: xi, eta >= 0, xi + eta <= 1; corners
  * A (0,0), B (1,0), C (0,1), then the mid-side nodes D of AB, E of BC, F of CA.  A leaf; nothing is lost far from the
- * origin, see quad4.h. */
-#ifndef FOOTPOINT_SEGMENT_TRI6_H
-#define FOOTPOINT_SEGMENT_TRI6_H
+ * origin, see footpoint-quad4-geometry.h. */
+#ifndef FOOTPOINT_TRI6_GEOMETRY_INCLUDED
+#define FOOTPOINT_TRI6_GEOMETRY_INCLUDED
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,8 +1,8 @@
 /* Geometry of the three-node (plane) segment: r = A + xi (B - A) + eta (C - A), with xi, eta >= 0 and
  * xi + eta <= 1, so that 1 - xi - eta, xi and eta are the area coordinates of A, B and C.  The face of a four-node
- * tetrahedron.  A leaf; nothing is lost far from the origin, see quad4.h. */
-#ifndef FOOTPOINT_SEGMENT_TRI3_H
-#define FOOTPOINT_SEGMENT_TRI3_H
+ * tetrahedron.  A leaf; nothing is lost far from the origin, see footpoint-quad4-geometry.h. */
+#ifndef FOOTPOINT_TRI3_GEOMETRY_INCLUDED
+#define FOOTPOINT_TRI3_GEOMETRY_INCLUDED
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,8 +1,8 @@
 /* Geometry of the nine-node segment, the face of a 27-node hexahedron: -1 <= xi, eta <= 1; corners A (-1,-1),
  * B (1,-1), C (1,1), D (-1,1), then the mid-side nodes E of AB, F of BC, G of CD, H of DA, and I in the middle.  A
- * leaf; nothing is lost far from the origin, see quad4.h. */
-#ifndef FOOTPOINT_SEGMENT_QUAD9_H
-#define FOOTPOINT_SEGMENT_QUAD9_H
+ * leaf; nothing is lost far from the origin, see footpoint-quad4-geometry.h. */
+#ifndef FOOTPOINT_QUAD9_GEOMETRY_INCLUDED
+#define FOOTPOINT_QUAD9_GEOMETRY_INCLUDED
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,6 +1,6 @@
 /* Node normals of a surface of four-node segments: the paper's (44). */
-#ifndef FOOTPOINT_NORMALS_H
-#define FOOTPOINT_NORMALS_H
+#ifndef FOOTPOINT_NODE_NORMALS_INCLUDED
+#define FOOTPOINT_NODE_NORMALS_INCLUDED
 
 #include "footpoint.h"
 

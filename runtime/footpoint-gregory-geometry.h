@@ -3,11 +3,11 @@
  * each point of it, however many segments meet in a node (Chiyokura and Kimura, "Design of solids with free-form
  * surfaces", SIGGRAPH 1983; Puso and Laursen, "A 3D contact smoothing method using Gregory patches", IJNME 54, 2002).
  *
- * Corners, coordinates and units as in bezier.h; normals from a mesh: normals.h. */
-#ifndef FOOTPOINT_SEGMENT_GREGORY_H
-#define FOOTPOINT_SEGMENT_GREGORY_H
+ * Corners, coordinates and units as in footpoint-bezier-geometry.h; normals from a mesh: footpoint-node-normals.h. */
+#ifndef FOOTPOINT_GREGORY_GEOMETRY_INCLUDED
+#define FOOTPOINT_GREGORY_GEOMETRY_INCLUDED
 
-#include "bezier.h"
+#include "footpoint-bezier-geometry.h"
 
 #ifdef __cplusplus
 extern "C" {

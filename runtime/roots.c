@@ -1,0 +1,147 @@
+/* Roots by Descartes' rule of signs and halving (Vincent, Collins and Akritas; in Bernstein's basis, Lane and
+ * Riesenfeld 1981): a polynomial has at most as many roots in ]0,1[ as its coefficients change sign, and as many but
+ * for an even number; so no change proves that there is none and one that there is one.  Signs count only where they
+ * are beyond the error of the coefficient.  Halving takes means, of coefficients and of the bounds on their errors
+ * alike; its own rounding, 5 x 2^-101 of the means of sizes a time, is part of the bounds from the start. */
+#include "roots.h"
+
+#include <stddef.h>
+
+enum { HALVINGS = 64, LAST = ROOTS_DEGREE };
+
+#define FIRST (67.0 / 128.0) /* where the first cut is: later ones then miss the roots that symmetry makes frequent */
+
+enum verdict { NO_ROOT, ONE_ROOT, SOME_ROOTS, NOTHING_KNOWN };
+
+/* 1, -1, or 0 if it cannot be told. */
+static int sign_of(const struct roots_polynomial *p, int k)
+{
+    return p->c[k].high > p->error[k] ? 1 : p->c[k].high < -p->error[k] ? -1 : 0;
+}
+
+/* A sign that is not known between two that differ is one change, whatever it is; elsewhere it might be two. */
+static enum verdict judge(const struct roots_polynomial *p)
+{
+    int changes = 0, unknown = 0, last = 0, known = 0, doubt = 0;
+    for (int k = 0; k <= LAST; k++) {
+        const int sign = sign_of(p, k);
+        if (sign == 0) {
+            unknown++;
+            continue;
+        }
+        known++;
+        doubt |= unknown > 0 && sign == last;
+        changes += last != 0 && sign != last;
+        last = sign;
+        unknown = 0;
+    }
+    if (known == 0)
+        return NOTHING_KNOWN;
+    if (doubt || sign_of(p, 0) == 0 || sign_of(p, LAST) == 0)
+        return SOME_ROOTS;
+    return changes == 0 ? NO_ROOT : changes == 1 ? ONE_ROOT : SOME_ROOTS;
+}
+
+static struct twofold between(struct twofold a, struct twofold b, double at)
+{
+    if (at == 0.5)
+        return twofold_scale(0.5, twofold_add(a, b));
+    return twofold_add(a, twofold_multiply(twofold_of(at), twofold_subtract(b, a)));
+}
+
+/* By de Casteljau's scheme, at a point of [0,1]: the right part stays in p, the left one is returned. */
+static void split(struct roots_polynomial *p, double at, struct roots_polynomial *left)
+{
+    for (int n = 0; n <= LAST; n++) {
+        left->c[n] = p->c[0];
+        left->error[n] = p->error[0];
+        for (int k = 0; k < LAST - n; k++) {
+            p->c[k] = between(p->c[k], p->c[k + 1], at);
+            p->error[k] += at * (p->error[k + 1] - p->error[k]);
+        }
+    }
+}
+
+/* Neighbours of which nothing is known make one interval; too many end in the last. */
+static int append(struct roots_interval *interval, int count, double low, double high, const struct roots_polynomial *p)
+{
+    struct roots_interval *const last = interval + count - 1;
+    if (count == ROOTS_MOST || (!p && count > 0 && !last->single && last->high >= low)) {
+        last->high = high;
+        last->single = 0;
+        return count;
+    }
+    interval[count].low = low;
+    interval[count].high = high;
+    interval[count].single = p != NULL;
+    if (p)
+        interval[count].local = *p;
+    return count + 1;
+}
+
+int footpoint_roots_isolate(const struct roots_polynomial *whole, struct roots_interval interval[ROOTS_MOST])
+{
+    struct {
+        struct roots_polynomial p;
+        double low, high;
+        int depth;
+    } stack[HALVINGS + 2]; /* right halves that wait, one at each depth */
+    int top = 0, count = 0;
+    stack[0].p = *whole;
+    stack[0].low = 0.0;
+    stack[0].high = 1.0;
+    stack[0].depth = 0;
+    while (top >= 0) {
+        const enum verdict verdict = judge(&stack[top].p);
+        const double low = stack[top].low, high = stack[top].high;
+        const double at = stack[top].depth == 0 ? FIRST : 0.5, middle = low + at * (high - low);
+        if (verdict == SOME_ROOTS && stack[top].depth < HALVINGS && low < middle && middle < high) {
+            stack[top + 1].high = middle;
+            stack[top + 1].low = low;
+            stack[top + 1].depth = ++stack[top].depth;
+            stack[top].low = middle;
+            split(&stack[top].p, at, &stack[top + 1].p);
+            top++;
+            continue;
+        }
+        if (verdict == ONE_ROOT)
+            count = append(interval, count, low, high, &stack[top].p);
+        else if (verdict != NO_ROOT)
+            count = append(interval, count, low, high, NULL);
+        top--;
+    }
+    return count;
+}
+
+/* Halves a single interval once.  0 if what is in its middle is nearer to 0 than `errors` of its bounds, or there is no
+ * number. */
+static int halve(struct roots_interval *interval, double errors)
+{
+    const double middle = 0.5 * (interval->low + interval->high);
+    struct roots_polynomial right = interval->local, left;
+    split(&right, 0.5, &left);
+    if (!(fabs(right.c[0].high) > errors * right.error[0]) || !(interval->low < middle && middle < interval->high))
+        return 0;
+    if ((right.c[0].high > 0.0) == (left.c[0].high > 0.0)) {
+        interval->low = middle;
+        interval->local = right;
+    } else {
+        interval->high = middle;
+        interval->local = left;
+    }
+    return 1;
+}
+
+void footpoint_roots_narrow(struct roots_interval *interval, double width)
+{
+    while (interval->single && interval->high - interval->low > width && halve(interval, 1.0))
+        ;
+}
+
+double footpoint_roots_middle(const struct roots_interval *interval)
+{
+    struct roots_interval rest = *interval;
+    while (halve(&rest, 0.0))
+        ;
+    return 0.5 * (rest.low + rest.high);
+}

@@ -1,0 +1,89 @@
+# What `make` refuses, what it installs out of a tree with files of one's own, and what it takes to build the library.
+. tests/cli/expect.inc
+CC=${CC:-gcc}
+unset MAKEFLAGS MAKELEVEL MFLAGS
+
+# ---- values ----
+refused() { # refused TARGET VALUE WORDS: in one line, before anything is done
+    expect "$2" 2 '' '*' make -n "$1" "$2"
+    grep -q "$3.*  Stop.\$" "$work/stderr" && [ "$(wc -l < "$work/stderr")" = 1 ]
+    report $((! $?)) "which says: $3"
+}
+refused runtime CONFIG=fast 'CONFIG=fast: not a configuration; there are release debug asan fma\.'
+refused runtime 'CONFIG=debug asan' 'not a configuration'
+refused regenerate RANKS=0 'RANKS=0: not a number of ranks'
+refused regenerate RANKS=two 'not a number of ranks'
+refused regenerate RANKS= 'not a number of ranks'
+refused regenerate GENERATIONS=1e3 'not a number of generations'
+refused regenerate GENERATIONS=-1 'not a number of generations'
+refused regenerate 'SEED=1 2' 'not a whole number'
+refused regenerate FROM=nothing 'FROM=nothing: scratch or nothing'
+refused check JOBS=0 'not a number of jobs'
+refused check JOBS=all 'not a number of jobs'
+refused runtime OPENMP=yes 'OPENMP=yes: 0 or 1'
+for target in install install-runtime uninstall; do
+    for value in PREFIX= PREFIX=tools BINDIR=bin LIBDIR= INCLUDEDIR=./include MANDIR=man; do
+        refused $target $value "${value%%=*}=.*: no absolute path"
+    done
+    for value in 'PREFIX=/x;y' "LIBDIR=/x'y" 'DESTDIR=/x"y' 'BINDIR=/x$$y' 'INCLUDEDIR=/x|y' 'MANDIR=/x&y'; do
+        refused $target "$value" "${value%%=*}=.*: no folder to install in"
+    done
+done
+for value in RANKS=10 GENERATIONS=0 SEED=18446744073709551615 JOBS=3 FROM=scratch OPENMP=1 CONFIG=debug; do
+    expect "$value" 0 '*' '' make -n help $value
+done
+
+# ---- a tree with files of one's own ----
+tree=$work/tree root=$PWD
+mkdir "$tree" && cp -a Makefile evolve generated "$tree"
+for shared in build codegen runtime tests; do ln -s "$root/$shared" "$tree/$shared"; done
+plan() { make -C "$tree" --no-print-directory -n "$@"; }
+plan install > "$work/before"
+cp "$tree/generated/footpoint_quad4.h" "$tree/generated/footpoint_mine.h"
+for file in scenes/quad4.scene genomes/quad4.gen frames/plane.gen; do
+    cp "$tree/evolve/$file" "$tree/evolve/$(dirname $file)/mine.${file##*.}"
+done
+: > "$tree/evolve/genomes/quad4.gen.123.tmp"
+plan install > "$work/after"
+expect 'own scenes, genomes, frames and headers change nothing that is installed' 0 '' '' cmp "$work/before" "$work/after"
+plan bench SCENE=mine | grep -q 'footpoint_mine\.h'; report $((! $?)) 'the bench measures them when asked to'
+plan uninstall > "$work/after"
+! grep -q 'mine' "$work/after"; report $((! $?)) 'and they are not uninstalled'
+if git ls-files > "$work/files" 2> /dev/null; then
+    for folder in generated evolve/scenes evolve/genomes evolve/frames; do
+        grep "^$folder/" "$work/files" | sort > "$work/kept"
+        grep -oE "(^| )$folder/[a-z0-9_-]+\.[a-z]+" "$work/before" | tr -d ' ' | sort -u > "$work/put"
+        expect "all of $folder is installed" 0 '' '' diff "$work/kept" "$work/put"
+    done
+    for left in tests/example/impact tests/example/slide tests/example/out/energy.csv tests/example/plates.inp \
+        evolve/genomes/plates-quad4.gen generated/footpoint_plates_quad4.h example.h example.f90 example.txt; do
+        git check-ignore -q $left; report $((! $?)) "git ignores $left"
+    done
+else
+    report 1 'skipped: no git'
+fi
+
+# ---- the library, with a C compiler alone ----
+rm "$tree/build" && mkdir "$tree/build" "$work/bare"
+for tool in ar make sed awk cat chmod cp id install ln mkdir mv nproc printf realpath rm rmdir touch; do
+    ln -s "$(env which $tool)" "$work/bare/$tool"
+done
+# The compiler finds its own parts.
+printf '#!/bin/sh\nPATH="%s" exec %s "$@"\n' "$PATH" "$CC" > "$work/bare/cc" && chmod +x "$work/bare/cc"
+expect 'make install-runtime' 0 '' '' env -u CC PATH="$work/bare" make -s -C "$tree" install-runtime \
+    EXTRA_CFLAGS=-O0 PREFIX=/usr DESTDIR="$work/stage"
+for file in lib/libfootpoint.a lib/libfootpoint.so lib/libfootpoint_ccx.a lib/pkgconfig/footpoint.pc include/footpoint.h \
+    lib/cmake/footpoint/footpoint-config.cmake include/footpoint/footpoint_quad4.h share/man/man3/footpoint.3; do
+    [ -s "$work/stage/usr/$file" ]; report $((! $?)) "$file"
+done
+cat > "$work/use.c" <<'C'
+#include <footpoint.h>
+#include <footpoint/footpoint_quad4.h>
+int main(void)
+{
+    return footpoint_strerror(FOOTPOINT_OK)[0] != 's';
+}
+C
+expect 'which serves' 0 '' '' $CC -I"$work/stage/usr/include" "$work/use.c" "$work/stage/usr/lib/libfootpoint.a" -lm \
+    -o "$work/use"
+expect 'a program' 0 '' '' "$work/use"
