@@ -37,20 +37,19 @@ int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const
     return FOOTPOINT_OK;
 }
 
+/* What footpoint_locate_one does, straight on where nothing is out of the ordinary. */
 int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *gap)
 {
-    double found[2], g;
-    const int status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, found, &g);
-    if (status != FOOTPOINT_OK)
-        return status;
-    if (!footpoint_check(xA, xB, xC, xD, xS, found[0], found[1])) {
+    double xi, eta, g;
+    const uint64_t search = footpoint_detail_footpoint_quad4_accurate(xA, xB, xC, xD, xS, &xi, &eta);
+    const uint64_t flaw = search | footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_LEAST, &g);
+    if (flaw >> 63 || !footpoint_check(xA, xB, xC, xD, xS, xi, eta)) {
         const double *const x[5] = {xA, xB, xC, xD, xS};
-        if (!is_sure(x, found))
-            return FOOTPOINT_ERR_DOMAIN;
+        return footpoint_locate_one(FOOTPOINT_ACCURATE, 1, x, loc, gap);
     }
-    loc[0] = found[0];
-    loc[1] = found[1];
+    loc[0] = xi;
+    loc[1] = eta;
     *gap = g;
     return FOOTPOINT_OK;
 }
