@@ -23,6 +23,9 @@ void c_print(const char *text, enum precision precision, const char *name, FILE 
               : *text == 'F' ? (f ? "f" : "")
               : *text == 'D' ? (f ? "footpoint_detail_f_" : "footpoint_detail_")
               : *text == 'G' ? (f ? "_F" : "")
+              : *text == 'I' ? (f ? "unsigned int" : "unsigned long long")
+              : *text == 'B' ? (f ? "31" : "63")
+              : *text == 'Z' ? (f ? "1.1754944e-38f" : "2.2250738585072014e-308")
                              : name,
               out);
     }
@@ -86,29 +89,54 @@ bool c_scales_status(const struct unit *u, const struct function *f)
     return false;
 }
 
-void c_print_status(const struct unit *u, const struct function *f, FILE *out)
+/* "@Dbelow(D, LEAST)", where the proof knows how near 0 is too near; of a segment LEAST goes with its size.  Of
+ * functions of scalars D must be a normal number at least. */
+static char *nearness_text(const struct unit *u, const struct function *f, const struct denominator *d,
+                           const char *text)
 {
+    const double least = unit_threshold(u, d);
+    const int degree = least > 0.0 ? unit_degree(u, f, d) : 0;
+    if (degree)
+        return new_format("@Dbelow(%s, %.4e@F * @Dpower(xA, xB, %d)) | ", text, least, degree);
+    if (least > 0.0)
+        return new_format("@Dbelow(%s, %.4e@F) | ", text, least);
+    return u->file->segment ? new_text("", 0) : new_format("@Dbelow(%s, @Z) | ", text);
+}
+
+void c_print_flaw(const struct unit *u, const struct function *f, bool poles, FILE *out)
+{
+    const bool segment = u->file->segment != NULL;
     const enum precision precision = u->options.precision;
     struct printer *r = run_printer(u, f, write_nothing, out);
-    const char *joint = "    const @R flaw = @Dflaw(";
+    struct memory *m = memory_open();
     for (size_t i = 0; i < f->evidence->denominators; i++) {
         const struct denominator *d = &f->evidence->denominator[i];
-        if (d->verdict == POLE_FREE)
+        if (!segment && d->verdict == POLE_FREE)
             continue;
         char *text = printer_text(r, d->op, LEVEL_SUM);
-        const double threshold = unit_threshold(u, d);
-        c_print(joint, precision, "", out);
-        print_broken(text, 32, WIDTH - 20, "\n            ", NULL, out);
-        const int degree = threshold > 0.0 ? unit_degree(u, f, d) : 0;
-        fputs(degree ? ",\n            " : ", ", out);
-        fprintf(out, threshold > 0.0 ? "%.4e" : "%.1f", threshold);
-        char *power = degree ? new_format("@F * @Dpower(xA, xB, %d))", degree) : new_text("@F)", 3);
-        c_print(power, precision, "", out);
-        free(power);
-        joint = " +\n        @Dflaw(";
+        char *nearness = poles && d->verdict != POLE_FREE ? nearness_text(u, f, d, text) : new_text("", 0);
+        char *range = new_format(segment ? "@Doutside(%s) | " : "@Dinfinite(%s) | ", text);
+        c_print(nearness, precision, "", m->stream);
+        c_print(range, precision, "", m->stream);
+        free(range);
+        free(nearness);
         free(text);
     }
-    c_print(";\n    return (int)(flaw <= 0.0@F ? flaw : (@R)FOOTPOINT_ERR_DEGENERATE);\n", precision, "", out);
+    for (size_t i = 0; i < f->program->ops && segment; i++)
+        if (f->program->op[i].kind == OP_PDIV) {
+            char *text = printer_text(r, f->program->op[i].b, LEVEL_SUM),
+                 *range = new_format("@Dinfinite(%s) | ", text);
+            c_print(range, precision, "", m->stream);
+            free(range);
+            free(text);
+        }
+    char *flaw = memory_close(m);
+    c_print("    const @I flaw = ", precision, "", out);
+    if (*flaw)
+        flaw[strlen(flaw) - strlen(" | ")] = '\0';
+    print_broken(*flaw ? flaw : "0", 40, WIDTH, "\n        ", NULL, out);
+    fputs(";\n", out);
+    free(flaw);
     printer_free(r);
 }
 

@@ -5,6 +5,7 @@
 
 #include "banner.h"
 #include "c_code.h"
+#include "header_helpers.h"
 #include "header_search.h"
 #include "header_single.h"
 #include "text.h"
@@ -29,6 +30,11 @@ static void print_macros(const char *prefix, FILE *out)
         "#ifndef FOOTPOINT_FN\n#ifdef __CUDACC__\n"
         "#define FOOTPOINT_FN static __host__ __device__ __forceinline__\n#else\n"
         "#define FOOTPOINT_FN static inline\n#endif\n#endif\n"
+        "#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed "
+        "*/\n"
+        "#if defined(__GNUC__) && !defined(__CUDACC__)\n"
+        "#define FOOTPOINT_PART static inline __attribute__((always_inline))\n#else\n"
+        "#define FOOTPOINT_PART FOOTPOINT_FN\n#endif\n#endif\n"
         "#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */\n"
         "#if defined(__GNUC__) && !defined(__CUDACC__)\n"
         "#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN\n#else\n"
@@ -48,16 +54,40 @@ static void print_macros(const char *prefix, FILE *out)
     free(guard);
 }
 
-static void print_flaw(enum precision precision, FILE *out)
+/* What every status rests on: the bits of numbers, as -ffast-math leaves integers alone. */
+static void print_bits(enum precision precision, FILE *out)
 {
-    c_print("\n#ifndef FOOTPOINT_DETAIL_FLAW@G\n#define FOOTPOINT_DETAIL_FLAW@G\n"
-            "/* 0 if |d| > least and d is finite, else 1 or NaN: without a branch (-ffast-math breaks it). */\n"
-            "FOOTPOINT_FN @R @Dflaw(@R d, @R least)\n"
-            "{\n"
-            "    const @R bad = fabs@F(d) > least ? 0.0@F : 1.0@F;\n"
-            "    return d - d + bad;\n"
-            "}\n#endif\n",
-            precision, "", out);
+    const bool f = precision == PRECISION_FLOAT;
+    char *text =
+        new_format("\n#ifndef FOOTPOINT_DETAIL_BITS@G\n#define FOOTPOINT_DETAIL_BITS@G\n"
+                   "/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity "
+                   "are above all\n"
+                   " * others', those of NaN above these.  What the functions below find stands in the highest bit of "
+                   "a result. */\n"
+                   "FOOTPOINT_PART @I @Dbits(@R x)\n"
+                   "{\n"
+                   "    union {\n        @R number;\n        @I bits;\n    } both;\n"
+                   "    both.number = x;\n"
+                   "    return both.bits;\n"
+                   "}\n\n"
+                   "/* Unless %s <= |x| < %s: room for products of what x is made of, and half of all exponents. */\n"
+                   "FOOTPOINT_PART @I @Doutside(@R x)\n"
+                   "{\n"
+                   "    return 2 * @Dbits(x) - ((@I)%d << %d);\n"
+                   "}\n\n"
+                   "/* If |x| < least. */\n"
+                   "FOOTPOINT_PART @I @Dbelow(@R x, @R least)\n"
+                   "{\n"
+                   "    return (@Dbits(x) & ~(@I)0 >> 1) - @Dbits(least);\n"
+                   "}\n\n"
+                   "/* If x is infinite or NaN. */\n"
+                   "FOOTPOINT_PART @I @Dinfinite(@R x)\n"
+                   "{\n"
+                   "    return (@Dbits(x) & ~(@I)0 >> 1) + ((@I)1 << %d);\n"
+                   "}\n#endif\n",
+                   f ? "2^-96" : "2^-512", f ? "2^32" : "2^512", f ? 31 : 511, f ? 24 : 53, f ? 23 : 52);
+    c_print(text, precision, "", out);
+    free(text);
 }
 
 static void print_power(enum precision precision, FILE *out)
@@ -107,8 +137,10 @@ static void print_one(const struct unit *u, const struct function *f, FILE *out)
     fputs(")\n{\n", out);
     c_print_statements(u, f, out);
     c_print_unused(u, f, out);
-    if (poles)
-        c_print_status(u, f, out);
+    if (poles) {
+        c_print_flaw(u, f, true, out);
+        c_print("    return flaw >> @B ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK;\n", u->options.precision, "", out);
+    }
     fputs("}\n", out);
 }
 
@@ -147,7 +179,7 @@ void header_print(const struct unit *u, FILE *out)
     bool status = false, scales = false;
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
-        status = status || (u->file->segment ? search_hides_poles(f) : function_has_poles(f));
+        status = status || u->file->segment || function_has_poles(f);
         scales = scales || (u->file->segment && search_hides_poles(f) && c_scales_status(u, f));
     }
     print_banner(u, out);
@@ -155,11 +187,11 @@ void header_print(const struct unit *u, FILE *out)
     if (single_checks(u))
         fputs("#ifndef FOOTPOINT_ERR_DOMAIN\n#define FOOTPOINT_ERR_DOMAIN 3\n#endif\n", out);
     if (status)
-        print_flaw(precision, out);
+        print_bits(precision, out);
     if (scales)
         print_power(precision, out);
     if (u->file->segment)
-        search_print_helpers(u->file->segment, precision, out);
+        helpers_print(u, out);
     if (u->options.samples)
         single_print_helpers(u->file->segment, single_checks(u), out);
     for (size_t i = 0; i < u->file->genomes; i++) {

@@ -67,7 +67,7 @@ static const char check[] =
     "    r = 2.0f * step / det;\n"
     "    r = r < 0.5f * most ? r : 0.5f * most;\n"
     "    room = r * (det - 4.0f * r * (both + lc * lc * r) * high);\n"
-    "    near = (det > 0.0f) & (step_s <= room) & (step_t <= room);\n"
+    "    near = (det > 0.0f) & !(footpoint_detail_f_outside(det) >> 31) & (step_s <= room) & (step_t <= room);\n"
     "    shift = fabsf(ac) * bb + fabsf(bc) * aa + 2.0f * fabsf(h12) * (both + cc) + 4.0f * both * both + cc * (aa + "
     "bb);\n"
     "    least = det - 4.0f * (r * shift + unit * mixed * mixed) * reach;\n"

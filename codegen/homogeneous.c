@@ -55,13 +55,35 @@ static int result(const struct program *p, const struct segment_kind *k, const s
     return NONE;
 }
 
+/* By operation, up to number `last`.  Caller frees. */
+static int *twice_degrees(const struct program *p, const struct segment_kind *k, size_t last)
+{
+    int *twice = new_array(last + 1, sizeof *twice);
+    for (size_t i = 0; i <= last; i++)
+        twice[i] = result(p, k, &p->op[i], twice);
+    return twice;
+}
+
 bool homogeneous_degree(const struct program *p, const struct segment_kind *k, int op, int *degree)
 {
-    int *twice = new_array((size_t)op + 1, sizeof *twice);
-    for (int i = 0; i <= op; i++)
-        twice[i] = result(p, k, &p->op[i], twice);
+    int *twice = twice_degrees(p, k, (size_t)op);
     const int found = twice[op];
     free(twice);
     *degree = found == ANY ? 0 : found / 2;
     return found != NONE && (found == ANY || found % 2 == 0);
+}
+
+bool homogeneous_steepest(const struct program *p, const struct segment_kind *k, int *steepest)
+{
+    int *twice = twice_degrees(p, k, p->ops - 1), most = 0;
+    bool same = true;
+    for (size_t i = 0; i < p->ops && same; i++) {
+        same = twice[i] != NONE;
+        most = twice[i] != ANY && abs(twice[i]) > most ? abs(twice[i]) : most;
+    }
+    for (size_t i = 0; i < p->outputs && same; i++)
+        same = twice[p->output[i]] == ANY || twice[p->output[i]] == 0;
+    free(twice);
+    *steepest = (most + 1) / 2;
+    return same;
 }

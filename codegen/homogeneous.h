@@ -9,4 +9,8 @@
  * is s^degree times as large.  False if it is no whole number, or if there is none because lengths meet numbers. */
 bool homogeneous_degree(const struct program *p, const struct segment_kind *k, int op, int *degree);
 
+/** The largest |degree| of all operations, halves rounded up.  False if the outputs are not of degree 0, or if lengths
+ * meet numbers on the way there: then the program is one for segments of one size. */
+bool homogeneous_steepest(const struct program *p, const struct segment_kind *k, int *steepest);
+
 #endif

@@ -163,6 +163,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -192,21 +199,77 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
-#ifndef FOOTPOINT_BEZIER_SEARCH
-#define FOOTPOINT_BEZIER_SEARCH
-/* Status of the vectors: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_bezier_inspect(const double *const x[9])
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
-    double sum = 0.0;
-    int coincide = 0, i, j;
-    for (i = 0; i < 9; i++)
-        sum += x[i][0] + x[i][1] + x[i][2];
-    for (i = 1; i < 4; i++)
-        for (j = 0; j < i; j++)
-            coincide |= (x[i][0] == x[j][0]) & (x[i][1] == x[j][1]) & (x[i][2] == x[j][2]);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
 }
 
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_BEZIER_SEARCH
+#define FOOTPOINT_BEZIER_SEARCH
 /* u = r_xi, v = r_eta and d = S - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_bezier_surface(const double *const x[9], double xi, double eta,
     double u[3], double v[3], double d[3])
@@ -243,35 +306,38 @@ FOOTPOINT_FN void footpoint_detail_bezier_surface(const double *const x[9], doub
     }
 }
 
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_bezier_gap(const double *const x[9], double xi, double eta, double *gap)
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bezier_gap(const double *const x[9], double xi, double eta, double least, double *gap)
 {
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int area, i, j;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size = 0.0, uu, vv;
+    int i, j;
     footpoint_detail_bezier_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++) {
-        double size = 0.0;
+    for (j = 0; j < 3; j++)
         for (i = 1; i < 4; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
-        uu += u[j] * u[j] + size;
-        vv += v[j] * v[j] + size;
-    }
+    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
+    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 #endif
 
-/* 49 mul, 1 div, 50 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_bezier_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                            const double xS[3], double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_BEZIER_LEAST 2.9387358770557188e-39
+
+/* xi and eta of footpoint_bezier_facet_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_bezier_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -332,27 +398,50 @@ FOOTPOINT_FN void footpoint_bezier_facet_at(const double xA[3], const double xB[
     (void)nB;
     (void)nC;
     (void)nD;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16);
+    return flaw;
+}
+
+/* 49 mul, 1 div, 50 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_bezier_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_bezier_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_bezier_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                         const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_bezier_inspect(x);
-    footpoint_bezier_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_bezier_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_bezier_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_bezier_facet_at for n pairs.
@@ -385,10 +474,11 @@ static const double footpoint_bezier_facet_points[][31] = {
 };
 #endif
 
-/* 108 mul, 3 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                              const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_bezier_normals_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_bezier_normals(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -486,27 +576,52 @@ FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double x
     const double t84 = (!(t83 <= u8) ? t83 : u8);
     *xi = t82;
     *eta = t84;
+    const unsigned long long flaw = footpoint_detail_outside(t20 * t21 - t19 * t19) |
+        footpoint_detail_outside(t58 * t58 + t59 * t59 + t60 * t60) | footpoint_detail_outside(t71 * t74 + t72 * t75
+        + t73 * t76);
+    return flaw;
+}
+
+/* 108 mul, 3 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                              const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_bezier_normals(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_bezier_normals(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                           const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_bezier_inspect(x);
-    footpoint_bezier_normals_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_bezier_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_bezier_normals(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_bezier_normals_at for n pairs.
@@ -539,10 +654,11 @@ static const double footpoint_bezier_normals_points[][31] = {
 };
 #endif
 
-/* 213 mul, 2 div, 169 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                             const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_bezier_smooth_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_bezier_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                         const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xD[2] - xC[2];
@@ -689,27 +805,51 @@ FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB
     const double t131 = (!(t130 <= u8) ? t130 : u8);
     *xi = t129;
     *eta = t131;
+    const unsigned long long flaw = footpoint_detail_outside(t24 * t23 - t22 * t22) |
+        footpoint_detail_outside(t121 * t122 - t120 * t120);
+    return flaw;
+}
+
+/* 213 mul, 2 div, 169 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                             const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_bezier_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_bezier_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                          const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_bezier_inspect(x);
-    footpoint_bezier_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_bezier_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_bezier_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_bezier_smooth_at for n pairs.
@@ -742,10 +882,11 @@ static const double footpoint_bezier_smooth_points[][31] = {
 };
 #endif
 
-/* 284 mul, 2 div, 206 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                              const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_bezier_precise_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_bezier_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -923,27 +1064,51 @@ FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double x
     const double t155 = (!(t154 <= u9) ? t154 : u9);
     *xi = t153;
     *eta = t155;
+    const unsigned long long flaw = footpoint_detail_outside(t23 * t24 - t22 * t22) |
+        footpoint_detail_outside(t148);
+    return flaw;
+}
+
+/* 284 mul, 2 div, 206 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                              const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_bezier_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_bezier_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                           const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_bezier_inspect(x);
-    footpoint_bezier_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_bezier_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_bezier_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_bezier_precise_at for n pairs.
@@ -976,10 +1141,11 @@ static const double footpoint_bezier_precise_points[][31] = {
 };
 #endif
 
-/* 497 mul, 3 div, 341 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                            const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_bezier_exact_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_bezier_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -1262,27 +1428,51 @@ FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[
     const double t250 = (!(t249 <= u10) ? t249 : u10);
     *xi = t248;
     *eta = t250;
+    const unsigned long long flaw = footpoint_detail_outside(t23 * t24 - t22 * t22) |
+        footpoint_detail_outside(t148) | footpoint_detail_outside(t243);
+    return flaw;
+}
+
+/* 497 mul, 3 div, 341 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_bezier_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_bezier_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                         const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_bezier_inspect(x);
-    footpoint_bezier_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_bezier_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_bezier_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_bezier_exact_at for n pairs.
@@ -1315,10 +1505,11 @@ static const double footpoint_bezier_exact_points[][31] = {
 };
 #endif
 
-/* 709 mul, 4 div, 477 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                           const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_bezier_full_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_bezier_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                       const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -1706,27 +1897,51 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
     const double t345 = (!(t344 <= u11) ? t344 : u11);
     *xi = t343;
     *eta = t345;
+    const unsigned long long flaw = footpoint_detail_outside(t23 * t24 - t22 * t22) |
+        footpoint_detail_outside(t148) | footpoint_detail_outside(t243) | footpoint_detail_outside(t338);
+    return flaw;
+}
+
+/* 709 mul, 4 div, 477 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                           const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_bezier_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_bezier_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                        const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_bezier_inspect(x);
-    footpoint_bezier_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_bezier_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_bezier_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_bezier_full_at for n pairs.

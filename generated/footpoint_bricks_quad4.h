@@ -41,6 +41,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -70,50 +77,106 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
+}
+
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_SEARCH
 #define FOOTPOINT_QUAD4_SEARCH
-/* 1 if two corners coincide. */
-FOOTPOINT_FN int footpoint_detail_coincide(const double a[3], const double b[3])
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+    const double xD[3], const double xS[3], double xi, double eta, double least, double *gap)
 {
-    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
-}
-
-/* Status of the nodes: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_inspect(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xS[3])
-{
-    const double sum = (xA[0] + xA[1] + xA[2]) + (xB[0] + xB[1] + xB[2]) + (xC[0] + xC[1] + xC[2]) +
-                       (xD[0] + xD[1] + xD[2]) + (xS[0] + xS[1] + xS[2]);
-    const int coincide = footpoint_detail_coincide(xA, xB) | footpoint_detail_coincide(xB, xC) |
-                         footpoint_detail_coincide(xC, xD) | footpoint_detail_coincide(xD, xA) |
-                         footpoint_detail_coincide(xA, xC) | footpoint_detail_coincide(xB, xD);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
-}
-
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],
-                                      const double xD[3], const double xS[3], double xi, double eta, double *gap)
-{
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int i, area;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size, uu = 0.0, vv = 0.0, along = 0.0, across = 0.0;
+    int i;
     for (i = 0; i < 3; i++) {
         const double ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];
         const double s = 0.5 * (1.0 + xi), t = 0.5 * (1.0 + eta);
         u[i] = ab + t * (dc - ab);
         v[i] = ad + s * (bc - ad);
         d[i] = (xS[i] - xA[i]) - s * ab - t * v[i];
-        uu += u[i] * u[i] + ab * ab + dc * dc;
-        vv += v[i] * v[i] + ad * ad + bc * bc;
+        uu += u[i] * u[i];
+        vv += v[i] * v[i];
+        along += ab * ab + dc * dc;
+        across += ad * ad + bc * bc;
     }
+    size = along + across;
+    uu += along;
+    vv += across;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 
 FOOTPOINT_FN double footpoint_detail_square_distance(const double a[3], const double b[3])
@@ -123,7 +186,7 @@ FOOTPOINT_FN double footpoint_detail_square_distance(const double a[3], const do
 }
 
 /* Number of the corner nearest to s: 0..3, the first of equals. */
-FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const double s[3])
+FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const *x, const double s[3])
 {
     double least = footpoint_detail_square_distance(x[0], s);
     int nearest = 0, i;
@@ -136,9 +199,14 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 17 mul, 1 div, 19 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_bricks_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_BRICKS_QUAD4_LEAST 2.9387358770557188e-39
+
+/* xi and eta of footpoint_bricks_quad4_exact_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_bricks_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -156,25 +224,44 @@ FOOTPOINT_FN void footpoint_bricks_quad4_exact_at(const double xA[3], const doub
     *xi = (t9 * t1 + t10 * t2 + t13 * t5) * t7 * t12 - 1.0;
     *eta = (t9 * t3 + t10 * t4 + t13 * t6) * t8 * t12 - 1.0;
     (void)xC;
+    const unsigned long long flaw = footpoint_detail_outside(t11);
+    return flaw;
+}
+
+/* 17 mul, 1 div, 19 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_bricks_quad4_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_bricks_quad4_exact(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_bricks_quad4_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    footpoint_bricks_quad4_exact_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_bricks_quad4_exact(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_BRICKS_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_bricks_quad4_exact_at for n pairs.

@@ -216,6 +216,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -245,21 +252,77 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
-#ifndef FOOTPOINT_GREGORY_SEARCH
-#define FOOTPOINT_GREGORY_SEARCH
-/* Status of the vectors: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_gregory_inspect(const double *const x[9])
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
-    double sum = 0.0;
-    int coincide = 0, i, j;
-    for (i = 0; i < 9; i++)
-        sum += x[i][0] + x[i][1] + x[i][2];
-    for (i = 1; i < 4; i++)
-        for (j = 0; j < i; j++)
-            coincide |= (x[i][0] == x[j][0]) & (x[i][1] == x[j][1]) & (x[i][2] == x[j][2]);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
 }
 
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_GREGORY_SEARCH
+#define FOOTPOINT_GREGORY_SEARCH
 /* u = r_xi, v = r_eta and d = S - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_gregory_surface(const double *const x[9], double xi, double eta,
     double u[3], double v[3], double d[3])
@@ -326,35 +389,38 @@ FOOTPOINT_FN void footpoint_detail_gregory_surface(const double *const x[9], dou
     }
 }
 
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_gregory_gap(const double *const x[9], double xi, double eta, double *gap)
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_gregory_gap(const double *const x[9], double xi, double eta, double least, double *gap)
 {
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int area, i, j;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size = 0.0, uu, vv;
+    int i, j;
     footpoint_detail_gregory_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++) {
-        double size = 0.0;
+    for (j = 0; j < 3; j++)
         for (i = 1; i < 4; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
-        uu += u[j] * u[j] + size;
-        vv += v[j] * v[j] + size;
-    }
+    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
+    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 #endif
 
-/* 49 mul, 1 div, 50 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                             const double xS[3], double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_GREGORY_LEAST 5.1698788284564230e-26
+
+/* xi and eta of footpoint_gregory_facet_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                         const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -415,27 +481,50 @@ FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB
     (void)nB;
     (void)nC;
     (void)nD;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16);
+    return flaw;
+}
+
+/* 49 mul, 1 div, 50 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_gregory_facet_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                             const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_gregory_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_gregory_facet(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                          const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_gregory_facet_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_gregory_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_gregory_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gregory_gap(x, xi, eta, FOOTPOINT_GREGORY_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_gregory_facet_at for n pairs.
@@ -468,10 +557,11 @@ static const double footpoint_gregory_facet_points[][31] = {
 };
 #endif
 
-/* 108 mul, 3 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                               const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_gregory_normals_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_gregory_normals(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                           const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -569,27 +659,52 @@ FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double 
     const double t84 = (!(t83 <= u8) ? t83 : u8);
     *xi = t82;
     *eta = t84;
+    const unsigned long long flaw = footpoint_detail_outside(t20 * t21 - t19 * t19) |
+        footpoint_detail_outside(t58 * t58 + t59 * t59 + t60 * t60) | footpoint_detail_outside(t71 * t74 + t72 * t75
+        + t73 * t76);
+    return flaw;
+}
+
+/* 108 mul, 3 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_gregory_normals_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                               const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_gregory_normals(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_gregory_normals(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                            const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_gregory_normals_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_gregory_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_gregory_normals(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gregory_gap(x, xi, eta, FOOTPOINT_GREGORY_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_gregory_normals_at for n pairs.
@@ -622,10 +737,11 @@ static const double footpoint_gregory_normals_points[][31] = {
 };
 #endif
 
-/* 202 mul, 2 div, 157 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                              const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_gregory_smooth_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xD[2] - xC[2];
@@ -767,27 +883,51 @@ FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double x
     const double t126 = (!(t125 <= u8) ? t125 : u8);
     *xi = t124;
     *eta = t126;
+    const unsigned long long flaw = footpoint_detail_outside(t24 * t23 - t22 * t22) |
+        footpoint_detail_outside(t117 * t116 - t115 * t115);
+    return flaw;
+}
+
+/* 202 mul, 2 div, 157 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_gregory_smooth_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                              const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_gregory_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_gregory_smooth(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                           const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_gregory_smooth_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_gregory_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_gregory_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gregory_gap(x, xi, eta, FOOTPOINT_GREGORY_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_gregory_smooth_at for n pairs.
@@ -820,10 +960,11 @@ static const double footpoint_gregory_smooth_points[][31] = {
 };
 #endif
 
-/* 367 mul, 2 div, 263 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                                 const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_gregory_corrected_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_gregory_corrected(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                             const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -1017,27 +1158,50 @@ FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const doubl
     const double t172 = (!(t171 <= u9) ? t171 : u9);
     *xi = t170;
     *eta = t172;
+    const unsigned long long flaw = footpoint_detail_outside(t35) | footpoint_detail_outside(t165);
+    return flaw;
+}
+
+/* 367 mul, 2 div, 263 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_gregory_corrected_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                                 const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_gregory_corrected(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_gregory_corrected(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                              const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                              const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_gregory_corrected_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_gregory_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_gregory_corrected(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gregory_gap(x, xi, eta, FOOTPOINT_GREGORY_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_gregory_corrected_at for n pairs.
@@ -1070,10 +1234,11 @@ static const double footpoint_gregory_corrected_points[][31] = {
 };
 #endif
 
-/* 631 mul, 14 div, 457 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                               const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_gregory_precise_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                           const double xS[3], double *xi, double *eta)
 {
     const double t1 = xD[2] - xC[2];
     const double t2 = xB[2] - xA[2];
@@ -1426,27 +1591,56 @@ FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double 
     const double t321 = (!(t320 <= u14) ? t320 : u14);
     *xi = t319;
     *eta = t321;
+    const unsigned long long flaw = footpoint_detail_outside(t22 * t23 - t21 * t21) |
+        footpoint_detail_outside(t46 - t40 * t40) | footpoint_detail_outside(t46 - t41 * t41) |
+        footpoint_detail_outside(t56 - t47 * t47) | footpoint_detail_outside(t56 - t48 * t48) |
+        footpoint_detail_outside(t61 - t55 * t55) | footpoint_detail_outside(t61 - t53 * t53) |
+        footpoint_detail_outside(t62 - t54 * t54) | footpoint_detail_outside(t62 - t60 * t60) |
+        footpoint_detail_outside(t191) | footpoint_detail_outside(t192) | footpoint_detail_outside(t193) |
+        footpoint_detail_outside(t194) | footpoint_detail_outside(t314);
+    return flaw;
+}
+
+/* 631 mul, 14 div, 457 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_gregory_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                               const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_gregory_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_gregory_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                            const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_gregory_precise_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_gregory_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_gregory_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gregory_gap(x, xi, eta, FOOTPOINT_GREGORY_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_gregory_precise_at for n pairs.
@@ -1479,10 +1673,11 @@ static const double footpoint_gregory_precise_points[][31] = {
 };
 #endif
 
-/* 915 mul, 19 div, 633 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                             const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_gregory_exact_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                         const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -2005,27 +2200,58 @@ FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB
     const double t480 = (!(t479 <= u18) ? t479 : u18);
     *xi = t478;
     *eta = t480;
+    const unsigned long long flaw = footpoint_detail_outside(t23 * t24 - t22 * t22) |
+        footpoint_detail_outside(t46 - t40 * t40) | footpoint_detail_outside(t46 - t41 * t41) |
+        footpoint_detail_outside(t56 - t47 * t47) | footpoint_detail_outside(t56 - t48 * t48) |
+        footpoint_detail_outside(t61 - t55 * t55) | footpoint_detail_outside(t61 - t53 * t53) |
+        footpoint_detail_outside(t62 - t54 * t54) | footpoint_detail_outside(t62 - t60 * t60) |
+        footpoint_detail_outside(t215) | footpoint_detail_outside(t216) | footpoint_detail_outside(t217) |
+        footpoint_detail_outside(t218) | footpoint_detail_outside(t340) | footpoint_detail_outside(t387) |
+        footpoint_detail_outside(t389) | footpoint_detail_outside(t390) | footpoint_detail_outside(t388) |
+        footpoint_detail_outside(t473);
+    return flaw;
+}
+
+/* 915 mul, 19 div, 633 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_gregory_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                             const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_gregory_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_gregory_exact(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                          const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                          const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_gregory_exact_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_gregory_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_gregory_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gregory_gap(x, xi, eta, FOOTPOINT_GREGORY_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_gregory_exact_at for n pairs.
@@ -2058,10 +2284,11 @@ static const double footpoint_gregory_exact_points[][31] = {
 };
 #endif
 
-/* 1282 mul, 24 div, 877 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
-                                            const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_gregory_full_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - xD[2];
     const double t2 = xA[2] - xB[2];
@@ -2777,27 +3004,59 @@ FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[
     const double t658 = (!(t657 <= u20) ? t657 : u20);
     *xi = t656;
     *eta = t658;
+    const unsigned long long flaw = footpoint_detail_outside(t23 * t24 - t22 * t22) |
+        footpoint_detail_outside(t46 - t40 * t40) | footpoint_detail_outside(t46 - t41 * t41) |
+        footpoint_detail_outside(t56 - t47 * t47) | footpoint_detail_outside(t56 - t48 * t48) |
+        footpoint_detail_outside(t61 - t55 * t55) | footpoint_detail_outside(t61 - t53 * t53) |
+        footpoint_detail_outside(t62 - t54 * t54) | footpoint_detail_outside(t62 - t60 * t60) |
+        footpoint_detail_outside(t215) | footpoint_detail_outside(t216) | footpoint_detail_outside(t217) |
+        footpoint_detail_outside(t218) | footpoint_detail_outside(t338) | footpoint_detail_outside(t393) |
+        footpoint_detail_outside(t394) | footpoint_detail_outside(t395) | footpoint_detail_outside(t396) |
+        footpoint_detail_outside(t518) | footpoint_detail_outside(t565) | footpoint_detail_outside(t567) |
+        footpoint_detail_outside(t568) | footpoint_detail_outside(t566) | footpoint_detail_outside(t651);
+    return flaw;
+}
+
+/* 1282 mul, 24 div, 877 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_gregory_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double nA[3], const double nB[3], const double nC[3], const double nD[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_gregory_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_gregory_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                         const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-    int area, status = footpoint_detail_gregory_inspect(x);
-    footpoint_gregory_full_at(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-    area = footpoint_detail_gregory_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_gregory_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
+        flaw |= footpoint_detail_gregory_gap(x, xi, eta, FOOTPOINT_GREGORY_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        nA = y[4];
+        nB = y[5];
+        nC = y[6];
+        nD = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_gregory_full_at for n pairs.

@@ -334,6 +334,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -363,50 +370,106 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
+{
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
+}
+
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_SEARCH
 #define FOOTPOINT_QUAD4_SEARCH
-/* 1 if two corners coincide. */
-FOOTPOINT_FN int footpoint_detail_coincide(const double a[3], const double b[3])
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],
+    const double xD[3], const double xS[3], double xi, double eta, double least, double *gap)
 {
-    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
-}
-
-/* Status of the nodes: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_inspect(const double xA[3], const double xB[3], const double xC[3],
-                                         const double xD[3], const double xS[3])
-{
-    const double sum = (xA[0] + xA[1] + xA[2]) + (xB[0] + xB[1] + xB[2]) + (xC[0] + xC[1] + xC[2]) +
-                       (xD[0] + xD[1] + xD[2]) + (xS[0] + xS[1] + xS[2]);
-    const int coincide = footpoint_detail_coincide(xA, xB) | footpoint_detail_coincide(xB, xC) |
-                         footpoint_detail_coincide(xC, xD) | footpoint_detail_coincide(xD, xA) |
-                         footpoint_detail_coincide(xA, xC) | footpoint_detail_coincide(xB, xD);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
-}
-
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_gap(const double xA[3], const double xB[3], const double xC[3],
-                                      const double xD[3], const double xS[3], double xi, double eta, double *gap)
-{
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int i, area;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size, uu = 0.0, vv = 0.0, along = 0.0, across = 0.0;
+    int i;
     for (i = 0; i < 3; i++) {
         const double ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];
         const double s = 0.5 * (1.0 + xi), t = 0.5 * (1.0 + eta);
         u[i] = ab + t * (dc - ab);
         v[i] = ad + s * (bc - ad);
         d[i] = (xS[i] - xA[i]) - s * ab - t * v[i];
-        uu += u[i] * u[i] + ab * ab + dc * dc;
-        vv += v[i] * v[i] + ad * ad + bc * bc;
+        uu += u[i] * u[i];
+        vv += v[i] * v[i];
+        along += ab * ab + dc * dc;
+        across += ad * ad + bc * bc;
     }
+    size = along + across;
+    uu += along;
+    vv += across;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 
 FOOTPOINT_FN double footpoint_detail_square_distance(const double a[3], const double b[3])
@@ -416,7 +479,7 @@ FOOTPOINT_FN double footpoint_detail_square_distance(const double a[3], const do
 }
 
 /* Number of the corner nearest to s: 0..3, the first of equals. */
-FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const double s[3])
+FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const *x, const double s[3])
 {
     double least = footpoint_detail_square_distance(x[0], s);
     int nearest = 0, i;
@@ -429,9 +492,14 @@ FOOTPOINT_FN int footpoint_detail_nearest_corner(const double *const x[4], const
 }
 #endif
 
-/* 29 mul, 1 div, 42 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_PAPER_QUAD4_LEAST 2.9387358770557188e-39
+
+/* xi and eta of footpoint_paper_quad4_gauss_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -459,39 +527,52 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const doubl
     const double t21 = 2.0 / (t17 * t18 - t16 * t16);
     *xi = (t17 * t20 - t16 * t19) * t21 - 0.45;
     *eta = (t18 * t19 - t16 * t20) * t21 - 0.45;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16);
+    return flaw;
+}
+
+/* 29 mul, 1 div, 42 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_gauss_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_gauss(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                              const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_gauss_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_gauss(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_gauss_at for n pairs.
@@ -522,9 +603,10 @@ static const double footpoint_paper_quad4_gauss_points[][19] = {
 };
 #endif
 
-/* 32 mul, 1 div, 44 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_fast_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -561,39 +643,52 @@ FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double
     const double t28 = t27 * (t25 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
     *xi = -(t25 * (t27 - 2.0) + 0.5);
     *eta = -1.443034844 * t28;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t17 - t18 * t16);
+    return flaw;
+}
+
+/* 32 mul, 1 div, 44 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_fast(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                             const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_fast_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_fast(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_fast_at for n pairs.
@@ -624,9 +719,10 @@ static const double footpoint_paper_quad4_fast_points[][19] = {
 };
 #endif
 
-/* 49 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                 const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_taper_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -670,39 +766,52 @@ FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const doubl
     const double t35 = (!(t34 <= u4) ? t34 : u4);
     *xi = t33;
     *eta = t35;
+    const unsigned long long flaw = footpoint_detail_outside(t16 * t18 - t17 * t17);
+    return flaw;
+}
+
+/* 49 mul, 1 div, 52 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                 const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_taper(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                              const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_taper_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_taper(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_taper_at for n pairs.
@@ -733,9 +842,10 @@ static const double footpoint_paper_quad4_taper_points[][19] = {
 };
 #endif
 
-/* 59 mul, 2 div, 65 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_gauss2_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -777,39 +887,53 @@ FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const doub
     const double t37 = -0.55 / t36;
     *xi = (u1 + (t32 * t34 + t31 * t35)) * t37;
     *eta = (u1 + (t32 * t35 - t33 * t34)) * t37;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16) |
+        footpoint_detail_outside(t36);
+    return flaw;
+}
+
+/* 59 mul, 2 div, 65 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_gauss2(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_gauss2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_gauss2(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_gauss2_at for n pairs.
@@ -840,9 +964,10 @@ static const double footpoint_paper_quad4_gauss2_points[][19] = {
 };
 #endif
 
-/* 60 mul, 1 div, 59 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_coarse_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -904,39 +1029,52 @@ FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const doub
     const double t50 = (!(t49 <= u6) ? t49 : u6);
     *xi = 2.0 * (t48 - 0.25);
     *eta = 2.0 * (t50 - 0.25);
+    const unsigned long long flaw = footpoint_detail_outside(t16 * t16 - t17 * t18);
+    return flaw;
+}
+
+/* 60 mul, 1 div, 59 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_coarse(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_coarse_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_coarse(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_coarse_at for n pairs.
@@ -967,9 +1105,10 @@ static const double footpoint_paper_quad4_coarse_points[][19] = {
 };
 #endif
 
-/* 62 mul, 2 div, 69 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_newton_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1032,39 +1171,53 @@ FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const doub
     const double t51 = (!(t50 <= u8) ? t50 : u8);
     *xi = t49;
     *eta = t51;
+    const unsigned long long flaw = footpoint_detail_outside(t16 * t18 - t17 * t17) |
+        footpoint_detail_outside(t43);
+    return flaw;
+}
+
+/* 62 mul, 2 div, 69 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_newton_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_newton(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_newton_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_newton(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_newton_at for n pairs.
@@ -1095,9 +1248,10 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
 };
 #endif
 
-/* 70 mul, 2 div, 73 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                  const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_medium_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[1] - xA[1];
     const double t2 = xB[0] - xA[0];
@@ -1164,39 +1318,53 @@ FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const doub
     const double t55 = (!(t54 <= u8) ? t54 : u8);
     *xi = t53;
     *eta = t55;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16) |
+        footpoint_detail_outside(t47);
+    return flaw;
+}
+
+/* 70 mul, 2 div, 73 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                  const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_medium(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                               const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_medium_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_medium(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_medium_at for n pairs.
@@ -1227,9 +1395,10 @@ static const double footpoint_paper_quad4_medium_points[][19] = {
 };
 #endif
 
-/* 88 mul, 2 div, 83 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_balanced_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1317,39 +1486,53 @@ FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const do
     const double t71 = (!(t70 <= u12) ? t70 : u12);
     *xi = t69;
     *eta = t71;
+    const unsigned long long flaw = footpoint_detail_outside(t16 * t16 - t18 * t17) |
+        footpoint_detail_outside(t49);
+    return flaw;
+}
+
+/* 88 mul, 2 div, 83 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_balanced(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_balanced_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_balanced(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_balanced_at for n pairs.
@@ -1380,9 +1563,10 @@ static const double footpoint_paper_quad4_balanced_points[][19] = {
 };
 #endif
 
-/* 95 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_fine_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1474,39 +1658,53 @@ FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double
     const double t78 = (!(t77 <= u10) ? t77 : u10);
     *xi = t76;
     *eta = t78;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16) |
+        footpoint_detail_outside(t50) | footpoint_detail_outside(t70);
+    return flaw;
+}
+
+/* 95 mul, 3 div, 93 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_fine(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                             const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_fine_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_fine(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_fine_at for n pairs.
@@ -1537,9 +1735,10 @@ static const double footpoint_paper_quad4_fine_points[][19] = {
 };
 #endif
 
-/* 116 mul, 4 div, 111 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                   const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_precise_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                               const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1652,39 +1851,53 @@ FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const dou
     const double t98 = (!(t97 <= u11) ? t97 : u11);
     *xi = t96;
     *eta = t98;
+    const unsigned long long flaw = footpoint_detail_outside(t16 * t18 - t17 * t17) |
+        footpoint_detail_outside(t50) | footpoint_detail_outside(t70) | footpoint_detail_outside(t90);
+    return flaw;
+}
+
+/* 116 mul, 4 div, 111 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                   const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_precise(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_precise_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_precise(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_precise_at for n pairs.
@@ -1715,9 +1928,10 @@ static const double footpoint_paper_quad4_precise_points[][19] = {
 };
 #endif
 
-/* 133 mul, 3 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_accurate_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -1860,39 +2074,53 @@ FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const do
     const double t124 = (!(t123 <= u14) ? t123 : u14);
     *xi = t122;
     *eta = t124;
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16) |
+        footpoint_detail_outside(t50) | footpoint_detail_outside(t84);
+    return flaw;
+}
+
+/* 133 mul, 3 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_accurate(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_accurate_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_accurate(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_accurate_at for n pairs.
@@ -1923,9 +2151,10 @@ static const double footpoint_paper_quad4_accurate_points[][19] = {
 };
 #endif
 
-/* 137 mul, 5 div, 129 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_full_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2059,39 +2288,54 @@ FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double
     const double t118 = (!(t117 <= u12) ? t117 : u12);
     *xi = t116;
     *eta = t118;
+    const unsigned long long flaw = footpoint_detail_outside(t16 * t18 - t17 * t17) |
+        footpoint_detail_outside(t50) | footpoint_detail_outside(t70) | footpoint_detail_outside(t90) |
+        footpoint_detail_outside(t110);
+    return flaw;
+}
+
+/* 137 mul, 5 div, 129 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_full(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                             const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_full_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_full(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_full_at for n pairs.
@@ -2122,9 +2366,10 @@ static const double footpoint_paper_quad4_full_points[][19] = {
 };
 #endif
 
-/* 92 mul, 5 div, 94 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_program1_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[1] - xB[1];
     const double t2 = xA[2] - xB[2];
@@ -2203,39 +2448,54 @@ FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const do
     const double t67 = (!(t66 <= u6) ? t66 : u6);
     *xi = 2.0 * (t65 - 0.25);
     *eta = 2.0 * (t67 - 0.25);
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16) |
+        footpoint_detail_outside(t34) | footpoint_detail_outside(t43) | footpoint_detail_outside(t47) |
+        footpoint_detail_outside(t59);
+    return flaw;
+}
+
+/* 92 mul, 5 div, 94 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_program1_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_program1(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_program1_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_program1(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_program1_at for n pairs.
@@ -2266,9 +2526,10 @@ static const double footpoint_paper_quad4_program1_points[][19] = {
 };
 #endif
 
-/* 113 mul, 6 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_program2_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2364,39 +2625,54 @@ FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const do
     const double t83 = (!(t82 <= u6) ? t82 : u6);
     *xi = 2.0 * (t81 - 0.25);
     *eta = 2.0 * (t83 - 0.25);
+    const unsigned long long flaw = footpoint_detail_outside(t17 * t18 - t16 * t16) |
+        footpoint_detail_outside(t34) | footpoint_detail_outside(t43) | footpoint_detail_outside(t47) |
+        footpoint_detail_outside(t59) | footpoint_detail_outside(t75);
+    return flaw;
+}
+
+/* 113 mul, 6 div, 112 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_program2_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_program2(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_program2_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_program2(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_program2_at for n pairs.
@@ -2427,9 +2703,10 @@ static const double footpoint_paper_quad4_program2_points[][19] = {
 };
 #endif
 
-/* 134 mul, 7 div, 128 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                                    const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_paper_quad4_program3_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xB[2];
     const double t2 = xA[1] - xB[1];
@@ -2542,39 +2819,54 @@ FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const do
     const double t99 = (!(t98 <= u6) ? t98 : u6);
     *xi = 2.0 * (t97 - 0.25);
     *eta = 2.0 * (t99 - 0.25);
+    const unsigned long long flaw = footpoint_detail_outside(t18 * t17 - t16 * t16) |
+        footpoint_detail_outside(t34) | footpoint_detail_outside(t43) | footpoint_detail_outside(t47) |
+        footpoint_detail_outside(t59) | footpoint_detail_outside(t75) | footpoint_detail_outside(t91);
+    return flaw;
+}
+
+/* 134 mul, 7 div, 128 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_paper_quad4_program3_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                                    const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_paper_quad4_program3(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                                 const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0, u, v, w;
-    const double *x[4];
-    int k, mirror;
-    int area, status = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-    x[0] = xA;
-    x[1] = xB;
-    x[2] = xC;
-    x[3] = xD;
-    k = footpoint_detail_nearest_corner(x, xS);
-    mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
-             footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
-    footpoint_paper_quad4_program3_at(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
-    w = mirror ? v : u;
-    v = mirror ? u : v;
-    u = w;
-    xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
-    eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
-    area = footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, u, v, w, y[5][3];
+    int exponent = 0, turn = 0, status, k, mirror;
+    for (;;) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned long long flaw;
+        k = footpoint_detail_nearest_corner(x, xS);
+        mirror = footpoint_detail_square_distance(x[k], x[(k + 3) & 3]) >
+                 footpoint_detail_square_distance(x[k], x[(k + 1) & 3]);
+        flaw = footpoint_detail_footpoint_paper_quad4_program3(x[k], x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);
+        w = mirror ? v : u;
+        v = mirror ? u : v;
+        u = w;
+        xi = k == 0 ? u : k == 1 ? -v : k == 2 ? -u : v;
+        eta = k == 0 ? v : k == 1 ? u : k == 2 ? -v : -u;
+        flaw |= footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_PAPER_QUAD4_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_paper_quad4_program3_at for n pairs.

@@ -199,6 +199,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -231,50 +238,106 @@
 #define FOOTPOINT_ERR_DOMAIN 3
 #endif
 
+#ifndef FOOTPOINT_DETAIL_BITS_F
+#define FOOTPOINT_DETAIL_BITS_F
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_bits(float x)
+{
+    union {
+        float number;
+        unsigned int bits;
+    } both;
+    both.number = x;
+    return both.bits;
+}
+
+/* Unless 2^-96 <= |x| < 2^32: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_outside(float x)
+{
+    return 2 * footpoint_detail_f_bits(x) - ((unsigned int)31 << 24);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_below(float x, float least)
+{
+    return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) - footpoint_detail_f_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_infinite(float x)
+{
+    return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) + ((unsigned int)1 << 23);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE_F
+#define FOOTPOINT_DETAIL_SCALE_F
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_f_finite(const float *const *x, int n)
+{
+    unsigned int infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_f_infinite(x[i][j]);
+    return !(infinite >> 31);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_f_scale(const float *const *x, int nodes, int vectors, float (*y)[3], int *exponent)
+{
+    float most = 0.0f;
+    int i, j;
+    if (!footpoint_detail_f_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const float half = fabsf(0.5f * x[i][j] - 0.5f * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_f_below(most, 1.1754944e-38f) | footpoint_detail_f_infinite(most)) >> 31)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexpf(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexpf(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
 #ifndef FOOTPOINT_QUAD4_SEARCH_F
 #define FOOTPOINT_QUAD4_SEARCH_F
-/* 1 if two corners coincide. */
-FOOTPOINT_FN int footpoint_detail_f_coincide(const float a[3], const float b[3])
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_gap(const float xA[3], const float xB[3], const float xC[3],
+    const float xD[3], const float xS[3], float xi, float eta, float least, float *gap)
 {
-    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
-}
-
-/* Status of the nodes: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_f_inspect(const float xA[3], const float xB[3], const float xC[3],
-                                         const float xD[3], const float xS[3])
-{
-    const float sum = (xA[0] + xA[1] + xA[2]) + (xB[0] + xB[1] + xB[2]) + (xC[0] + xC[1] + xC[2]) +
-                       (xD[0] + xD[1] + xD[2]) + (xS[0] + xS[1] + xS[2]);
-    const int coincide = footpoint_detail_f_coincide(xA, xB) | footpoint_detail_f_coincide(xB, xC) |
-                         footpoint_detail_f_coincide(xC, xD) | footpoint_detail_f_coincide(xD, xA) |
-                         footpoint_detail_f_coincide(xA, xC) | footpoint_detail_f_coincide(xB, xD);
-    return sum - sum == 0.0f ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
-}
-
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_f_gap(const float xA[3], const float xB[3], const float xC[3],
-                                      const float xD[3], const float xS[3], float xi, float eta, float *gap)
-{
-    float u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0f, vv = 0.0f;
-    int i, area;
+    float u[3], v[3], d[3], nx, ny, nz, nn, size, uu = 0.0f, vv = 0.0f, along = 0.0f, across = 0.0f;
+    int i;
     for (i = 0; i < 3; i++) {
         const float ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];
         const float s = 0.5f * (1.0f + xi), t = 0.5f * (1.0f + eta);
         u[i] = ab + t * (dc - ab);
         v[i] = ad + s * (bc - ad);
         d[i] = (xS[i] - xA[i]) - s * ab - t * v[i];
-        uu += u[i] * u[i] + ab * ab + dc * dc;
-        vv += v[i] * v[i] + ad * ad + bc * bc;
+        uu += u[i] * u[i];
+        vv += v[i] * v[i];
+        along += ab * ab + dc * dc;
+        across += ad * ad + bc * bc;
     }
+    size = along + across;
+    uu += along;
+    vv += across;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-30f + 1e-9f * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrtf(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrtf(nn);
+    return footpoint_detail_f_below(size, least) | footpoint_detail_f_below(1.0f / least, size) | footpoint_detail_f_outside(nn) |
+           footpoint_detail_f_bits(nn - 1e-9f * (uu * vv)) | footpoint_detail_f_infinite(xi + eta + *gap);
 }
 
 FOOTPOINT_FN float footpoint_detail_f_square_distance(const float a[3], const float b[3])
@@ -284,7 +347,7 @@ FOOTPOINT_FN float footpoint_detail_f_square_distance(const float a[3], const fl
 }
 
 /* Number of the corner nearest to s: 0..3, the first of equals. */
-FOOTPOINT_FN int footpoint_detail_f_nearest_corner(const float *const x[4], const float s[3])
+FOOTPOINT_FN int footpoint_detail_f_nearest_corner(const float *const *x, const float s[3])
 {
     float least = footpoint_detail_f_square_distance(x[0], s);
     int nearest = 0, i;
@@ -296,6 +359,10 @@ FOOTPOINT_FN int footpoint_detail_f_nearest_corner(const float *const x[4], cons
     return nearest;
 }
 #endif
+
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_QUAD4_FLOAT_LEAST 2.3283064365386963e-10f
 
 #ifndef FOOTPOINT_QUAD4_SCALE_F
 #define FOOTPOINT_QUAD4_SCALE_F
@@ -359,7 +426,7 @@ FOOTPOINT_FN int footpoint_detail_f_vouch(const float xA[3], const float xB[3], 
     r = 2.0f * step / det;
     r = r < 0.5f * most ? r : 0.5f * most;
     room = r * (det - 4.0f * r * (both + lc * lc * r) * high);
-    near = (det > 0.0f) & (step_s <= room) & (step_t <= room);
+    near = (det > 0.0f) & !(footpoint_detail_f_outside(det) >> 31) & (step_s <= room) & (step_t <= room);
     shift = fabsf(ac) * bb + fabsf(bc) * aa + 2.0f * fabsf(h12) * (both + cc) + 4.0f * both * both + cc * (aa + bb);
     least = det - 4.0f * (r * shift + unit * mixed * mixed) * reach;
     qt = 2.0f * (bb * ac - h12 * bc);
@@ -371,9 +438,10 @@ FOOTPOINT_FN int footpoint_detail_f_vouch(const float xA[3], const float xB[3], 
 }
 #endif
 
-/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_fast_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                            const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -404,25 +472,44 @@ FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float x
     const float t21 = 1.0f / (t17 * t18 - t16 * t16);
     *xi = (t16 * t19 - t17 * t20) * t21;
     *eta = (t16 * t20 - t18 * t19) * t21;
+    const unsigned int flaw = footpoint_detail_f_outside(t17 * t18 - t16 * t16);
+    return flaw;
+}
+
+/* 26 mul, 1 div, 37 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_fast(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                             const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_fast_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_fast(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */
@@ -460,9 +547,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[
     }
 }
 
-/* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                  const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_coarse_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_coarse(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                              const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -502,25 +590,44 @@ FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float
     const float t30 = 1.0f / t29;
     *xi = t24 * t28 * t30;
     *eta = t25 * (t27 + t26) * t30;
+    const unsigned int flaw = footpoint_detail_f_outside(t29);
+    return flaw;
+}
+
+/* 45 mul, 1 div, 49 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                  const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_coarse(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_coarse(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                               const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_coarse_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_coarse(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */
@@ -558,9 +665,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const 
     }
 }
 
-/* 58 mul, 2 div, 63 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                  const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_gauss2_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_gauss2(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                              const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -606,25 +714,45 @@ FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float
     const float t36 = 1.0f / (t33 * t31 - t32 * t32);
     *xi = (t32 * t34 - t31 * t35) * t36;
     *eta = (t32 * t35 - t33 * t34) * t36;
+    const unsigned int flaw = footpoint_detail_f_outside(t18 * t17 - t16 * t16) |
+        footpoint_detail_f_outside(t33 * t31 - t32 * t32);
+    return flaw;
+}
+
+/* 58 mul, 2 div, 63 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                  const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_gauss2(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_gauss2(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                               const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_gauss2_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_gauss2(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */
@@ -662,9 +790,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const 
     }
 }
 
-/* 66 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                  const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_medium_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_medium(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                              const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -713,25 +842,45 @@ FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float
     const float t39 = 1.0f / (t35 * t35 - t34 * t36);
     *xi = (t35 * t38 - t34 * t37) * t39;
     *eta = (t36 * t38 - t35 * t37) * t39;
+    const unsigned int flaw = footpoint_detail_f_outside(t16 * t18 - t17 * t17) |
+        footpoint_detail_f_outside(t35 * t35 - t34 * t36);
+    return flaw;
+}
+
+/* 66 mul, 2 div, 67 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                  const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_medium(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_medium(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                               const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_medium_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_medium(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */
@@ -769,9 +918,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const 
     }
 }
 
-/* 76 mul, 2 div, 71 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                    const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_balanced_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_balanced(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -829,25 +979,45 @@ FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const flo
     const float t48 = 1.0f / (t45 * t45 - t41 * t43);
     *xi = (t41 * t46 + t45 * t47) * t48;
     *eta = (t45 * t46 + t43 * t47) * t48;
+    const unsigned int flaw = footpoint_detail_f_outside(t32) | footpoint_detail_f_outside(t45 * t45 - t41
+        * t43);
+    return flaw;
+}
+
+/* 76 mul, 2 div, 71 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                    const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_balanced(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_balanced(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                                 const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_balanced_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_balanced(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */
@@ -885,9 +1055,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_n(size_t n, const float *cons
     }
 }
 
-/* 90 mul, 2 div, 79 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_fine_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                            const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -955,25 +1126,45 @@ FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float x
     const float t58 = t54 * (t56 + t55);
     *xi = t52 + t48 * t57 + t46 * t58;
     *eta = t51 + t46 * t57 + t47 * t58;
+    const unsigned int flaw = footpoint_detail_f_outside(t31) | footpoint_detail_f_outside(t40 * t41 - t44
+        * t44);
+    return flaw;
+}
+
+/* 90 mul, 2 div, 79 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_fine(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                             const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_fine_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_fine(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */
@@ -1011,9 +1202,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[
     }
 }
 
-/* 97 mul, 3 div, 86 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                   const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_precise_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_precise(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                               const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -1084,25 +1276,45 @@ FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const floa
     const float t61 = 1.0f / (t58 * t58 - t54 * t56);
     *xi = (t54 * t59 + t58 * t60) * t61;
     *eta = (t58 * t59 + t56 * t60) * t61;
+    const unsigned int flaw = footpoint_detail_f_outside(t30) | footpoint_detail_f_outside(t43 * t45 - t46
+        * t46) | footpoint_detail_f_outside(t58 * t58 - t54 * t56);
+    return flaw;
+}
+
+/* 97 mul, 3 div, 86 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                   const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_precise(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_precise(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                                const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_precise(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */
@@ -1140,9 +1352,10 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const
     }
 }
 
-/* 115 mul, 4 div, 101 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
-                                                    const float xS[3], float *xi, float *eta)
+/* xi and eta of footpoint_quad4_float_accurate_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned int
+footpoint_detail_footpoint_quad4_float_accurate(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                const float xS[3], float *xi, float *eta)
 {
     const float yA[3] = {0.0f, 0.0f, 0.0f};
     const float scale = footpoint_detail_f_quad4_scale(xA, xB, xC, xD);
@@ -1227,25 +1440,46 @@ FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const flo
     const float t75 = 1.0f / (t72 * t72 - t68 * t70);
     *xi = (t68 * t73 + t72 * t74) * t75;
     *eta = (t72 * t73 + t70 * t74) * t75;
+    const unsigned int flaw = footpoint_detail_f_outside(t32) | footpoint_detail_f_outside(t45 * t47 - t48
+        * t48) | footpoint_detail_f_outside(t57 * t58 - t60 * t60) | footpoint_detail_f_outside(t72 * t72 - t68 *
+        t70);
+    return flaw;
+}
+
+/* 115 mul, 4 div, 101 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
+                                                    const float xS[3], float *xi, float *eta)
+{
+    (void)footpoint_detail_footpoint_quad4_float_accurate(xA, xB, xC, xD, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad4_float_accurate(const float xA[3], const float xB[3], const float xC[3], const float xD[3],
                                                 const float xS[3], float loc[2], float *gap)
 {
-    float xi, eta, g = 0.0f;
-    int area, status = footpoint_detail_f_inspect(xA, xB, xC, xD, xS);
-    footpoint_quad4_float_accurate_at(xA, xB, xC, xD, xS, &xi, &eta);
-    area = footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0f))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    float xi, eta, g, y[5][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const float *const x[5] = {xA, xB, xC, xD, xS};
+        unsigned int flaw;
+        flaw = footpoint_detail_footpoint_quad4_float_accurate(xA, xB, xC, xD, xS, &xi, &eta);
+        flaw |= footpoint_detail_f_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
+        if (!(flaw >> 31))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xS = y[4];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* Largest error of xi and eta on the samples held out. */

@@ -219,6 +219,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -248,21 +255,77 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
-#ifndef FOOTPOINT_QUAD8_SEARCH
-#define FOOTPOINT_QUAD8_SEARCH
-/* Status of the vectors: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_quad8_inspect(const double *const x[9])
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
-    double sum = 0.0;
-    int coincide = 0, i, j;
-    for (i = 0; i < 9; i++)
-        sum += x[i][0] + x[i][1] + x[i][2];
-    for (i = 1; i < 4; i++)
-        for (j = 0; j < i; j++)
-            coincide |= (x[i][0] == x[j][0]) & (x[i][1] == x[j][1]) & (x[i][2] == x[j][2]);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
 }
 
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD8_SEARCH
+#define FOOTPOINT_QUAD8_SEARCH
 /* u = r_xi, v = r_eta and d = S - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_quad8_surface(const double *const x[9], double xi, double eta,
     double u[3], double v[3], double d[3])
@@ -295,35 +358,38 @@ FOOTPOINT_FN void footpoint_detail_quad8_surface(const double *const x[9], doubl
     }
 }
 
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_quad8_gap(const double *const x[9], double xi, double eta, double *gap)
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad8_gap(const double *const x[9], double xi, double eta, double least, double *gap)
 {
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int area, i, j;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size = 0.0, uu, vv;
+    int i, j;
     footpoint_detail_quad8_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++) {
-        double size = 0.0;
+    for (j = 0; j < 3; j++)
         for (i = 1; i < 8; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
-        uu += u[j] * u[j] + size;
-        vv += v[j] * v[j] + size;
-    }
+    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
+    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 #endif
 
-/* 29 mul, 1 div, 43 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xS[3], double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_QUAD8_LEAST 2.9387358770557188e-39
+
+/* xi and eta of footpoint_quad8_fast_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xF[2] - xH[2];
@@ -342,27 +408,50 @@ FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3]
     const double t15 = t2 * t10 + t4 * t11 + t6 * t13;
     *xi = t12 * (t7 * t14 - t8 * t15);
     *eta = t12 * (t9 * t14 - t7 * t15);
+    const unsigned long long flaw = footpoint_detail_outside(t8 * t9 - t7 * t7);
+    return flaw;
+}
+
+/* 29 mul, 1 div, 43 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_fast(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                       const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_fast(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_fast_at for n pairs.
@@ -395,10 +484,11 @@ static const double footpoint_quad8_fast_points[][31] = {
 };
 #endif
 
-/* 88 mul, 2 div, 118 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad8_coarse_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xE[1] - xG[1]);
@@ -476,27 +566,51 @@ FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[
     const double t74 = 1.0 / (t69 * t71 - t70 * t70);
     *xi = t39 - (t73 * t70 - t69 * t72) * t74;
     *eta = t34 + (t73 * t71 - t72 * t70) * t74;
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t19 - t18 * t20) |
+        footpoint_detail_outside(t69 * t71 - t70 * t70);
+    return flaw;
+}
+
+/* 88 mul, 2 div, 118 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_coarse(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                         const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_coarse(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_coarse_at for n pairs.
@@ -529,10 +643,11 @@ static const double footpoint_quad8_coarse_points[][31] = {
 };
 #endif
 
-/* 138 mul, 3 div, 169 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad8_medium_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -654,27 +769,51 @@ FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[
     const double t118 = 1.0 / (t114 * t115 - t113 * t113);
     *xi = t85 + (t114 * t117 - t116 * t113) * t118;
     *eta = -(t84 + (t116 * t115 - t117 * t113) * t118);
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t79 * t80 - t78 * t78) | footpoint_detail_outside(t114 * t115 - t113 * t113);
+    return flaw;
+}
+
+/* 138 mul, 3 div, 169 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_medium(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                         const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_medium(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_medium_at for n pairs.
@@ -707,10 +846,11 @@ static const double footpoint_quad8_medium_points[][31] = {
 };
 #endif
 
-/* 152 mul, 3 div, 184 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad8_balanced_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -843,27 +983,51 @@ FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double x
     const double t127 = 1.0 / (t122 * t124 - t123 * t123);
     *xi = t85 - (t125 * t122 - t126 * t123) * t127;
     *eta = (t126 * t124 - t125 * t123) * t127 - t84;
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t79 * t80 - t78 * t78) | footpoint_detail_outside(t122 * t124 - t123 * t123);
+    return flaw;
+}
+
+/* 152 mul, 3 div, 184 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_balanced(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                           const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_balanced(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_balanced_at for n pairs.
@@ -896,10 +1060,11 @@ static const double footpoint_quad8_balanced_points[][31] = {
 };
 #endif
 
-/* 191 mul, 3 div, 228 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad8_fine_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -1058,27 +1223,51 @@ FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3]
         * t129 - t131)) * t149 + (t145 - t138 - t129 * (t137 - t33 * t129 - t132)) * t150;
     *xi = t129 - t127 * (t122 * t151 - t123 * t152);
     *eta = t128 + t127 * (t124 * t152 - t123 * t151);
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t79 * t80 - t78 * t78) | footpoint_detail_outside(t122 * t124 - t123 * t123);
+    return flaw;
+}
+
+/* 191 mul, 3 div, 228 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_fine(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                       const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_fine(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_fine_at for n pairs.
@@ -1111,10 +1300,11 @@ static const double footpoint_quad8_fine_points[][31] = {
 };
 #endif
 
-/* 216 mul, 4 div, 250 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad8_accurate_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -1293,27 +1483,52 @@ FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double x
     const double t171 = 1.0 / (t166 * t168 - t167 * t167);
     *xi = t129 - (t169 * t166 - t170 * t167) * t171;
     *eta = t128 + (t170 * t168 - t169 * t167) * t171;
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t79 * t80 - t78 * t78) | footpoint_detail_outside(t122 * t124 - t123 * t123) |
+        footpoint_detail_outside(t166 * t168 - t167 * t167);
+    return flaw;
+}
+
+/* 216 mul, 4 div, 250 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_accurate(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                           const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_accurate(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_accurate_at for n pairs.
@@ -1346,10 +1561,11 @@ static const double footpoint_quad8_accurate_points[][31] = {
 };
 #endif
 
-/* 308 mul, 6 div, 316 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                           const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad8_sharp_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                       const double xS[3], double *xi, double *eta)
 {
     const double t1 = 2.0 * (xE[2] - xG[2]);
     const double t2 = 2.0 * (xF[2] - xH[2]);
@@ -1566,27 +1782,53 @@ FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3
     const double t209 = 1.0 / (t205 * t205 - t207 * t202);
     *xi = t148 + (t207 * t206 + t205 * t208) * t209;
     *eta = t147 + (t202 * t208 + t205 * t206) * t209;
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t79 * t80 - t78 * t78) | footpoint_detail_outside(t130 * t129 - t128 * t128) |
+        footpoint_detail_outside(t143 * t139 - t142 * t142) | footpoint_detail_outside(t193 * t192 + t191 * t191) |
+        footpoint_detail_outside(t205 * t205 - t207 * t202);
+    return flaw;
+}
+
+/* 308 mul, 6 div, 316 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_sharp_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                           const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_sharp(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                        const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_sharp_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_sharp(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_sharp_at for n pairs.
@@ -1619,10 +1861,11 @@ static const double footpoint_quad8_sharp_points[][31] = {
 };
 #endif
 
-/* 415 mul, 7 div, 417 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad8_full_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad8_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xS[3], double *xi, double *eta)
 {
     const double t1 = 0.5 * (xD[2] + xC[2]);
     const double t2 = 0.5 * (xD[1] + xC[1]);
@@ -1900,27 +2143,53 @@ FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3]
     const double t265 = 1.0 / (t260 * t258 - t262 * t262);
     *xi = t208 + (t260 * t263 + t262 * t264) * t265;
     *eta = t207 - (t258 * t264 + t262 * t263) * t265;
+    const unsigned long long flaw = footpoint_detail_outside(t16 * t17 - t15 * t15) |
+        footpoint_detail_outside(t76 * t77 - t75 * t75) | footpoint_detail_outside(t126 * t127 - t125 * t125) |
+        footpoint_detail_outside(t140 * t136 - t139 * t139) | footpoint_detail_outside(t189 * t190 - t188 * t188) |
+        footpoint_detail_outside(t203 * t199 - t202 * t202) | footpoint_detail_outside(t260 * t258 - t262 * t262);
+    return flaw;
+}
+
+/* 415 mul, 7 div, 417 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad8_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad8_full(xA, xB, xC, xD, xE, xF, xG, xH, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad8_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                       const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
-    int area, status = footpoint_detail_quad8_inspect(x);
-    footpoint_quad8_full_at(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
-    area = footpoint_detail_quad8_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[9][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad8_full(xA, xB, xC, xD, xE, xF, xG, xH, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad8_gap(x, xi, eta, FOOTPOINT_QUAD8_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 8, 9, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xS = y[8];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad8_full_at for n pairs.

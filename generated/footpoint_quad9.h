@@ -219,6 +219,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -248,21 +255,77 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
-#ifndef FOOTPOINT_QUAD9_SEARCH
-#define FOOTPOINT_QUAD9_SEARCH
-/* Status of the vectors: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_quad9_inspect(const double *const x[10])
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
-    double sum = 0.0;
-    int coincide = 0, i, j;
-    for (i = 0; i < 10; i++)
-        sum += x[i][0] + x[i][1] + x[i][2];
-    for (i = 1; i < 4; i++)
-        for (j = 0; j < i; j++)
-            coincide |= (x[i][0] == x[j][0]) & (x[i][1] == x[j][1]) & (x[i][2] == x[j][2]);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
 }
 
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD9_SEARCH
+#define FOOTPOINT_QUAD9_SEARCH
 /* u = r_xi, v = r_eta and d = S - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_quad9_surface(const double *const x[10], double xi, double eta,
     double u[3], double v[3], double d[3])
@@ -290,35 +353,38 @@ FOOTPOINT_FN void footpoint_detail_quad9_surface(const double *const x[10], doub
     }
 }
 
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_quad9_gap(const double *const x[10], double xi, double eta, double *gap)
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad9_gap(const double *const x[10], double xi, double eta, double least, double *gap)
 {
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int area, i, j;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size = 0.0, uu, vv;
+    int i, j;
     footpoint_detail_quad9_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++) {
-        double size = 0.0;
+    for (j = 0; j < 3; j++)
         for (i = 1; i < 9; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
-        uu += u[j] * u[j] + size;
-        vv += v[j] * v[j] + size;
-    }
+    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
+    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 #endif
 
-/* 23 mul, 1 div, 22 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xI[3], const double xS[3], double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_QUAD9_LEAST 2.9387358770557188e-39
+
+/* xi and eta of footpoint_quad9_fast_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xE[1] - xG[1];
@@ -341,27 +407,51 @@ FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3]
     (void)xB;
     (void)xC;
     (void)xD;
+    const unsigned long long flaw = footpoint_detail_outside(t8 * t9 - t7 * t7);
+    return flaw;
+}
+
+/* 23 mul, 1 div, 22 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_fast(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                       const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_fast_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_fast(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_fast_at for n pairs.
@@ -394,10 +484,11 @@ static const double footpoint_quad9_fast_points[][34] = {
 };
 #endif
 
-/* 94 mul, 2 div, 127 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xI[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad9_coarse_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xE[1] - xG[1];
@@ -480,27 +571,52 @@ FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[
     const double t76 = 1.0 / (t72 * t73 - t71 * t71);
     *xi = t28 + (t74 * t71 - t75 * t72) * t76;
     *eta = t16 - (t74 * t73 - t75 * t71) * t76;
+    const unsigned long long flaw = footpoint_detail_outside(0.5 * (t8 * t9 - t7 * t7)) |
+        footpoint_detail_outside(t72 * t73 - t71 * t71);
+    return flaw;
+}
+
+/* 94 mul, 2 div, 127 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_coarse(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                         const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_coarse_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_coarse(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_coarse_at for n pairs.
@@ -533,10 +649,11 @@ static const double footpoint_quad9_coarse_points[][34] = {
 };
 #endif
 
-/* 151 mul, 3 div, 184 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                            const double xI[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad9_medium_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                        const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xG[0] - xE[0];
     const double t2 = xE[2] - xG[2];
@@ -676,27 +793,52 @@ FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[
     const double t128 = 1.0 / (t123 * t125 - t124 * t124);
     *xi = t95 + (t126 * t124 - t123 * t127) * t128;
     *eta = t89 + (t126 * t125 - t124 * t127) * t128;
+    const unsigned long long flaw = footpoint_detail_outside(t8 * t8 - t9 * t7) | footpoint_detail_outside(t83 *
+        t85 - t84 * t84) | footpoint_detail_outside(t123 * t125 - t124 * t124);
+    return flaw;
+}
+
+/* 151 mul, 3 div, 184 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                            const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_medium(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                         const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_medium_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_medium(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_medium_at for n pairs.
@@ -729,10 +871,11 @@ static const double footpoint_quad9_medium_points[][34] = {
 };
 #endif
 
-/* 167 mul, 3 div, 202 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xI[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad9_balanced_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xE[1] - xG[1];
@@ -883,27 +1026,52 @@ FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double x
     const double t137 = 1.0 / (t134 * t133 + t132 * t132);
     *xi = (t136 * t134 + t135 * t132) * t137 - t91;
     *eta = t90 + (t135 * t133 - t136 * t132) * t137;
+    const unsigned long long flaw = footpoint_detail_outside(t8 * t9 - t7 * t7) | footpoint_detail_outside(t85 *
+        t86 - t84 * t84) | footpoint_detail_outside(t134 * t133 + t132 * t132);
+    return flaw;
+}
+
+/* 167 mul, 3 div, 202 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_balanced(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                           const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_balanced_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_balanced(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_balanced_at for n pairs.
@@ -936,10 +1104,11 @@ static const double footpoint_quad9_balanced_points[][34] = {
 };
 #endif
 
-/* 212 mul, 3 div, 252 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xI[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad9_fine_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2];
     const double t2 = xE[1] - xG[1];
@@ -1125,27 +1294,52 @@ FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3]
     const double t172 = (t154 + t158) * t168 + (t155 + t159) * t169 + (t162 + t163) * t170;
     *xi = t148 - t138 * (t134 * t172 + t133 * t171);
     *eta = t139 + t138 * (t135 * t171 - t133 * t172);
+    const unsigned long long flaw = footpoint_detail_outside(0.5 * t7 * t7 - t8 * t9) |
+        footpoint_detail_outside(t84 * t85 - t83 * t83) | footpoint_detail_outside(2.0 * (t134 * t135 + t133 * t133));
+    return flaw;
+}
+
+/* 212 mul, 3 div, 252 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_fine(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                       const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_fine_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_fine(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_fine_at for n pairs.
@@ -1178,10 +1372,11 @@ static const double footpoint_quad9_fine_points[][34] = {
 };
 #endif
 
-/* 238 mul, 4 div, 277 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                              const double xI[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad9_accurate_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xH[2] - xF[2];
     const double t2 = xH[1] - xF[1];
@@ -1386,27 +1581,53 @@ FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double x
     const double t189 = 1.0 / (t184 * t183 + t185 * t188);
     *xi = (t186 * t184 - t187 * t188) * t189 - t140;
     *eta = t139 - (t186 * t185 + t187 * t183) * t189;
+    const unsigned long long flaw = footpoint_detail_outside(0.5 * (t8 * t8 - t7 * t9)) |
+        footpoint_detail_outside(t85 * t86 - t84 * t84) | footpoint_detail_outside(t133 * t134 + t135 * t135) |
+        footpoint_detail_outside(t184 * t183 + t185 * t188);
+    return flaw;
+}
+
+/* 238 mul, 4 div, 277 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                              const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                              const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_accurate(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                           const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_accurate_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_accurate(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_accurate_at for n pairs.
@@ -1439,10 +1660,11 @@ static const double footpoint_quad9_accurate_points[][34] = {
 };
 #endif
 
-/* 332 mul, 6 div, 349 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                           const double xI[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad9_sharp_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                       const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xE[2] - xG[2];
     const double t2 = xE[1] - xG[1];
@@ -1693,27 +1915,54 @@ FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3
     const double t239 = 1.0 / (t235 * t235 + t236 * t232);
     *xi = t169 + (t232 * t238 + t235 * t237) * t239;
     *eta = -(t165 + (t236 * t237 - t235 * t238) * t239);
+    const unsigned long long flaw = footpoint_detail_outside(t7 * t7 - t9 * t8) | footpoint_detail_outside(t85 *
+        t86 - t84 * t84) | footpoint_detail_outside(t148 * t147 + t146 * t146) | footpoint_detail_outside(t160 * t160
+        + t161 * t157) | footpoint_detail_outside(t223 * t222 + t221 * t221) | footpoint_detail_outside(t235 * t235 +
+        t236 * t232);
+    return flaw;
+}
+
+/* 332 mul, 6 div, 349 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_sharp_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                           const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_sharp(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_sharp(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                        const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_sharp_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_sharp(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_sharp_at for n pairs.
@@ -1746,10 +1995,11 @@ static const double footpoint_quad9_sharp_points[][34] = {
 };
 #endif
 
-/* 456 mul, 7 div, 459 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
-                                          const double xI[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_quad9_full_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_quad9_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                      const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                      const double xI[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xG[2] - xE[2];
     const double t2 = xG[1] - xE[1];
@@ -2075,27 +2325,54 @@ FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3]
     const double t310 = 1.0 / (t307 * t303 - t305 * t305);
     *xi = 2.0 * (t241 - (t305 * t308 - t307 * t309) * t310);
     *eta = 2.0 * (t240 + (t305 * t309 - t303 * t308) * t310);
+    const unsigned long long flaw = footpoint_detail_outside(t8 * t9 - t7 * t7) | footpoint_detail_outside(t85 *
+        t86 - t84 * t84) | footpoint_detail_outside(t147 * t148 - t146 * t146) | footpoint_detail_outside(t161 * t157
+        - t160 * t160) | footpoint_detail_outside(t221 * t221 + t222 * t223) | footpoint_detail_outside(t235 * t235 +
+        t236 * t232) | footpoint_detail_outside(t307 * t303 - t305 * t305);
+    return flaw;
+}
+
+/* 456 mul, 7 div, 459 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_quad9_full_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                          const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                          const double xI[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_quad9_full(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_quad9_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
                                       const double xI[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
-    int area, status = footpoint_detail_quad9_inspect(x);
-    footpoint_quad9_full_at(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
-    area = footpoint_detail_quad9_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[10][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_quad9_full(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta);
+        flaw |= footpoint_detail_quad9_gap(x, xi, eta, FOOTPOINT_QUAD9_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 9, 10, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xG = y[6];
+        xH = y[7];
+        xI = y[8];
+        xS = y[9];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_quad9_full_at for n pairs.

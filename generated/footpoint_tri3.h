@@ -40,6 +40,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -69,21 +76,77 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
-#ifndef FOOTPOINT_TRI3_SEARCH
-#define FOOTPOINT_TRI3_SEARCH
-/* Status of the vectors: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_tri3_inspect(const double *const x[4])
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
-    double sum = 0.0;
-    int coincide = 0, i, j;
-    for (i = 0; i < 4; i++)
-        sum += x[i][0] + x[i][1] + x[i][2];
-    for (i = 1; i < 3; i++)
-        for (j = 0; j < i; j++)
-            coincide |= (x[i][0] == x[j][0]) & (x[i][1] == x[j][1]) & (x[i][2] == x[j][2]);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
 }
 
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_TRI3_SEARCH
+#define FOOTPOINT_TRI3_SEARCH
 /* u = r_xi, v = r_eta and d = S - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_tri3_surface(const double *const x[4], double xi, double eta,
     double u[3], double v[3], double d[3])
@@ -105,34 +168,37 @@ FOOTPOINT_FN void footpoint_detail_tri3_surface(const double *const x[4], double
     }
 }
 
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_tri3_gap(const double *const x[4], double xi, double eta, double *gap)
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_tri3_gap(const double *const x[4], double xi, double eta, double least, double *gap)
 {
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int area, i, j;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size = 0.0, uu, vv;
+    int i, j;
     footpoint_detail_tri3_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++) {
-        double size = 0.0;
+    for (j = 0; j < 3; j++)
         for (i = 1; i < 3; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
-        uu += u[j] * u[j] + size;
-        vv += v[j] * v[j] + size;
-    }
+    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
+    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 #endif
 
-/* 23 mul, 1 div, 22 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
-                                          double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_TRI3_LEAST 2.9387358770557188e-39
+
+/* xi and eta of footpoint_tri3_exact_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                                      double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2];
     const double t2 = xA[1] - xC[1];
@@ -151,26 +217,43 @@ FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3]
     const double t15 = t10 * t3 + t11 * t4 + t13 * t6;
     *xi = (t15 * t8 - t14 * t7) * t12;
     *eta = (t14 * t9 - t15 * t7) * t12;
+    const unsigned long long flaw = footpoint_detail_outside(t8 * t9 - t7 * t7);
+    return flaw;
+}
+
+/* 23 mul, 1 div, 22 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
+                                          double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri3_exact(xA, xB, xC, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
                                       double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[4] = {xA, xB, xC, xS};
-    int area, status = footpoint_detail_tri3_inspect(x);
-    footpoint_tri3_exact_at(xA, xB, xC, xS, &xi, &eta);
-    area = footpoint_detail_tri3_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[4][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[4] = {xA, xB, xC, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri3_exact(xA, xB, xC, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri3_gap(x, xi, eta, FOOTPOINT_TRI3_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 3, 4, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xS = y[3];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri3_exact_at for n pairs.

@@ -174,6 +174,13 @@
 #define FOOTPOINT_FN static inline
 #endif
 #endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
 #ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
@@ -203,21 +210,77 @@
 #define FOOTPOINT_ERR_DEGENERATE 2
 #endif
 
-#ifndef FOOTPOINT_TRI6_SEARCH
-#define FOOTPOINT_TRI6_SEARCH
-/* Status of the vectors: all finite, no two corners the same. */
-FOOTPOINT_FN int footpoint_detail_tri6_inspect(const double *const x[7])
+#ifndef FOOTPOINT_DETAIL_BITS
+#define FOOTPOINT_DETAIL_BITS
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
 {
-    double sum = 0.0;
-    int coincide = 0, i, j;
-    for (i = 0; i < 7; i++)
-        sum += x[i][0] + x[i][1] + x[i][2];
-    for (i = 1; i < 3; i++)
-        for (j = 0; j < i; j++)
-            coincide |= (x[i][0] == x[j][0]) & (x[i][1] == x[j][1]) & (x[i][2] == x[j][2]);
-    return sum - sum == 0.0 ? (coincide ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK) : FOOTPOINT_ERR_NOT_FINITE;
+    union {
+        double number;
+        unsigned long long bits;
+    } both;
+    both.number = x;
+    return both.bits;
 }
 
+/* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
+{
+    return 2 * footpoint_detail_bits(x) - ((unsigned long long)511 << 53);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_infinite(double x)
+{
+    return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) + ((unsigned long long)1 << 52);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_SCALE
+#define FOOTPOINT_DETAIL_SCALE
+/* 1 if all coordinates of n vectors are finite. */
+FOOTPOINT_FN int footpoint_detail_finite(const double *const *x, int n)
+{
+    unsigned long long infinite = 0;
+    int i, j;
+    for (i = 0; i < n; i++)
+        for (j = 0; j < 3; j++)
+            infinite |= footpoint_detail_infinite(x[i][j]);
+    return !(infinite >> 63);
+}
+
+/* Nodes and slave node, the last of the vectors, in a unit of length, 2^exponent, in which the segment is about 1
+ * long; normals, which stand between them, as they are.  Not FOOTPOINT_OK: they are not finite, or of no length. */
+FOOTPOINT_FN int footpoint_detail_scale(const double *const *x, int nodes, int vectors, double (*y)[3], int *exponent)
+{
+    double most = 0.0;
+    int i, j;
+    if (!footpoint_detail_finite(x, vectors))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 1; i < nodes; i++)
+        for (j = 0; j < 3; j++) {
+            const double half = fabs(0.5 * x[i][j] - 0.5 * x[0][j]);
+            most = half > most ? half : most;
+        }
+    if ((footpoint_detail_below(most, 2.2250738585072014e-308) | footpoint_detail_infinite(most)) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, exponent);
+    for (i = 0; i < vectors; i++)
+        for (j = 0; j < 3; j++)
+            y[i][j] = i < nodes || i == vectors - 1 ? ldexp(x[i][j], -*exponent) : x[i][j];
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_TRI6_SEARCH
+#define FOOTPOINT_TRI6_SEARCH
 /* u = r_xi, v = r_eta and d = S - r at (xi,eta). */
 FOOTPOINT_FN void footpoint_detail_tri6_surface(const double *const x[7], double xi, double eta,
     double u[3], double v[3], double d[3])
@@ -250,34 +313,37 @@ FOOTPOINT_FN void footpoint_detail_tri6_surface(const double *const x[7], double
     }
 }
 
-/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.
- * 0, and *gap untouched, where r_xi and r_eta are parallel: there is no area and no normal. */
-FOOTPOINT_FN int footpoint_detail_tri6_gap(const double *const x[7], double xi, double eta, double *gap)
+/* Gap (9): (xS - r(xi,eta)) . n with the unit normal n = r_xi x r_eta / |...| there; mesh length, > 0 open.  The
+ * highest bit of what it returns is set where r_xi and r_eta are parallel, so that there is no area and no normal,
+ * where the sum of the squares of the edges is not between 1 / range and range, and where something is not finite. */
+FOOTPOINT_PART unsigned long long footpoint_detail_tri6_gap(const double *const x[7], double xi, double eta, double least, double *gap)
 {
-    double u[3], v[3], d[3], nx, ny, nz, nn, uu = 0.0, vv = 0.0;
-    int area, i, j;
+    double u[3], v[3], d[3], nx, ny, nz, nn, size = 0.0, uu, vv;
+    int i, j;
     footpoint_detail_tri6_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++) {
-        double size = 0.0;
+    for (j = 0; j < 3; j++)
         for (i = 1; i < 6; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
-        uu += u[j] * u[j] + size;
-        vv += v[j] * v[j] + size;
-    }
+    uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
+    vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     nx = u[1] * v[2] - u[2] * v[1];
     ny = u[2] * v[0] - u[0] * v[2];
     nz = u[0] * v[1] - u[1] * v[0];
     nn = nx * nx + ny * ny + nz * nz;
-    area = nn > 1e-20 * (uu * vv);
-    nn = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
-    *gap = area ? nn : *gap;
-    return area;
+    *gap = (d[0] * nx + d[1] * ny + d[2] * nz) / sqrt(nn);
+    return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) | footpoint_detail_outside(nn) |
+           footpoint_detail_bits(nn - 1e-20 * (uu * vv)) | footpoint_detail_infinite(xi + eta + *gap);
 }
 #endif
 
-/* 35 mul, 1 div, 39 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+/* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
+ * scaled by a power of 2. */
+#define FOOTPOINT_TRI6_LEAST 2.9387358770557188e-39
+
+/* xi and eta of footpoint_tri6_fast_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xC[2] - 4.0 * xD[2];
     const double t2 = xA[2] - 4.0 * xE[2];
@@ -305,26 +371,46 @@ FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3],
     const double t24 = (1.0 / 3.0) / (t21 * t20 - t19 * t19);
     *xi = (1.0 / 3.0) - (t20 * t23 - t19 * t22) * t24;
     *eta = (t19 * t23 - t21 * t22) * t24 + (1.0 / 3.0);
+    const unsigned long long flaw = footpoint_detail_outside(t21 * t20 - t19 * t19);
+    return flaw;
+}
+
+/* 35 mul, 1 div, 39 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri6_fast(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                      const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_tri6_fast_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-    area = footpoint_detail_tri6_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[7][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri6_fast(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xS = y[6];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri6_fast_at for n pairs.
@@ -356,9 +442,10 @@ static const double footpoint_tri6_fast_points[][25] = {
 };
 #endif
 
-/* 90 mul, 2 div, 107 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                           const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_tri6_coarse_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2] + 4.0 * (xD[2] - xE[2]);
     const double t2 = 0.25 * (xB[2] - xA[2]) + (xE[2] - xF[2]);
@@ -417,26 +504,47 @@ FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3
     const double t55 = 1.0 / (t51 * t52 - t50 * t50);
     *xi = (1.0 / 12.0) * (t24 + 4.0 + (t51 * t54 - t53 * t50) * t55);
     *eta = (1.0 / 3.0) * (1.0 - t25 - (t53 * t52 - t54 * t50) * t55);
+    const unsigned long long flaw = footpoint_detail_outside(t18 * t19 - t17 * t17) |
+        footpoint_detail_outside(t51 * t52 - t50 * t50);
+    return flaw;
+}
+
+/* 90 mul, 2 div, 107 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri6_coarse(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_tri6_coarse_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-    area = footpoint_detail_tri6_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[7][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri6_coarse(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xS = y[6];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri6_coarse_at for n pairs.
@@ -468,9 +576,10 @@ static const double footpoint_tri6_coarse_points[][25] = {
 };
 #endif
 
-/* 98 mul, 2 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                           const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_tri6_medium_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2] - 4.0 * (xE[2] - xD[2]);
     const double t2 = xA[2] - xB[2] - 4.0 * (xE[2] - xF[2]);
@@ -536,26 +645,47 @@ FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3
     const double t62 = 1.0 / (t57 * t59 + t58 * t58);
     *xi = (1.0 / 12.0) * ((t61 * t57 - t60 * t58) * t62 + 4.0 - t27);
     *eta = (1.0 / 12.0) * (t28 + 4.0 - (t61 * t58 + t60 * t59) * t62);
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t57 * t59 + t58 * t58);
+    return flaw;
+}
+
+/* 98 mul, 2 div, 117 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                           const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri6_medium(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_tri6_medium_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-    area = footpoint_detail_tri6_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[7][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri6_medium(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xS = y[6];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri6_medium_at for n pairs.
@@ -587,9 +717,10 @@ static const double footpoint_tri6_medium_points[][25] = {
 };
 #endif
 
-/* 128 mul, 2 div, 149 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_tri6_balanced_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = 0.25 * (xC[2] - xA[2]) + (xE[2] - xD[2]);
     const double t2 = 0.25 * (xB[2] - xA[2]) + (xE[2] - xF[2]);
@@ -675,26 +806,47 @@ FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB
     const double t81 = (t65 + t74) * t76 + (t67 + t75) * t77 + (t69 + t78) * t79;
     *xi = (1.0 / 3.0) * (t63 + 1.0 - t62 * (t60 * t81 + t57 * t80));
     *eta = (1.0 / 3.0) * (t64 + 1.0 - t62 * (t57 * t81 + t58 * t80));
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t60 * t58 - t57 * t57);
+    return flaw;
+}
+
+/* 128 mul, 2 div, 149 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri6_balanced(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                          const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_tri6_balanced_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-    area = footpoint_detail_tri6_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[7][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri6_balanced(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xS = y[6];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri6_balanced_at for n pairs.
@@ -726,9 +878,10 @@ static const double footpoint_tri6_balanced_points[][25] = {
 };
 #endif
 
-/* 139 mul, 3 div, 156 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_tri6_fine_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                     const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2] - 4.0 * (xE[2] - xD[2]);
     const double t2 = xA[2] - xB[2] - 4.0 * (xE[2] - xF[2]);
@@ -823,26 +976,47 @@ FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3],
     const double t91 = 1.0 / (t86 * t88 - t87 * t87);
     *xi = (1.0 / 12.0) * (4.0 - t63 - (t89 * t87 - t90 * t86) * t91);
     *eta = (1.0 / 12.0) * (4.0 - t64 - (t89 * t88 - t90 * t87) * t91);
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t57 * t57 - t58 * t59) | footpoint_detail_outside(t86 * t88 - t87 * t87);
+    return flaw;
+}
+
+/* 139 mul, 3 div, 156 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri6_fine(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                      const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_tri6_fine_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-    area = footpoint_detail_tri6_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[7][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri6_fine(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xS = y[6];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri6_fine_at for n pairs.
@@ -874,9 +1048,10 @@ static const double footpoint_tri6_fine_points[][25] = {
 };
 #endif
 
-/* 193 mul, 4 div, 204 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                            const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_tri6_precise_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                        const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xB[2] - xA[2] + (4.0 * (xE[2] - xF[2]));
     const double t2 = xA[1] - xC[1] - (4.0 * (xE[1] - xD[1]));
@@ -999,26 +1174,48 @@ FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[
     const double t119 = 1.0 / (t114 * t116 + t115 * t115);
     *xi = (1.0 / 12.0) * (t91 + 4.0 + (t117 * t115 - t118 * t114) * t119);
     *eta = (1.0 / 12.0) * (t92 + 4.0 + (t118 * t115 + t117 * t116) * t119);
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t58 * t57 - t56 * t56) | footpoint_detail_outside(t88 * t88 + t85 * t86) |
+        footpoint_detail_outside(t114 * t116 + t115 * t115);
+    return flaw;
+}
+
+/* 193 mul, 4 div, 204 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                            const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri6_precise(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                         const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_tri6_precise_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-    area = footpoint_detail_tri6_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[7][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri6_precise(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xS = y[6];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri6_precise_at for n pairs.
@@ -1050,9 +1247,10 @@ static const double footpoint_tri6_precise_points[][25] = {
 };
 #endif
 
-/* 243 mul, 5 div, 252 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
-FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+/* xi and eta of footpoint_tri6_accurate_at; the highest bit is set where a denominator is too near 0 or too large. */
+FOOTPOINT_PART unsigned long long
+footpoint_detail_footpoint_tri6_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                         const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
 {
     const double t1 = xA[2] - xC[2] - (4.0 * (xE[2] - xD[2]));
     const double t2 = xA[2] - xB[2] - (4.0 * (xE[2] - xF[2]));
@@ -1205,26 +1403,48 @@ FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB
     const double t149 = 1.0 / (t144 * t146 - t145 * t145);
     *xi = (1.0 / 12.0) * (t121 + 4.0 - (t148 * t144 + t147 * t145) * t149);
     *eta = (1.0 / 12.0) * (4.0 - t122 - (t148 * t145 + t147 * t146) * t149);
+    const unsigned long long flaw = footpoint_detail_outside(t19 * t20 - t18 * t18) |
+        footpoint_detail_outside(t58 * t59 - t57 * t57) | footpoint_detail_outside(t89 * t87 - t86 * t86) |
+        footpoint_detail_outside(t118 * t116 - t115 * t115) | footpoint_detail_outside(t144 * t146 - t145 * t145);
+    return flaw;
+}
+
+/* 243 mul, 5 div, 252 add, 0 sqrt.  xi, eta dimensionless; nothing checked. */
+FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                             const double xE[3], const double xF[3], const double xS[3], double *xi, double *eta)
+{
+    (void)footpoint_detail_footpoint_tri6_accurate(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
 /* loc = {xi, eta}, gap along the unit normal at the foot point (mesh length, > 0 open); both untouched on error.
- * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE. */
+ * Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or no number. */
 FOOTPOINT_FN int footpoint_tri6_accurate(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                          const double xE[3], const double xF[3], const double xS[3], double loc[2], double *gap)
 {
-    double xi, eta, g = 0.0;
-    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-    int area, status = footpoint_detail_tri6_inspect(x);
-    footpoint_tri6_accurate_at(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-    area = footpoint_detail_tri6_gap(x, xi, eta, &g);
-    if (status == FOOTPOINT_OK && !(area && (xi - xi) + (eta - eta) + (g - g) == 0.0))
-        status = FOOTPOINT_ERR_DEGENERATE;
-    if (status == FOOTPOINT_OK) {
-        loc[0] = xi;
-        loc[1] = eta;
-        *gap = g;
+    double xi, eta, g, y[7][3];
+    int exponent = 0, turn = 0, status;
+    for (;;) {
+        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+        unsigned long long flaw;
+        flaw = footpoint_detail_footpoint_tri6_accurate(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
+        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
+        if (!(flaw >> 63))
+            break;
+        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        xA = y[0];
+        xB = y[1];
+        xC = y[2];
+        xD = y[3];
+        xE = y[4];
+        xF = y[5];
+        xS = y[6];
     }
-    return status;
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = turn ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
 }
 
 /* footpoint_tri6_accurate_at for n pairs.

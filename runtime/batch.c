@@ -1,8 +1,8 @@
 /* Batches of pairs, and several slave nodes over one segment; see footpoint_batch.h.  Full blocks of pairs whose
  * indices are in range, and that all come out well, take the short way; all others are gathered and judged pair by
- * pair. */
+ * pair, and those that do not come out well then are searched by themselves. */
 #include "batch_block.h"
-#include "footpoint-quad4-geometry.h"
+#include "vector.h"
 
 /* Where answers go: one of loc, locf. */
 struct answers {
@@ -66,6 +66,22 @@ static void fetch_places(const struct answers *to, size_t first)
 #endif
 }
 
+/* The pairs that are not judged good, one at a time; `prepared`: with the corners of the first one. */
+static void search_again(struct block *b, size_t count, enum footpoint_tier tier, int sure, int prepared)
+{
+    for (size_t i = 0; i < count; i++) {
+        double x[5][3], loc[2] = {0.0, 0.0};
+        if (b->status[i] != FOOTPOINT_ERR_DEGENERATE)
+            continue;
+        for (size_t k = 0; k < 15; k++)
+            x[k / 3][k % 3] = b->x[k][prepared && k < 12 ? 0 : i];
+        const double *const nodes[5] = {x[0], x[1], x[2], x[3], x[4]};
+        b->status[i] = footpoint_locate_one(tier, sure, nodes, loc, &b->gap[i]);
+        b->xi[i] = loc[0];
+        b->eta[i] = loc[1];
+    }
+}
+
 /* Answers of `count` pairs as they are judged; how many are not good. */
 static size_t store_judged(const struct answers *to, const struct block *b, size_t first, size_t count)
 {
@@ -122,6 +138,7 @@ static size_t locate_checked(const struct batch *batch, size_t first, size_t cou
     batch->lanes->judge(&b, padded);
     if (batch->p->sure)
         batch->lanes->verify(&b, padded);
+    search_again(&b, count, batch->tier, batch->p->sure, 0);
     for (size_t i = 0; i < count; i++)
         if (invalid >> i & 1)
             b.status[i] = FOOTPOINT_ERR_ARGUMENT;
@@ -142,6 +159,7 @@ static size_t locate_block(const struct batch *batch, size_t first)
         lanes->judge(&b, BLOCK);
         if (p->sure)
             lanes->verify(&b, BLOCK);
+        search_again(&b, BLOCK, batch->tier, p->sure, 0);
         return store_judged(&batch->to, &b, first, BLOCK);
     }
     store_block(&batch->to, &b, first);
@@ -212,9 +230,8 @@ int footpoint_prepare(const double xA[3], const double xB[3], const double xC[3]
                       struct footpoint_segment *segment)
 {
     const double *const x[4] = {xA, xB, xC, xD};
-    const int status = footpoint_quad4_check(xA, xB, xC, xD, xA);
-    if (status != FOOTPOINT_OK)
-        return status;
+    if (!vector_finite(xA) || !vector_finite(xB) || !vector_finite(xC) || !vector_finite(xD))
+        return FOOTPOINT_ERR_NOT_FINITE;
     for (int k = 0; k < 3; k++) {
         const double ab = xB[k] - xA[k], dc = xC[k] - xD[k];
         for (int i = 0; i < 4; i++)
@@ -247,6 +264,7 @@ size_t footpoint_locate_prepared(const struct footpoint_segment *segment, enum f
                 b.x[12 + k][i] = xs[3 * (first + (i < count ? i : count - 1)) + k];
         lanes->prepared[tier](&b, i);
         lanes->judge_prepared(&b, i);
+        search_again(&b, count, tier, 0, 1);
         failed += store_judged(&to, &b, first, count);
     }
     return failed;

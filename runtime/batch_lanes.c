@@ -36,20 +36,18 @@ FOOTPOINT_FN void first_corners(const struct block *b, double c[12])
     const double xC[3] = NODE(b, c, prepared, i, 6), xD[3] = NODE(b, c, prepared, i, 9);                               \
     const double xS[3] = {(b)->x[12][i], (b)->x[13][i], (b)->x[14][i]}
 
-/* The gap and the status, as the function for one pair has them. */
+/* The gap and, after a search, the status: FOOTPOINT_ERR_DEGENERATE also where the function for one pair has to be asked. */
 FOOTPOINT_FN void judge(struct block *b, size_t count, int prepared)
 {
     double c[12];
     first_corners(b, c);
     for (size_t i = 0; i < count; i++) {
         NODES_OF(b, c, prepared, i);
-        double gap = 0.0;
-        const int area = footpoint_detail_gap(xA, xB, xC, xD, xS, b->xi[i], b->eta[i], &gap);
-        const double sum = (b->xi[i] - b->xi[i]) + (b->eta[i] - b->eta[i]) + (gap - gap);
-        const int nodes = footpoint_detail_inspect(xA, xB, xC, xD, xS);
-        const int found = (area & (sum == 0.0)) ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+        double gap;
+        const uint64_t flaw =
+            footpoint_detail_gap(xA, xB, xC, xD, xS, b->xi[i], b->eta[i], FOOTPOINT_QUAD4_LEAST, &gap);
         b->gap[i] = gap;
-        b->status[i] = nodes != FOOTPOINT_OK ? nodes : found;
+        b->status[i] = (int64_t)(((uint64_t)b->status[i] | flaw) >> 63) * FOOTPOINT_ERR_DEGENERATE;
     }
 }
 
@@ -88,19 +86,18 @@ FOOTPOINT_FN double add_square(const double a[3], double b, int fused)
 /* Sufficient for FOOTPOINT_OK, at half the price and whatever the rounding; with `gap` that of footpoint_detail_gap as
  * well, out of what the two have in common, in its order of operations.  For |xi| + |eta| <= 9, |r_xi|^2 is at most 81
  * times the greater of |AB|^2, |DC|^2, so that the product of its test is less than 82^2 times the one below; the other
- * limits keep everything it forms within the range of double.  A product says that no two corners coincide; where it
- * leaves the range, this says no. */
+ * limits are well within those of the function for one pair. */
 FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
 {
-    double bad = 0.0; /* as wide as the numbers: SSE2 has no comparisons of 64-bit integers */
+    uint64_t bad = 0;
     for (size_t i = 0; i < count; i++) {
         NODES_OF(b, b->xi, 0, i);
         const double s = gap ? 0.5 * (1.0 + b->xi[i]) : multiply_add(0.5, b->xi[i], 0.5, fused);
         const double t = gap ? 0.5 * (1.0 + b->eta[i]) : multiply_add(0.5, b->eta[i], 0.5, fused);
-        double ab[3], dc[3], ad[3], bc[3], ac[3], bd[3], u[3], v[3], n[3];
+        double ab[3], dc[3], ad[3], bc[3], as[3], u[3], v[3], n[3];
         for (int k = 0; k < 3; k++) {
             ab[k] = xB[k] - xA[k], dc[k] = xC[k] - xD[k], ad[k] = xD[k] - xA[k], bc[k] = xC[k] - xB[k];
-            ac[k] = xC[k] - xA[k], bd[k] = xD[k] - xB[k];
+            as[k] = xS[k] - xA[k];
             u[k] = multiply_add(t, dc[k] - ab[k], ab[k], fused && !gap);
             v[k] = multiply_add(s, gap ? bc[k] - ad[k] : dc[k] - ab[k], ad[k], fused && !gap);
         }
@@ -109,21 +106,20 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
             n[k] = multiply_add(u[k1], v[k2], -(u[k2] * v[k1]), fused && !gap);
         }
         const double nn = gap ? vector_dot(n, n) : square(n, fused);
-        const double ab2 = square(ab, fused), dc2 = square(dc, fused), xi2 = ab2 + dc2;
-        const double ad2 = square(ad, fused), bc2 = square(bc, fused), eta2 = ad2 + bc2;
-        const double corners = (ab2 * dc2) * (ad2 * bc2) * (square(ac, fused) * square(bd, fused));
-        const double far = add_square(xA, add_square(xS, xi2 + eta2, fused), fused);
-        const int good = (nn > multiply_add(1e-15 * xi2, eta2, 1e-195, fused)) & (far < 1e70) & (corners > 0.0) &
-                         (fabs(b->xi[i]) + fabs(b->eta[i]) <= 9.0);
-        bad = good ? bad : 1.0;
+        const double xi2 = add_square(ab, square(dc, fused), fused), eta2 = add_square(ad, square(bc, fused), fused);
+        const double size = xi2 + eta2, far = add_square(as, size, fused);
+        bad |= (uint64_t)b->status[i] | footpoint_detail_below(size, 2.0 * FOOTPOINT_QUAD4_LEAST) |
+               footpoint_detail_below(0.5 / FOOTPOINT_QUAD4_LEAST, size) | footpoint_detail_bits(nn - 1e-15 * xi2 * eta2) |
+               footpoint_detail_below(nn, 1e-150) | footpoint_detail_below(1e150, far) |
+               footpoint_detail_below(9.0, fabs(b->xi[i]) + fabs(b->eta[i]));
         if (gap) {
             double d[3];
             for (int k = 0; k < 3; k++)
-                d[k] = (xS[k] - xA[k]) - s * ab[k] - t * v[k];
+                d[k] = as[k] - s * ab[k] - t * v[k];
             b->gap[i] = vector_dot(d, n) / sqrt(nn);
         }
     }
-    return bad == 0.0;
+    return bad >> 63 == 0;
 }
 
 /* ---- xi and eta ---- */
@@ -139,28 +135,26 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
     X(accurate, suffix, attributes)                                                                                    \
     X(full, suffix, attributes)
 
-/* What depends on the segment alone is computed once by the compiler's own doing. */
-#define SEARCH(tier, suffix, attributes)                                                                               \
-    attributes static void tier##_##suffix(struct block *b, size_t count)                                              \
-    {                                                                                                                  \
-        const double *x[15];                                                                                           \
-        for (size_t k = 0; k < 15; k++)                                                                                \
-            x[k] = b->x[k];                                                                                            \
-        footpoint_quad4_##tier##_n(count, x, b->xi, b->eta);                                                           \
-    }                                                                                                                  \
-    attributes static void tier##_prepared_##suffix(struct block *b, size_t count)                                     \
+/* Into the status what the search says of its denominators.  What depends on a prepared segment alone is computed once by
+ * the compiler's own doing. */
+#define SEARCH_EITHER(tier, name, attributes, prepared)                                                                \
+    attributes static void name(struct block *b, size_t count)                                                         \
     {                                                                                                                  \
         double c[12];                                                                                                  \
         first_corners(b, c);                                                                                           \
         double *const xi = b->xi, *const eta = b->eta;                                                                 \
         for (size_t i = 0; i < count; i++) {                                                                           \
-            NODES_OF(b, c, 1, i);                                                                                      \
+            NODES_OF(b, c, prepared, i);                                                                               \
             double at[2];                                                                                              \
-            footpoint_quad4_##tier##_at(xA, xB, xC, xD, xS, &at[0], &at[1]);                                           \
+            b->status[i] =                                                                                             \
+                (int64_t)footpoint_detail_footpoint_quad4_##tier(xA, xB, xC, xD, xS, &at[0], &at[1]);                  \
             xi[i] = at[0];                                                                                             \
             eta[i] = at[1];                                                                                            \
         }                                                                                                              \
     }
+#define SEARCH(tier, suffix, attributes)                                                                               \
+    SEARCH_EITHER(tier, tier##_##suffix, attributes, 0)                                                                \
+    SEARCH_EITHER(tier, tier##_prepared_##suffix, attributes, 1)
 
 /* ---- instruction sets ---- */
 

@@ -11,7 +11,7 @@ static int handle(const double p[3], const double q[3], const double n[3], doubl
     const double along = vector_dot(d, n);
     for (int k = 0; k < 3; k++)
         h[k] = (d[k] - along * n[k]) / 3.0;
-    return isnormal(vector_dot(h, h)) ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+    return number_normal(vector_dot(h, h)) ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
 }
 
 /* Net index of a corner, and of the corner at the other end of its edge along xi. */

@@ -24,8 +24,14 @@ static inline double footpoint_check_larger(double a, double b)
     return a > b ? a : b;
 }
 
+/* Whether products of what x is made of may leave the range of double, or x is not finite. */
+static inline int number_outside(double x)
+{
+    return (number_bits(x) - ((uint64_t)511 << 52)) >> 62 != 0;
+}
+
 /** 1 if (xi,eta) is within FOOTPOINT_CHECK_WORST of a foot point, than which no point of the segment is nearer; 0 if
- *  that is not sure, or if any number is not finite. */
+ *  that is not sure, if any number is not finite, or if the segment is too small or too large for its products. */
 static inline int footpoint_check(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                   const double xS[3], double xi, double eta)
 {
@@ -56,7 +62,7 @@ static inline int footpoint_check(const double xA[3], const double xB[3], const 
     const double reach = footpoint_check_larger(1.0, footpoint_check_larger(fabs(s - 0.5), fabs(t - 0.5)));
     const double least = determinant - (4.0 * r * shift + rounding) * reach;
     const double qt = 2.0 * (bb * ac - h12 * bc), qs = 2.0 * (aa * bc - h12 * ac);
-    const int near = (step_s <= room) & (step_t <= room);
+    const int near = (step_s <= room) & (step_t <= room) & !number_outside(rounding * reach);
     const int nearest = ((least - qt * t > 0.0) & (least + qt * (1.0 - t) > 0.0)) |
                         ((least - qs * s > 0.0) & (least + qs * (1.0 - s) > 0.0));
     return near & nearest & (reach <= 1.0);

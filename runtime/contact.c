@@ -19,7 +19,7 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
     double d[3];
     footpoint_quad4_offset(xA, xB, xC, xD, xS, loc[0], loc[1], d);
     const double g = vector_dot(m, d);
-    if (!isfinite(g))
+    if (!number_finite(g))
         return FOOTPOINT_ERR_NOT_FINITE;
     *gap = g;
     return FOOTPOINT_OK;
@@ -37,7 +37,7 @@ static void react(const double loc[2], const double fs[3], double fm[4][3])
 
 int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3], double fm[4][3])
 {
-    if (!isfinite(gap) || !isfinite(stiffness) || !vector_finite(m) || !isfinite(loc[0]) || !isfinite(loc[1]))
+    if (!number_finite(gap) || !number_finite(stiffness) || !vector_finite(m) || !number_finite(loc[0]) || !number_finite(loc[1]))
         return FOOTPOINT_ERR_NOT_FINITE;
     if (stiffness < 0.0)
         return FOOTPOINT_ERR_ARGUMENT;
@@ -53,7 +53,7 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
 {
     double n[3], d[3];
     if (!vector_finite(xA) || !vector_finite(xB) || !vector_finite(xC) || !vector_finite(xD) || !vector_finite(xS) ||
-        !isfinite(loc[0]) || !isfinite(loc[1]) || !isfinite(stiffness))
+        !number_finite(loc[0]) || !number_finite(loc[1]) || !number_finite(stiffness))
         return FOOTPOINT_ERR_NOT_FINITE;
     if (stiffness < 0.0)
         return FOOTPOINT_ERR_ARGUMENT;

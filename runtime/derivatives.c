@@ -2,8 +2,10 @@
  * normal and H the Hessian of bilinear.h, the equations a . d = b . d = 0 and a coordinate x of node k give H
  * d(xi,eta)/dx = (phi_k,xi d - phi_k a, phi_k,eta d - phi_k b)  for a corner,   (a, b)  for xS, and, as d is along n
  * there, dgap/dx = -phi_k n for a corner, n for xS.  (What xi and eta do to the gap drops out.) */
-#include "bilinear.h"
 #include "footpoint-quad4-geometry.h"
+#include "vector.h"
+
+#include <float.h>
 
 static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
@@ -13,7 +15,7 @@ int footpoint_differentiate(const double xA[3], const double xB[3], const double
     struct footpoint_derivatives o;
     double d[3], c3[3], phi[5], phi_xi[5] = {0}, phi_eta[5] = {0};
     if (!vector_finite(xA) || !vector_finite(xB) || !vector_finite(xC) || !vector_finite(xD) || !vector_finite(xS) ||
-        !isfinite(loc[0]) || !isfinite(loc[1]))
+        !number_finite(loc[0]) || !number_finite(loc[1]))
         return FOOTPOINT_ERR_NOT_FINITE;
     footpoint_quad4_shape(loc[0], loc[1], o.phi);
     footpoint_quad4_derivatives(xA, xB, xC, xD, loc[0], loc[1], o.r_xi, o.r_eta);
@@ -25,7 +27,7 @@ int footpoint_differentiate(const double xA[3], const double xB[3], const double
         c3[i] = 0.25 * ((xC[i] - xD[i]) - (xB[i] - xA[i]));
     const double h11 = vector_dot(o.r_xi, o.r_xi), h22 = vector_dot(o.r_eta, o.r_eta);
     const double h12 = vector_dot(o.r_xi, o.r_eta) - vector_dot(c3, d), determinant = h11 * h22 - h12 * h12;
-    if (!(fabs(determinant) > 8.0 * DBL_EPSILON * (h11 * h22 + h12 * h12)) || !isfinite(determinant))
+    if (!(fabs(determinant) > 8.0 * DBL_EPSILON * (h11 * h22 + h12 * h12)) || !number_finite(determinant))
         return FOOTPOINT_ERR_DEGENERATE;
     for (int k = 0; k < 4; k++) {
         phi[k] = o.phi[k];

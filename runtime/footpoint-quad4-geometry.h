@@ -36,11 +36,6 @@ void footpoint_quad4_offset(const double xA[3], const double xB[3], const double
 int footpoint_quad4_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                         const double xS[3], double xi, double eta, double *gap);
 
-/** FOOTPOINT_OK if all coordinates are finite and no two corners coincide, else FOOTPOINT_ERR_NOT_FINITE or
- *  FOOTPOINT_ERR_DEGENERATE. */
-int footpoint_quad4_check(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                          const double xS[3]);
-
 #ifdef __cplusplus
 }
 #endif

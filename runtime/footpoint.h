@@ -4,7 +4,7 @@
  *     A = (-1,-1)   B = (1,-1)   C = (1,1)   D = (-1,1)        in (xi,eta),
  * counter-clockwise seen from outside, so that normals point to where slave nodes come from.  Each node is passed as a
  * pointer to its three coordinates, which may lie anywhere in the caller's arrays.  Coordinates are in any one unit of
- * length ("mesh length"); edges between 1e-14 and 1e14 keep all products within the range of double.
+ * length ("mesh length"): edges from 1e-300 to 1e300 long.
  *
  * Functions return a status.  Unless it is FOOTPOINT_OK, outputs are untouched, but for functions that say otherwise.
  * Nothing here allocates, prints, keeps state or takes anything but a C library's <math.h>; every function may be
@@ -29,7 +29,7 @@ extern "C" {
 #define FOOTPOINT_ERR_NOT_FINITE 1 /* a coordinate is an infinity or not a number */
 #endif
 #ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2 /* two corners coincide, or there is no area to take a normal from */
+#define FOOTPOINT_ERR_DEGENERATE 2 /* no area to take a normal from, or no number: a denominator vanishes */
 #endif
 #ifndef FOOTPOINT_ERR_DOMAIN
 #define FOOTPOINT_ERR_DOMAIN 3 /* no such segment; the point lies outside what the answer holds for */
@@ -83,7 +83,7 @@ size_t footpoint_locate_pairs(size_t n, const double *xyz, size_t nodes, const i
  *  to three Gauss-Newton steps, then Newton's method on (7), (8) with the full Hessian.  It finds a stationary point of
  *  the distance, as a rule the nearest; far from the segment or near its centre of curvature it may be another.
  *  @param[in]  max_iterations  at least 1; 20 is plenty
- *  @param[in]  tolerance       > 0: done when neither xi nor eta moves by more; 1e-12 suits most segments
+ *  @param[in]  tolerance       > 0, finite: done when neither xi nor eta moves by more; 1e-12 suits most segments
  *  @param[out] loc, gap        as in footpoint_locate
  *  @param[out] iterations      steps taken, or NULL
  *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_NO_CONVERGENCE,

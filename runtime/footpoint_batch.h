@@ -67,7 +67,7 @@ struct footpoint_segment {
     double c1[3], c2[3], c3[3]; /* r = c0 + c1 xi + c2 eta + c3 xi eta */
 };
 
-/** @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (corners coincide) */
+/** Any corners: where there is no area, the search says so.  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE */
 int footpoint_prepare(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                       struct footpoint_segment *segment);
 

@@ -1,21 +1,55 @@
 /* The iteration-free search of one pair, and of many in the plainest arrays; see footpoint.h. */
-#include "footpoint_batch.h"
-
+#include "batch_block.h"
 #include "check.h"
 
 #include "../generated/footpoint_quad4.h"
 
-int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
-                     double loc[2], double *gap)
+#include <stdlib.h>
+
+enum { ORDINARY = 32 }; /* powers of 2 that edges may be long without a product of the check leaving its range */
+
+/* footpoint_check, in another unit of length if need be. */
+static int is_sure(const double *const *x, const double loc[2])
 {
+    double y[5][3];
+    int exponent;
+    return footpoint_check(x[0], x[1], x[2], x[3], x[4], loc[0], loc[1]) ||
+           (footpoint_detail_scale(x, 4, 5, y, &exponent) == FOOTPOINT_OK && abs(exponent) > ORDINARY &&
+            footpoint_check(y[0], y[1], y[2], y[3], y[4], loc[0], loc[1]));
+}
+
+int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const *x, double loc[2], double *gap)
+{
+    static int (*const search[FOOTPOINT_TIERS])(const double *, const double *, const double *, const double *,
+                                                const double *, double *, double *) = {
+        footpoint_quad4_fast,    footpoint_quad4_coarse,   footpoint_quad4_gauss2,
+        footpoint_quad4_medium,  footpoint_quad4_balanced, footpoint_quad4_fine,
+        footpoint_quad4_precise, footpoint_quad4_accurate, footpoint_quad4_full};
     double found[2], g;
-    const int status = footpoint_quad4_accurate(xA, xB, xC, xD, xS, found, &g);
+    const int status = search[tier](x[0], x[1], x[2], x[3], x[4], found, &g);
     if (status != FOOTPOINT_OK)
         return status;
-    if (!footpoint_check(xA, xB, xC, xD, xS, found[0], found[1]))
+    if (sure && !is_sure(x, found))
         return FOOTPOINT_ERR_DOMAIN;
     loc[0] = found[0];
     loc[1] = found[1];
+    *gap = g;
+    return FOOTPOINT_OK;
+}
+
+/* What footpoint_locate_one does, straight on where nothing is out of the ordinary. */
+int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                     double loc[2], double *gap)
+{
+    double xi, eta, g;
+    const uint64_t search = footpoint_detail_footpoint_quad4_accurate(xA, xB, xC, xD, xS, &xi, &eta);
+    const uint64_t flaw = search | footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_LEAST, &g);
+    if (flaw >> 63 || !footpoint_check(xA, xB, xC, xD, xS, xi, eta)) {
+        const double *const x[5] = {xA, xB, xC, xD, xS};
+        return footpoint_locate_one(FOOTPOINT_ACCURATE, 1, x, loc, gap);
+    }
+    loc[0] = xi;
+    loc[1] = eta;
     *gap = g;
     return FOOTPOINT_OK;
 }

@@ -11,7 +11,7 @@
 
 enum { GAUSS_NEWTON_STEPS = 3 };
 
-/* r = c0 + c1 xi + c2 eta + c3 xi eta, and d0 = xS - c0. */
+/* r = c0 + c1 xi + c2 eta + c3 xi eta, and d0 = xS - c0, in a unit of length in which c1 and c2 are about 1 long. */
 struct surface {
     double c1[3], c2[3], c3[3], d0[3];
 };
@@ -26,6 +26,13 @@ static struct surface surface_of(const double xA[3], const double xB[3], const d
         f.c2[i] = 0.25 * (ad + bc);
         f.c3[i] = 0.25 * (dc - ab);
         f.d0[i] = (xS[i] - xA[i]) - (f.c1[i] + f.c2[i] - f.c3[i]);
+    }
+    const int exponent = vector_exponent(f.c1) > vector_exponent(f.c2) ? vector_exponent(f.c1) : vector_exponent(f.c2);
+    for (int i = 0; i < 3; i++) {
+        f.c1[i] = ldexp(f.c1[i], -exponent);
+        f.c2[i] = ldexp(f.c2[i], -exponent);
+        f.c3[i] = ldexp(f.c3[i], -exponent);
+        f.d0[i] = ldexp(f.d0[i], -exponent);
     }
     return f;
 }
@@ -43,22 +50,21 @@ static int step(const struct surface *f, int gauss_newton, double xi, double eta
     const double ab = vector_dot(a, b) - (gauss_newton ? 0.0 : vector_dot(f->c3, d));
     const double determinant = aa * bb - ab * ab;
     /* Parallel r_xi and r_eta leave nothing but rounding. */
-    if (!(fabs(determinant) > 4.0 * DBL_EPSILON * (aa * bb)) || !isfinite(determinant))
+    if (!(fabs(determinant) > 4.0 * DBL_EPSILON * (aa * bb)) || !number_finite(determinant))
         return 0;
     move[0] = (bb * ad - ab * bd) / determinant;
     move[1] = (aa * bd - ab * ad) / determinant;
-    return isfinite(move[0]) && isfinite(move[1]);
+    return number_finite(move[0]) && number_finite(move[1]);
 }
 
 int footpoint_newton(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      int max_iterations, double tolerance, double loc[2], double *gap, int *iterations)
 {
     double xi = 0.0, eta = 0.0, move[2];
-    int status = footpoint_quad4_check(xA, xB, xC, xD, xS);
-    if (max_iterations < 1 || !(tolerance > 0.0))
+    if (max_iterations < 1 || !(tolerance > 0.0) || !number_finite(tolerance))
         return FOOTPOINT_ERR_ARGUMENT;
-    if (status != FOOTPOINT_OK)
-        return status;
+    if (!vector_finite(xA) || !vector_finite(xB) || !vector_finite(xC) || !vector_finite(xD) || !vector_finite(xS))
+        return FOOTPOINT_ERR_NOT_FINITE;
     const struct surface f = surface_of(xA, xB, xC, xD, xS);
     for (int n = 1; n <= max_iterations; n++) {
         if (!step(&f, n <= GAUSS_NEWTON_STEPS, xi, eta, move))
@@ -67,7 +73,7 @@ int footpoint_newton(const double xA[3], const double xB[3], const double xC[3],
         eta += move[1];
         if (fabs(move[0]) > tolerance || fabs(move[1]) > tolerance)
             continue;
-        status = footpoint_quad4_gap(xA, xB, xC, xD, xS, xi, eta, gap);
+        const int status = footpoint_quad4_gap(xA, xB, xC, xD, xS, xi, eta, gap);
         if (status != FOOTPOINT_OK)
             return status;
         loc[0] = xi;

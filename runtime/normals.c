@@ -24,7 +24,7 @@ int footpoint_node_normals(size_t nodes, const double *xyz, size_t segments, con
         double *n = &normal[3 * i];
         const double square = vector_dot(n, n), length = sqrt(square);
         for (int k = 0; k < 3; k++)
-            n[k] = isnormal(square) ? n[k] / length : 0.0;
+            n[k] = number_normal(square) ? n[k] / length : 0.0;
     }
     return FOOTPOINT_OK;
 }

@@ -62,14 +62,3 @@ int footpoint_quad4_gap(const double xA[3], const double xB[3], const double xC[
     *gap = vector_dot(d, n);
     return FOOTPOINT_OK;
 }
-
-int footpoint_quad4_check(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
-                          const double xS[3])
-{
-    if (!vector_finite(xA) || !vector_finite(xB) || !vector_finite(xC) || !vector_finite(xD) || !vector_finite(xS))
-        return FOOTPOINT_ERR_NOT_FINITE;
-    if (vector_equal(xA, xB) || vector_equal(xB, xC) || vector_equal(xC, xD) || vector_equal(xD, xA) ||
-        vector_equal(xA, xC) || vector_equal(xB, xD))
-        return FOOTPOINT_ERR_DEGENERATE;
-    return FOOTPOINT_OK;
-}

@@ -220,10 +220,52 @@ static void test_scene(void **state)
     check_scene(*state);
 }
 
+/* Faces an edge of which has no length, its mid-side node on its ends: they have an area everywhere else, and the foot
+ * points inside are found by the most accurate function of each kind. */
+static void test_collapsed(void **state)
+{
+    static const char *const best[][2] = {{"quad4", "footpoint_quad4_full"},
+                                          {"quad8", "footpoint_quad8_full"},
+                                          {"quad9", "footpoint_quad9_full"}};
+    static const double place[4][3] = {{0, 0, 0}, {1, 0, 0.0625}, {1.125, 0.875, 0}, {0.0625, 1, 0.0625}};
+    (void)state;
+    for (size_t b = 0; b < sizeof best / sizeof *best; b++)
+        for (int edge = 0; edge < 4; edge++) {
+            const struct segment_kind *kind = segment_find(best[b][0]);
+            const struct method *m = methods;
+            double x[SEGMENT_VECTORS][3] = {{0}};
+            const double *at[SEGMENT_VECTORS];
+            while (strcmp(m->name, best[b][1]) != 0)
+                m++;
+            for (int i = 0; i < SEGMENT_VECTORS; i++)
+                at[i] = x[i];
+            memcpy(x, place, sizeof place);
+            memcpy(x[edge], x[(edge + 1) % 4], sizeof x[0]);
+            for (int i = 0; i < 4; i++)
+                for (int k = 0; k < 3; k++) {
+                    x[4 + i][k] = (x[i][k] + x[(i + 1) % 4][k]) / 2 + (k == 2 && i != edge ? 0.03125 : 0);
+                    x[8][k] += x[i][k] / 4;
+                }
+            for (double xi = -0.5; xi <= 0.5; xi += 0.25)
+                for (double eta = -0.5; eta <= 0.5; eta += 0.25) {
+                    double r[3], n[3], xs[3], loc[2], gap;
+                    assert_true(surface_normal(surface_find(kind), x, xi, eta, r, n));
+                    for (int k = 0; k < 3; k++)
+                        xs[k] = r[k] + 0.03125 * n[k];
+                    const int status = m->locate(at, xs, loc, &gap);
+                    if (status != FOOTPOINT_OK ||
+                        !(fabs(loc[0] - xi) <= 1e-9 && fabs(loc[1] - eta) <= 1e-9 && fabs(gap - 0.03125) <= 1e-9))
+                        fail_msg("%s, edge %d, (%g,%g): status %d, (%g,%g), gap %g", m->name, edge, xi, eta, status,
+                                 loc[0], loc[1], gap);
+                }
+        }
+}
+
 int main(void)
 {
-    struct CMUnitTest tests[METHODS];
+    struct CMUnitTest tests[METHODS + 1];
     size_t n = 0;
+    tests[n++] = (struct CMUnitTest)cmocka_unit_test(test_collapsed);
     for (size_t i = 0; i < METHODS; i++)
         if (i == 0 || strcmp(methods[i].scene, methods[i - 1].scene) != 0)
             tests[n++] =

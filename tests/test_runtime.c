@@ -202,16 +202,49 @@ static void test_not_finite(void **state)
         }
 }
 
-static void test_coincident(void **state)
+/* A segment two corners of which are one: the answer is that of any other, where there is an area at the foot point. */
+static void test_collapsed(void **state)
 {
     (void)state;
-    for (int i = 0; i < 4; i++)
-        for (int j = 0; j < i; j++) {
-            struct quad q = quad_draw(&quad_ordinary, (uint64_t)(4 * i + j));
-            memcpy(q.x[i], q.x[j], sizeof q.x[i]);
-            for (int m = 0; m < METHODS; m++)
-                check_refused(&methods[m], &q, FOOTPOINT_ERR_DEGENERATE);
+    for (int m = 0; m < METHODS; m++)
+        for (int edge = 0; edge < 4; edge++) {
+            int answered = 0;
+            for (int i = 0; i < SEGMENTS; i++) {
+                struct quad q = quad_draw(&quad_ordinary, (uint64_t)(4 * i + edge));
+                double r[3], n[3], loc[2], gap;
+                memcpy(q.x[edge], q.x[(edge + 1) % 4], sizeof q.x[0]);
+                q.xi *= 0.8;
+                q.eta *= 0.8;
+                footpoint_quad4_position(q.x[0], q.x[1], q.x[2], q.x[3], q.xi, q.eta, r);
+                if (footpoint_quad4_normal(q.x[0], q.x[1], q.x[2], q.x[3], q.xi, q.eta, n) != FOOTPOINT_OK)
+                    fail();
+                q.gap *= 0.1;
+                for (int k = 0; k < 3; k++)
+                    q.xs[k] = r[k] + q.gap * n[k];
+                const int status = methods[m].find(&q, loc, &gap);
+                if (status != FOOTPOINT_ERR_DOMAIN) {
+                    check_answer(&methods[m], &q);
+                    answered++;
+                }
+            }
+            if (answered < SEGMENTS * 3 / 4)
+                fail_msg("%s, edge %d: %d", methods[m].name, edge, answered);
         }
+}
+
+/* Corners that leave nothing between them. */
+static void test_corners_without_area(void **state)
+{
+    static const int same[5][4] = {{0, 0, 2, 2}, {0, 1, 1, 0}, {0, 0, 0, 3}, {0, 1, 0, 1}, {2, 2, 2, 2}};
+    (void)state;
+    for (int i = 0; i < 5; i++) {
+        const struct quad q = quad_draw(&quad_ordinary, (uint64_t)i);
+        struct quad flat = q;
+        for (int k = 0; k < 4; k++)
+            memcpy(flat.x[k], q.x[same[i][k]], sizeof q.x[k]);
+        for (int m = 0; m < METHODS; m++)
+            check_refused(&methods[m], &flat, FOOTPOINT_ERR_DEGENERATE);
+    }
 }
 
 static void test_newton_statuses(void **state)
@@ -321,6 +354,7 @@ static void test_pairs_refused(void **state)
         *(i % 5 < 4 ? &b.seg[3 * i][i % 5] : &b.slave[3 * i]) = wrong[i / 5];
     b.xyz[b.slave[70]][1] = (double)NAN;
     memcpy(b.xyz[b.seg[80][2]], b.xyz[b.seg[80][1]], sizeof b.xyz[0]);
+    memcpy(b.xyz[b.seg[80][3]], b.xyz[b.seg[80][0]], sizeof b.xyz[0]);
     assert_int_equal(locate_pairs(&b, PAIRS, b.status), 22);
     for (int i = 0; i < PAIRS; i++) {
         const int expected = i < 60 && i % 3 == 0 ? FOOTPOINT_ERR_ARGUMENT
@@ -417,26 +451,27 @@ static void test_no_area(void **state)
     }
 }
 
-/* Segments of any size within the stated range: same xi and eta, gap in proportion. */
-static void test_stated_range_of_size(void **state)
+/* Segments of any size: same xi and eta, gap in proportion. */
+static void test_sizes(void **state)
 {
     (void)state;
-    for (int power = -14; power <= 14; power++) {
-        const double size = pow(10, power);
-        double x[5][3] = {{0, 0, 0}, {1, 0, 0.05}, {1.1, 0.75, 0}, {0, 0.6, 0.05}, {0.35, 0.45, 0.125}};
-        double loc[2], gap;
-        for (int i = 0; i < 15; i++)
-            x[i / 3][i % 3] *= size;
-        assert_int_equal(footpoint_locate(x[0], x[1], x[2], x[3], x[4], loc, &gap), FOOTPOINT_OK);
-        assert_true(fabs(loc[0] + 0.349489) < 1e-6 && fabs(loc[1] - 0.395534) < 1e-6);
-        assert_true(fabs(gap / size - 0.0966035) < 1e-6);
-    }
+    for (int power = -300; power <= 300; power++)
+        for (int m = 0; m < METHODS; m++) {
+            const double size = pow(10, power);
+            struct quad q = {.x = {{0, 0, 0}, {1, 0, 0.05}, {1.1, 0.75, 0}, {0, 0.6, 0.05}}, .xs = {0.35, 0.45, 0.125}};
+            double loc[2], gap;
+            for (int i = 0; i < 15; i++)
+                *(i < 12 ? &q.x[i / 3][i % 3] : &q.xs[i % 3]) *= size;
+            assert_int_equal(methods[m].find(&q, loc, &gap), FOOTPOINT_OK);
+            assert_true(fabs(loc[0] + 0.349489) < 1e-6 && fabs(loc[1] - 0.395534) < 1e-6);
+            assert_true(fabs(gap / size - 0.0966035) < 1e-6);
+        }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_area),
-                                       cmocka_unit_test(test_stated_range_of_size),
+                                       cmocka_unit_test(test_sizes),
                                        cmocka_unit_test(test_square),
                                        cmocka_unit_test(test_parallelogram),
                                        cmocka_unit_test(test_ordinary),
@@ -445,7 +480,8 @@ int main(void)
                                        cmocka_unit_test(test_renumber),
                                        cmocka_unit_test(test_inputs_unchanged),
                                        cmocka_unit_test(test_not_finite),
-                                       cmocka_unit_test(test_coincident),
+                                       cmocka_unit_test(test_collapsed),
+                                       cmocka_unit_test(test_corners_without_area),
                                        cmocka_unit_test(test_newton_statuses),
                                        cmocka_unit_test(test_strerror),
                                        cmocka_unit_test(test_pairs),

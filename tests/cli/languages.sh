@@ -235,7 +235,7 @@ int main(void)
     float floc[2], fgap;
     if (d_accurate(a, b, c, d, s, loc, &gap) != FOOTPOINT_OK || f_accurate(fa, fb, fc, fd, fs, floc, &fgap) != FOOTPOINT_OK)
         return 1;
-    if (f_accurate(fa, fa, fc, fd, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
+    if (f_accurate(fa, fa, fc, fc, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
         return 2;
     return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
 }

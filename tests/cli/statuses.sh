@@ -1,0 +1,91 @@
+# Statuses of all functions of all generated headers, as C and C++ and where -ffast-math lets a compiler forget NaN: see
+# tests/statuses.h.  With FOOTPOINT_LONG every header with every compiler, else each with two and quad4 with all.
+. tests/cli/expect.inc
+CC=${CC:-gcc} CXX=${CXX:-g++}
+HEADERS=${HEADERS:-$PWD/generated/*.h}
+
+# places KIND: numbers of the places in tests/statuses.h
+places() {
+    case $1 in
+    quad4) echo 0 1 2 3 9 ;;
+    tri3) echo 0 1 3 9 ;;
+    tri6) echo 0 1 3 4 10 7 9 ;;
+    quad8) echo 0 1 2 3 4 5 6 7 9 ;;
+    quad9) echo 0 1 2 3 4 5 6 7 8 9 ;;
+    gregory | bezier) echo 0 1 2 3 11 11 11 11 9 ;;
+    esac
+}
+for header in $HEADERS; do
+    name=$(basename "$header" .h)
+    kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH\(_F\)*$/\1/p' "$header" | tr A-Z a-z)
+    type=$(sed -n 's/^ \* precision: //p' "$header")
+    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e _detail_ -e '_sure$')
+    set -- $(places "$kind")
+    vectors=$#
+    arguments=x[0]
+    for i in $(seq $((vectors - 1))); do arguments="$arguments, x[$i]"; done
+    case $kind in gregory | bezier) nodes=4 ;; *) nodes=$((vectors - 1)) ;; esac
+    wide=
+    ! grep -q '^ \* corners: any' "$header" || wide=1
+    {
+        echo "#include \"$header\""
+        [ "$type" = float ] && echo '#define EXTREME 96' || echo '#define EXTREME 992'
+        [ -z "$wide" ] || echo '#define WIDE'
+        echo "#define R $type"
+        echo "#define VECTORS $vectors"
+        echo "#define NODES $nodes"
+        echo "#define ORDER $(echo "$@" | sed 's/ /, /g')"
+        echo "#define ARGUMENTS $arguments"
+        echo "#define FUNCTIONS(F) $(for f in $functions; do printf 'F(%s) ' "$f"; done)"
+        echo '#ifdef __cplusplus'
+        echo 'extern "C" {'
+        echo '#endif'
+        for f in $functions; do echo "void wide_$f(const __float128 (*x)[3], __float128 loc[2]);"; done
+        echo '#ifdef __cplusplus'
+        echo '}'
+        echo '#endif'
+        echo "#include \"$PWD/tests/statuses.h\""
+    } > "$work/use.c"
+    cp "$work/use.c" "$work/use.cpp"
+    {
+        echo "#define NARROW $type"
+        echo "#include \"$PWD/tests/wide_number.h\""
+        echo "#include \"$header\""
+        for f in $functions; do
+            echo "extern \"C\" void wide_$f(const __float128 (*at)[3], __float128 loc[2]);"
+            echo "extern \"C\" void wide_$f(const __float128 (*at)[3], __float128 loc[2])"
+            echo '{'
+            echo "    double x[$vectors][3], xi, eta;"
+            echo "    for (int i = 0; i < 3 * $vectors; i++)"
+            echo "        x[i / 3][i % 3] = at[i / 3][i % 3];"
+            echo "    ${f}_at($arguments, &xi, &eta);"
+            echo '    loc[0] = xi.value;'
+            echo '    loc[1] = eta.value;'
+            echo '}'
+        done
+    } > "$work/wide.cpp"
+    $CXX -std=gnu++17 -O1 -c "$work/wide.cpp" -o "$work/wide.o" || exit 1
+    for compiler in "$CC -std=gnu99 -Ofast" "clang++ -std=c++11 -Ofast" "$CC -std=c99 -O2" "clang -std=gnu99 -O2" \
+                    "clang -std=c99 -Ofast" "$CXX -std=c++17 -Ofast" "$CC -std=gnu99 -O0 -ffast-math"; do
+        case $name$compiler in
+        footpoint_quad4$compiler | footpoint_quad4_float$compiler | *gnu99\ -Ofast | *c++11\ -Ofast | *c99\ -O2) ;;
+        *) [ -n "$FOOTPOINT_LONG" ] || continue ;;
+        esac
+        case $compiler in *fast*) exact= ;; *) exact=-DEXACT ;; esac
+        case $compiler in *++*) source=use.cpp ;; *) source=use.c ;; esac
+        $compiler $exact -ffp-contract=off "$work/$source" "$work/wide.o" -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
+        good=$?
+        [ $good -eq 0 ] || head -${LOG:-12} "$work/log" | sed 's/^/# /'
+        report $((!good)) "$name, $compiler"
+    done
+done
+
+# The library's quick search and what goes with it, under the same flags.
+quick="quad4 locate batch batch_lanes newton contact derivatives normals"
+for compiler in "$CC -std=gnu11 -Ofast" "clang -std=gnu11 -Ofast" "$CC -std=gnu11 -Ofast -march=native" "$CC -std=gnu11 -O2"; do
+    sources=$(for f in $quick; do echo "$PWD/runtime/$f.c"; done)
+    $compiler -I"$PWD" "$PWD/tests/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
+    good=$?
+    [ $good -eq 0 ] || head -12 "$work/log" | sed 's/^/# /'
+    report $((!good)) "the library, $compiler"
+done

@@ -1,0 +1,115 @@
+/* Numbers that are rounded as double or float (NARROW) are, and whose exponents have four bits more than those of
+ * double: what an expression gives where nothing overflows and nothing underflows.  They are kept in 113 binary digits,
+ * enough for
+ * +, -, *, / and roots to be rounded twice without a trace.  For GCC's C++. */
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+struct wide_number {
+    __float128 value;
+
+    wide_number() = default;
+    wide_number(__float128 x) : value(x)
+    {
+        const int exponent = exponent_of(x);
+        if (x != 0)
+            value = (__float128)(NARROW)(x * power(-exponent)) * power(exponent);
+    }
+    static __float128 power(int exponent)
+    {
+        const unsigned __int128 bits = (unsigned __int128)(exponent + 16383) << 112;
+        __float128 x;
+        memcpy(&x, &bits, sizeof x);
+        return x;
+    }
+    static int exponent_of(__float128 x)
+    {
+        unsigned __int128 bits;
+        memcpy(&bits, &x, sizeof bits);
+        return (int)(bits >> 112 & 0x7fff) - 16383;
+    }
+    wide_number operator-() const
+    {
+        return -value;
+    }
+    wide_number &operator+=(wide_number x)
+    {
+        return *this = value + x.value;
+    }
+    wide_number &operator-=(wide_number x)
+    {
+        return *this = value - x.value;
+    }
+    wide_number &operator*=(wide_number x)
+    {
+        return *this = value * x.value;
+    }
+};
+
+static inline wide_number operator+(wide_number a, wide_number b)
+{
+    return a.value + b.value;
+}
+static inline wide_number operator-(wide_number a, wide_number b)
+{
+    return a.value - b.value;
+}
+static inline wide_number operator*(wide_number a, wide_number b)
+{
+    return a.value * b.value;
+}
+static inline wide_number operator/(wide_number a, wide_number b)
+{
+    return a.value / b.value;
+}
+static inline bool operator<(wide_number a, wide_number b)
+{
+    return a.value < b.value;
+}
+static inline bool operator>(wide_number a, wide_number b)
+{
+    return a.value > b.value;
+}
+static inline bool operator<=(wide_number a, wide_number b)
+{
+    return a.value <= b.value;
+}
+static inline bool operator>=(wide_number a, wide_number b)
+{
+    return a.value >= b.value;
+}
+static inline bool operator==(wide_number a, wide_number b)
+{
+    return a.value == b.value;
+}
+static inline wide_number fabs(wide_number a)
+{
+    return a.value < 0 ? -a.value : a.value;
+}
+static inline wide_number ldexp(wide_number a, int exponent)
+{
+    return a.value * wide_number::power(exponent);
+}
+static inline wide_number frexp(wide_number a, int *exponent)
+{
+    *exponent = wide_number::exponent_of(a.value) + 1;
+    return ldexp(a, -*exponent);
+}
+/* Newton's iteration, from a start that is right to 50 binary digits, of the number less an even power of 2. */
+static inline wide_number sqrt(wide_number a)
+{
+    const int half = wide_number::exponent_of(a.value) / 2;
+    const __float128 x = a.value * wide_number::power(-2 * half);
+    __float128 root = sqrt((double)x);
+    for (int i = 0; i < 2 && x != 0; i++)
+        root = 0.5 * (root + x / root);
+    return root * wide_number::power(half);
+}
+
+#define fabsf fabs
+#define sqrtf sqrt
+#define ldexpf ldexp
+#define frexpf frexp
+#define double wide_number
+#define float wide_number
