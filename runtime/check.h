@@ -5,10 +5,13 @@
  * 1. By the argument of certify.c, with r the worst error of the banner, a foot point lies within r of (xi,eta) if
  *        |step| <= r (1 - k),   k = |H^-1| |change of H within r|;
  *    the products below are those of the step and of k with the determinant.
- *    It counts for -2 <= xi, eta <= 2: one that lies farther out may hide one on the segment.
  * 2. No point of the segment is nearer than that foot point if, for -1 <= eta' <= 1, the convex parabola
  *        q = b.b |a + c3 (eta' - eta)|^2 - (H12 + b.c3 (eta' - eta))^2
- *    is positive (see certify.c): its tangent at eta tells; or the same with xi and eta exchanged. */
+ *    is positive (see certify.c): its tangent at eta tells; or the same with xi and eta exchanged.
+ * 3. A foot point outside the segment might hide another inside, a local minimum that is farther away.  There is none if
+ *    the distance is convex from the one to all of the segment, where
+ *        a.a >= (a.a)(eta) - 2 |a.c3| |eta' - eta|,   b.b >= (b.b)(xi) - 2 |b.c3| |xi' - xi|,
+ *        |H12| <= |H12(xi,eta)| + 2 (|a.c3| |xi' - xi| + |b.c3| |eta' - eta| + c3.c3 |xi' - xi| |eta' - eta|). */
 #ifndef FOOTPOINT_CHECK_H
 #define FOOTPOINT_CHECK_H
 
@@ -59,13 +62,18 @@ static inline int footpoint_check(const double xA[3], const double xB[3], const 
     const double step_s = fabs(bb * ad - h12 * bd), step_t = fabs(aa * bd - h12 * ad);
     /* how far a shift by r may lower q */
     const double shift = ac1 * bb + bc1 * aa + 2.0 * fabs(h12) * (both + cc) + 4.0 * both * both + cc * (aa + bb);
-    const double reach = footpoint_check_larger(1.0, footpoint_check_larger(fabs(s - 0.5), fabs(t - 0.5)));
+    const double off = footpoint_check_larger(fabs(s - 0.5), fabs(t - 0.5)), reach = footpoint_check_larger(1.0, off);
     const double least = determinant - (4.0 * r * shift + rounding) * reach;
     const double qt = 2.0 * (bb * ac - h12 * bc), qs = 2.0 * (aa * bc - h12 * ac);
     const int near = (step_s <= room) & (step_t <= room) & !number_outside(rounding * reach);
     const int nearest = ((least - qt * t > 0.0) & (least + qt * (1.0 - t) > 0.0)) |
                         ((least - qs * s > 0.0) & (least + qs * (1.0 - s) > 0.0));
-    return near & nearest & (reach <= 1.0);
+    /* from an answer outside: the Hessian on the way to any point of the segment */
+    const double way_s = 0.5 + fabs(s - 0.5), way_t = 0.5 + fabs(t - 0.5);
+    const double least_aa = aa - 2.0 * ac1 * way_t, least_bb = bb - 2.0 * bc1 * way_s;
+    const double most_ab = fabs(h12) + 2.0 * (ac1 * way_s + bc1 * way_t + cc * way_s * way_t);
+    const int alone = (off <= 0.5) | ((least_aa > 0.0) & (least_aa * least_bb > 1.001 * most_ab * most_ab));
+    return near & nearest & alone;
 }
 
 #endif

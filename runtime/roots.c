@@ -9,6 +9,8 @@
 
 enum { HALVINGS = 64, LAST = ROOTS_DEGREE };
 
+#define LEAST 0x1p-100 /* width */
+
 #define FIRST (67.0 / 128.0) /* where the first cut is: later ones then miss the roots that symmetry makes frequent */
 
 enum verdict { NO_ROOT, ONE_ROOT, SOME_ROOTS, NOTHING_KNOWN };
@@ -62,17 +64,24 @@ static void split(struct roots_polynomial *p, double at, struct roots_polynomial
     }
 }
 
+static struct twofold after(struct twofold low, double width)
+{
+    return twofold_add(low, twofold_of(width));
+}
+
 /* Neighbours of which nothing is known make one interval; too many end in the last. */
-static int append(struct roots_interval *interval, int count, double low, double high, const struct roots_polynomial *p)
+static int append(struct roots_interval *interval, int count, struct twofold low, double width,
+                  const struct roots_polynomial *p)
 {
     struct roots_interval *const last = interval + count - 1;
-    if (count == ROOTS_MOST || (!p && count > 0 && !last->single && last->high >= low)) {
-        last->high = high;
+    if (count == ROOTS_MOST ||
+        (!p && count > 0 && !last->single && twofold_subtract(low, after(last->low, last->width)).high <= 0.0)) {
+        last->width = twofold_subtract(after(low, width), last->low).high;
         last->single = 0;
         return count;
     }
     interval[count].low = low;
-    interval[count].high = high;
+    interval[count].width = width;
     interval[count].single = p != NULL;
     if (p)
         interval[count].local = *p;
@@ -83,50 +92,48 @@ int footpoint_roots_isolate(const struct roots_polynomial *whole, struct roots_i
 {
     struct {
         struct roots_polynomial p;
-        double low, high;
+        struct twofold low;
+        double width;
         int depth;
-    } stack[HALVINGS + 2]; /* right halves that wait, one at each depth */
+    } stack[HALVINGS + 2]; /* right parts that wait, one at each depth */
     int top = 0, count = 0;
     stack[0].p = *whole;
-    stack[0].low = 0.0;
-    stack[0].high = 1.0;
+    stack[0].low = twofold_of(0.0);
+    stack[0].width = 1.0;
     stack[0].depth = 0;
     while (top >= 0) {
         const enum verdict verdict = judge(&stack[top].p);
-        const double low = stack[top].low, high = stack[top].high;
-        const double at = stack[top].depth == 0 ? FIRST : 0.5, middle = low + at * (high - low);
-        if (verdict == SOME_ROOTS && stack[top].depth < HALVINGS && low < middle && middle < high) {
-            stack[top + 1].high = middle;
+        const struct twofold low = stack[top].low;
+        const double width = stack[top].width, at = stack[top].depth == 0 ? FIRST : 0.5;
+        if (verdict == SOME_ROOTS && stack[top].depth < HALVINGS) {
             stack[top + 1].low = low;
+            stack[top + 1].width = at * width;
             stack[top + 1].depth = ++stack[top].depth;
-            stack[top].low = middle;
+            stack[top].low = after(low, at * width);
+            stack[top].width = (1.0 - at) * width;
             split(&stack[top].p, at, &stack[top + 1].p);
             top++;
             continue;
         }
-        if (verdict == ONE_ROOT)
-            count = append(interval, count, low, high, &stack[top].p);
-        else if (verdict != NO_ROOT)
-            count = append(interval, count, low, high, NULL);
+        if (verdict != NO_ROOT)
+            count = append(interval, count, low, width, verdict == ONE_ROOT ? &stack[top].p : NULL);
         top--;
     }
     return count;
 }
 
-/* Halves a single interval once.  0 if what is in its middle is nearer to 0 than `errors` of its bounds, or there is no
- * number. */
+/* Halves a single interval once.  0 if what is in its middle is nearer to 0 than `errors` of its bounds. */
 static int halve(struct roots_interval *interval, double errors)
 {
-    const double middle = 0.5 * (interval->low + interval->high);
     struct roots_polynomial right = interval->local, left;
     split(&right, 0.5, &left);
-    if (!(fabs(right.c[0].high) > errors * right.error[0]) || !(interval->low < middle && middle < interval->high))
+    if (!(fabs(right.c[0].high) > errors * right.error[0]))
         return 0;
+    interval->width *= 0.5;
     if ((right.c[0].high > 0.0) == (left.c[0].high > 0.0)) {
-        interval->low = middle;
+        interval->low = after(interval->low, interval->width);
         interval->local = right;
     } else {
-        interval->high = middle;
         interval->local = left;
     }
     return 1;
@@ -134,14 +141,14 @@ static int halve(struct roots_interval *interval, double errors)
 
 void footpoint_roots_narrow(struct roots_interval *interval, double width)
 {
-    while (interval->single && interval->high - interval->low > width && halve(interval, 1.0))
+    while (interval->single && interval->width > width && halve(interval, 1.0))
         ;
 }
 
-double footpoint_roots_middle(const struct roots_interval *interval)
+struct twofold footpoint_roots_middle(const struct roots_interval *interval)
 {
     struct roots_interval rest = *interval;
-    while (halve(&rest, 0.0))
+    while (rest.single && rest.width > LEAST && halve(&rest, 0.0))
         ;
-    return 0.5 * (rest.low + rest.high);
+    return after(rest.low, 0.5 * rest.width);
 }

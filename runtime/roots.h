@@ -17,7 +17,8 @@ struct roots_polynomial {
 /* All roots of [0,1] lie in such intervals.  In a single one lies one root, a simple one, and none at its ends; in
  * another what lies there cannot be told: every coefficient is 0 within its error, or the interval cannot be halved. */
 struct roots_interval {
-    double low, high;
+    struct twofold low; /* the interval is [low, low + width] */
+    double width;
     int single;
     struct roots_polynomial local; /* of a single one: the polynomial over it, from 0 to 1 */
 };
@@ -29,11 +30,12 @@ struct roots_interval {
 /** @return how many, from left to right */
 int footpoint_roots_isolate(const struct roots_polynomial *p, struct roots_interval interval[ROOTS_MOST]);
 
-/** Halves a single interval until it is at most `width` wide, or the sign at its middle cannot be told. */
+/** Halves a single interval until it is at most `width` wide, or the sign at its middle cannot be told: below the units
+ *  of double if need be. */
 void footpoint_roots_narrow(struct roots_interval *interval, double width);
 
 /** Where in a single interval the root is, as well as can be told: bounds on errors are amply above them. */
-double footpoint_roots_middle(const struct roots_interval *interval);
+struct twofold footpoint_roots_middle(const struct roots_interval *interval);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

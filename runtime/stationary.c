@@ -15,7 +15,7 @@
 #define ERROR 0x1p-90  /* of coefficients and their halvings, in units of the sum of the sizes of all terms */
 #define BEYOND 0x1p-37 /* points that far outside, in s and t, count as on the edge */
 #define START 0x1p-18  /* width of an interval in t from which Newton's method is tried */
-#define END 0x1p-54    /* ... and to which it is narrowed if that fails */
+#define END 0x1p-80    /* ... and to which it is narrowed if that fails: next to a pinch s changes that quickly */
 #define APART 1e-9     /* a point that near to one that the other family found is the same, in xi and eta ... */
 #define BLURRED 2.0    /* ... along its line whatever differs, if that could not be sharpened, */
 #define NARROW 1e-11   /* ... and across it less */
@@ -132,10 +132,10 @@ static void isolate(const double *const x[5], int exponent, int exchanged, struc
 
 /* ---- from roots to points ---- */
 
-static void at_line(const struct twofold ends[2][3], double t, struct twofold at[3])
+static void at_line(const struct twofold ends[2][3], struct twofold t, struct twofold at[3])
 {
     for (int i = 0; i < 3; i++)
-        at[i] = twofold_add(ends[0][i], twofold_multiply(twofold_of(t), twofold_subtract(ends[1][i], ends[0][i])));
+        at[i] = twofold_add(ends[0][i], twofold_multiply(t, twofold_subtract(ends[1][i], ends[0][i])));
 }
 
 static double clamp_near(double z)
@@ -144,15 +144,21 @@ static double clamp_near(double z)
 }
 
 /* xi and eta of the point of line t that is nearest to xS; xi or eta, on its line, may be anything. */
-static void point_of_line(const struct family *family, double t, double z[2])
+static void point_of_line(const struct family *family, struct twofold t, double z[2])
 {
     struct twofold a[3], e[3];
     at_line(family->lines.along, t, a);
     at_line(family->lines.e, t, e);
-    const double across = t * (1.0 + 2.0 * BEYOND) - BEYOND;
+    const double across = t.high * (1.0 + 2.0 * BEYOND) - BEYOND;
     const struct twofold square = twofold_dot(a, a), s = twofold_divide(twofold_dot(a, e), square);
     z[family->exchanged] = square.high > 0.0 ? clamp_near(2.0 * s.high - 1.0) : 0.0;
     z[!family->exchanged] = bilinear_clamp(2.0 * across - 1.0);
+}
+
+/* The t at a part, from 0 to 1, of an interval. */
+static struct twofold line_in(const struct roots_interval *interval, double part)
+{
+    return twofold_add(interval->low, twofold_of(part * interval->width));
 }
 
 /* The t of a point. */
@@ -161,9 +167,10 @@ static double line_of(const struct family *family, const double z[2])
     return (0.5 * (1.0 + z[!family->exchanged]) + BEYOND) / (1.0 + 2.0 * BEYOND);
 }
 
-/* Whether p - Q > 0 or p < 0, that is s > 1 or s < 0, all over low <= t <= high. */
-static int is_outside(const struct lines *l, double low, double high)
+/* Whether p - Q > 0 or p < 0, that is s > 1 or s < 0, all over an interval of t. */
+static int is_outside(const struct lines *l, const struct roots_interval *interval)
 {
+    const double low = interval->low.high, high = low + interval->width;
     double a[2][3], e[2][3], p[3], q[3];
     for (int i = 0; i < 3; i++) {
         const double da = l->along[1][i].high - l->along[0][i].high, de = l->e[1][i].high - l->e[0][i].high;
@@ -208,8 +215,8 @@ static int settle(const double *const x[5], const struct bilinear *f, const stru
     double to[2] = {z[0], z[1]}, radius;
     if (!is_inside(z) || !footpoint_bilinear_refine(x, f, to, &radius))
         return 0;
-    const double t = line_of(family, to);
-    if (t < interval->low - DBL_EPSILON || t > interval->high + DBL_EPSILON)
+    const double t = line_of(family, to) - interval->low.high;
+    if (t < -DBL_EPSILON || t > interval->width + DBL_EPSILON)
         return 0;
     z[0] = clamp_near(to[0]);
     z[1] = clamp_near(to[1]);
@@ -221,8 +228,8 @@ static int is_known(const struct family *family, const struct roots_interval *in
                     const struct stationary_point point[], int count)
 {
     for (int k = 0; k < count; k++) {
-        const double t = line_of(family, point[k].z);
-        if (point[k].reach <= 0.0 && interval->low + APART < t && t < interval->high - APART)
+        const double t = line_of(family, point[k].z) - interval->low.high;
+        if (point[k].reach <= 0.0 && APART < t && t < interval->width - APART)
             return 1;
     }
     return 0;
@@ -236,20 +243,20 @@ static int find(const double *const x[5], const struct bilinear *f, const struct
     double low[2], high[2];
     for (int k = 0; k < 3; k++) {
         footpoint_roots_narrow(interval, width[k]);
-        if (is_outside(&family->lines, interval->low, interval->high))
+        if (is_outside(&family->lines, interval))
             return 0;
     }
     point->reach = point->variation = 0.0;
     for (int exactly = 0; exactly < 2; exactly++) {
-        point_of_line(family, 0.5 * (interval->low + interval->high), point->z);
+        point_of_line(family, line_in(interval, 0.5), point->z);
         point->blur[0] = point->blur[1] = APART;
         if (settle(x, f, family, interval, point->z))
             return is_inside(point->z);
         footpoint_roots_narrow(interval, END);
     }
     point_of_line(family, footpoint_roots_middle(interval), point->z);
-    point_of_line(family, interval->low, low);
-    point_of_line(family, interval->high, high);
+    point_of_line(family, line_in(interval, 0.0), low);
+    point_of_line(family, line_in(interval, 1.0), high);
     point->reach = between(x, f, low, high);
     point->blur[family->exchanged] = BLURRED;
     point->blur[!family->exchanged] = NARROW;
@@ -290,7 +297,7 @@ static void represent(const double *const x[5], const struct bilinear *f, const 
     point->blur[0] = point->blur[1] = APART;
     for (int k = 0; k < 5; k++) {
         double z[2];
-        point_of_line(family, interval->low + at[k] * (interval->high - interval->low), z);
+        point_of_line(family, line_in(interval, at[k]), z);
         z[0] = bilinear_clamp(z[0]);
         z[1] = bilinear_clamp(z[1]);
         const double there = distance(x, f, z);
@@ -308,8 +315,9 @@ static void represent(const double *const x[5], const struct bilinear *f, const 
 static int find_pair(const double *const x[5], const struct bilinear *f, const struct family family[2],
                      const struct roots_interval *i, const struct roots_interval *j, struct stationary_point *point)
 {
-    const double z[2] = {bilinear_clamp(j->low + j->high - 1.0), bilinear_clamp(i->low + i->high - 1.0)};
-    const double w[2] = {j->high - j->low + 4.0 * BEYOND, i->high - i->low + 4.0 * BEYOND};
+    const double s = line_in(j, 0.5).high, t = line_in(i, 0.5).high;
+    const double z[2] = {bilinear_clamp(2.0 * s - 1.0), bilinear_clamp(2.0 * t - 1.0)};
+    const double w[2] = {j->width + 4.0 * BEYOND, i->width + 4.0 * BEYOND};
     struct bilinear_point p;
     if (is_excluded(f, z, w))
         return 0;

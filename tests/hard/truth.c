@@ -11,7 +11,7 @@
 enum { NEWTON_STEPS = 60, LEAVES = 12 };
 
 #define NEARLY 2e-10L /* heights above the least that are polished */
-#define SINGULAR 1e-9 /* determinant over its terms, from which on roots are not sharp */
+#define SINGULAR 1e-6 /* determinant over its terms, from which on roots are not sharp */
 #define SAME 1e-8     /* what such a root may be off by */
 #define ENOUGH 2e-12L /* to which the least height is known */
 
