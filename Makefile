@@ -81,7 +81,7 @@ runtime_lib := $(filter-out $(ccx_lib),$(wildcard runtime/*.c))
 geometry    := $(filter-out runtime/quad4.c,$(wildcard runtime/quad*.c runtime/tri*.c))
 test_main   := $(wildcard tests/test_*.c)
 bench_parts := tests/bench_main.c $(addprefix tests/bench_,isa.c map.c measure.c tune.c)
-test_lib    := $(filter-out $(test_main) tests/bench_%.c %_main.c,$(wildcard tests/*.c))
+test_lib    := $(filter-out $(test_main) tests/bench_%.c tests/headers_long.c %_main.c,$(wildcard tests/*.c))
 
 # Instruction sets that the methods of the bench are compiled for; the bench takes the best that its machine has.
 ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
@@ -229,8 +229,9 @@ $(OBJ)/rival_counts.inc: tests/count_rivals.cpp $(wildcard tests/rivals*.h) test
 	$(call say,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
-$(OBJ)/tests/test_headers.o: CFLAGS += -I$(OBJ)
-$(OBJ)/tests/test_headers.o: $(OBJ)/methods.h $(OBJ)/methods.inc
+of_headers := $(addprefix $(OBJ)/tests/,test_headers.o test_digits.o headers_long.o)
+$(of_headers): CFLAGS += -I$(OBJ)
+$(of_headers): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
 # optimised in any configuration.
@@ -275,6 +276,7 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 
 TESTS := $(patsubst tests/%.c,$(BIN)/tests/%,$(test_main))
 
+$(BIN)/tests/test_digits: $(OBJ)/tests/headers_long.o
 $(BIN)/tests/%: $(OBJ)/tests/%.o $(call object,$(test_lib) $(evolve_lib) $(codegen_lib) $(runtime_lib) $(ccx_lib))
 	@mkdir -p $(@D)
 	$(call say,LD,$@)

@@ -6,11 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MOST_POINTS = 6, MOST_VECTORS = 5, MOST_VALUES = 16 }; /* more have too many sets */
 enum { MOST_COEFFICIENT = 1000, MOST_CHOICES = 600, MOST_SETS = 200000 };
 
 struct plan {
     struct additions so_far;
-    bool made[ADDITIONS_VECTORS];
+    bool made[MOST_VECTORS];
     int missing;
 };
 
@@ -169,6 +170,11 @@ static void try_plans(struct search *s, const struct plan *p, const struct addit
     }
 }
 
+bool additions_few(int points, int vectors)
+{
+    return points <= MOST_POINTS && vectors <= MOST_VECTORS;
+}
+
 bool additions_find(int points, const struct vector *wanted, int n, int most, struct additions *found)
 {
     struct search s = {.wanted = wanted, .n = n, .best = found};
@@ -181,7 +187,7 @@ bool additions_find(int points, const struct vector *wanted, int n, int most, st
             choice[choices++] = (struct addition){a, b, 1, -1, 1};
     }
     found->values = 0;
-    for (int k = n; k <= most && points + k <= ADDITIONS_VALUES && found->values == 0; k++)
+    for (int k = n; k <= most && points + k <= MOST_VALUES && found->values == 0; k++)
         try_plans(&s, &start, choice, choices, k);
     return found->values > 0;
 }

@@ -4,8 +4,9 @@
 #define FOOTPOINT_ADDITIONS_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
-enum { ADDITIONS_POINTS = 6, ADDITIONS_VECTORS = 5, ADDITIONS_VALUES = 16 };
+enum { ADDITIONS_POINTS = 10, ADDITIONS_VECTORS = 12, ADDITIONS_VALUES = 64 };
 
 /** Coefficients of the points: no common divisor, the first that is not 0 positive. */
 struct vector {
@@ -30,8 +31,15 @@ struct additions {
 bool vector_reduce(struct vector *v, long *divisor);
 bool vector_equal(const struct vector *a, const struct vector *b);
 
+/** Few enough for additions_find. */
+bool additions_few(int points, int vectors);
+
 /** Additions, `most` at most, that make n vectors, up to their size; of the shortest that are found those with the
- *  fewest multiplications.  False if none are found within a bounded search. */
+ *  fewest multiplications.  False if none are found within a bounded search.  For few points and vectors. */
 bool additions_find(int points, const struct vector *wanted, int n, int most, struct additions *found);
+
+/** The same for any, not always the fewest: sums of differences along a tree of the points (additions_tree.c), maybe
+ *  others for another seed.  False if there are too many values. */
+bool additions_along_tree(int points, const struct vector *wanted, int n, uint64_t seed, struct additions *found);
 
 #endif

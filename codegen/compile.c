@@ -7,6 +7,7 @@
 
 #include <stdlib.h>
 
+enum { WRITTEN = 2 }; /* shapes as written that are searched in full */
 static const double BEHIND = 1.5; /* how dear a shape may be at first, in terms of the genome as written */
 
 struct compile_options compile_defaults(void)
@@ -15,6 +16,20 @@ struct compile_options compile_defaults(void)
     struct compile_options o = {.seed = 1, .effort = 2000};
     cost_model_find("throughput", &o.cost, &d);
     return o;
+}
+
+/* The genome as written.  Where differences come first, the cheapest of many ways to put the vectors together. */
+static void add_written(struct search *s, const struct genome_file *f, struct dag *g, const char *what)
+{
+    enum { WAYS = 32 };
+    struct dag *made = NULL;
+    for (uint64_t seed = 1; f->segment && shape_differs_first(f->segment) && seed <= WAYS; seed++)
+        if ((made = shape_differences(g, f->segment, seed)))
+            search_add(s, made, BEHIND, what);
+    if (made)
+        dag_free(g);
+    else
+        search_add(s, g, BEHIND, what);
 }
 
 /* What multiplying out, with or without common denominators, and factoring makes of the genome as written. */
@@ -53,9 +68,10 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
             search_free(s);
             return false;
         }
-        search_add(s, g, BEHIND, keep == KEEP_ALL ? "as written, named products whole" : "as written");
         large = g->nodes > SEARCH_MOST_NODES;
+        add_written(s, f, g, keep == KEEP_ALL ? "as written, named products whole" : "as written");
     }
+    search_select(s, WRITTEN);
     /* Differences of a segment's nodes are exact, or nearly, wherever it lies; sums of coordinates are not. */
     struct dag *linear = f->segment || large ? NULL : shape_linear(search_first(s));
     if (linear)

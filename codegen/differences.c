@@ -194,17 +194,32 @@ static struct dag *rewrite(const struct forms *x, const struct additions *a)
     return walk_end(&w);
 }
 
-struct dag *shape_differences(const struct dag *g, const struct segment_kind *k)
+/* How the directions are made: in fewer additions than now where all ways can be tried, else along a tree. */
+static bool find_additions(const struct forms *x, uint64_t seed, struct additions *a)
 {
     struct vector direction[ADDITIONS_VECTORS];
+    const int n = list_directions(x, direction);
+    if (n == 0)
+        return false;
+    if (additions_few(x->points, 1))
+        return additions_few(x->points, n) && additions_find(x->points, direction, n, count_additions(x) - 1, a);
+    return additions_along_tree(x->points, direction, n, seed, a);
+}
+
+bool shape_differs_first(const struct segment_kind *k)
+{
+    return !additions_few((int)strlen(k->nodes) + 1, 1);
+}
+
+struct dag *shape_differences(const struct dag *g, const struct segment_kind *k, uint64_t seed)
+{
     struct additions a;
     struct dag *made = NULL;
     if (strlen(k->nodes) + 1 > ADDITIONS_POINTS)
         return NULL;
     int *uses = dag_uses(g);
     struct forms x = find_forms(g, k, uses);
-    const int directions = list_directions(&x, direction);
-    if (directions > 0 && additions_find(x.points, direction, directions, count_additions(&x) - 1, &a))
+    if (find_additions(&x, seed, &a))
         made = rewrite(&x, &a);
     free(x.form);
     free(uses);

@@ -68,6 +68,7 @@ struct search {
     double chain;                          /* longest one of the graph at hand, where the cost model asks for it */
     struct cost_model latency;             /* when operands are ready */
     double work, limit;
+    bool differences; /* those of two inputs stay whole */
     bool starting;   /* the starting points are under way */
     bool explaining; /* the passes print what they made */
 };
@@ -82,6 +83,7 @@ struct search *search_new(const struct genome_file *f, const struct compile_opti
     cost_model_find("latency", &s->latency, &d);
     s->limit = (double)o->effort * UNIT;
     s->guide = HUGE_VAL;
+    s->differences = f->segment && shape_differs_first(f->segment);
     s->least_degree = f->segment ? 0 : FREE_DEGREE;
     return s;
 }
@@ -317,18 +319,65 @@ static void enter_beam(struct search *s)
     s->beam[i] = c;
 }
 
+static struct policy starting_policy(const struct search *s, int form)
+{
+    return (struct policy){.plain = form % 3 == 1,
+                           .early = form % 3 == 2,
+                           .dissolve = form / 3 & 1,
+                           .combine = form / 6 & 1,
+                           .join = form / 12 & 1,
+                           .differences = s->differences};
+}
+
+/* What has been found so far is forgotten. */
+static void start_again(struct search *s, double work)
+{
+    free(s->best.text);
+    s->best = (struct emission){0};
+    s->guide = HUGE_VAL;
+    s->work = work;
+}
+
+/* Least cost of a shape without choices, then fewest multiplications. */
+static double first_cost(struct search *s, size_t shape)
+{
+    const double work = s->work;
+    struct candidate c = {.shape = shape, .policy = {.plain = true, .differences = s->differences}};
+    evaluate(s, &c, NULL, HUGE_VAL);
+    const double cost = s->best.text ? s->least + TIE * (double)s->best.ops.mul : HUGE_VAL;
+    start_again(s, work);
+    return cost;
+}
+
+void search_select(struct search *s, size_t n)
+{
+    double *cost = new_array(s->shapes, sizeof *cost);
+    for (size_t i = 0; s->shapes > n && i < s->shapes; i++)
+        cost[i] = first_cost(s, i);
+    while (s->shapes > n) {
+        size_t worst = 0;
+        for (size_t i = 1; i < s->shapes; i++)
+            worst = cost[i] >= cost[worst] ? i : worst;
+        dag_free(s->shape[worst].dag);
+        s->shapes--;
+        memmove(&s->shape[worst], &s->shape[worst + 1], (s->shapes - worst) * sizeof *s->shape);
+        memmove(&cost[worst], &cost[worst + 1], (s->shapes - worst) * sizeof *cost);
+    }
+    free(cost);
+}
+
 /* Gives up shapes that are far behind the first one from the beginning, unless trying them is dear.  That is not
  * counted as work, so that they leave no trace. */
 static void drop_shapes(struct search *s)
 {
     const double work = s->work;
-    struct candidate first = {0};
+    struct candidate first = {.policy.differences = s->differences};
     size_t kept = 1;
     if (s->shapes <= WRITTEN)
         return;
     evaluate(s, &first, NULL, 0);
     for (size_t i = 1; i < s->shapes; i++) {
-        struct candidate c = {.shape = i};
+        struct candidate c = {.shape = i, .policy.differences = s->differences};
         if (s->work - work < s->limit / 20)
             evaluate(s, &c, NULL, 0);
         if (c.estimate < s->shape[i].behind * first.estimate)
@@ -336,11 +385,8 @@ static void drop_shapes(struct search *s)
         else
             dag_free(s->shape[i].dag);
     }
-    free(s->best.text);
-    s->best = (struct emission){0};
-    s->guide = HUGE_VAL;
+    start_again(s, work);
     s->shapes = kept;
-    s->work = work;
 }
 
 /* Evaluates a shape under a policy without choices, for the beam. */
@@ -351,15 +397,6 @@ static void try_policy(struct search *s, size_t shape, const struct policy *p)
     policy_copy(&c->policy, p);
     evaluate(s, c, NULL, HUGE_VAL);
     enter_beam(s);
-}
-
-static struct policy starting_policy(int form)
-{
-    return (struct policy){.plain = form % 3 == 1,
-                           .early = form % 3 == 2,
-                           .dissolve = form / 3 & 1,
-                           .combine = form / 6 & 1,
-                           .join = form / 12 & 1};
 }
 
 /* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
@@ -373,7 +410,7 @@ static void try_first(struct search *s)
         const bool quotients = divides(s->shape[i].dag);
         bool dear = false;
         for (int form = 0; form < FORMS; form++) {
-            const struct policy p = starting_policy(form);
+            const struct policy p = starting_policy(s, form);
             const double before = s->work;
             if ((form >= KEEPING && !quotients) || (p.dissolve > 0 && dear) || (s->n > 0 && s->work > first))
                 continue;
@@ -391,7 +428,8 @@ static void try_first(struct search *s)
                                      .early = attempt % 5 == 1,
                                      .dissolve = dear ? 0 : 0.5 * (attempt % 3),
                                      .combine = quotients ? attempt / 2 % 2 : 0,
-                                     .join = quotients && attempt & 4};
+                                     .join = quotients && attempt & 4,
+                                     .differences = s->differences};
             try_policy(s, i, &p);
         }
     }
@@ -450,19 +488,19 @@ static void try_absorbing(struct search *s)
 {
     for (size_t i = 0; i < s->shapes; i++) {
         struct candidate c = {.shape = i, .policy = {.plain = true, .dissolve = 1, .absorb = true}};
+        c.policy.differences = s->differences;
         if (s->shape[i].open)
             evaluate(s, &c, NULL, HUGE_VAL);
     }
 }
 
 /* The last shape from all starting points that keep quotients. */
-static void try_keeping(struct search *s, bool differences)
+static void try_keeping(struct search *s)
 {
     const double before = s->work;
     s->starting = true;
     for (int form = 0; form < KEEPING && s->work - before < s->limit / 20; form++) {
-        struct candidate c = {.shape = s->shapes - 1, .policy = starting_policy(form)};
-        c.policy.differences = differences;
+        struct candidate c = {.shape = s->shapes - 1, .policy = starting_policy(s, form)};
         evaluate(s, &c, NULL, HUGE_VAL);
     }
     s->starting = false;
@@ -475,24 +513,25 @@ static void try_splitting(struct search *s)
     if (!g)
         return;
     search_add(s, g, 1, "quotients by single factors");
-    try_keeping(s, false);
+    try_keeping(s);
 }
 
 /* The winner's shape, with the vectors of a segment by the fewest differences, under its own choices, too; last. */
 static void try_differences(struct search *s)
 {
-    struct dag *g =
-        s->file->segment && s->best.text ? shape_differences(s->shape[s->winner.shape].dag, s->file->segment) : NULL;
     struct candidate c = {0};
+    if (!s->file->segment || s->differences || !s->best.text)
+        return;
+    struct dag *g = shape_differences(s->shape[s->winner.shape].dag, s->file->segment, 0);
     if (!g)
         return;
     search_add(s, g, 1, "fewest differences");
     copy_candidate(&c, &s->winner);
     c.shape = s->shapes - 1;
-    c.policy.differences = true;
+    c.policy.differences = s->differences = true;
     evaluate(s, &c, NULL, HUGE_VAL);
     policy_clear(&c.policy);
-    try_keeping(s, true);
+    try_keeping(s);
 }
 
 /* How the result came about: the winner's passes once more. */

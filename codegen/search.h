@@ -24,6 +24,9 @@ void search_free(struct search *s);
  *  given up if its first estimate is not below `behind` times that of the first shape. */
 void search_add(struct search *s, struct dag *g, double behind, const char *what);
 
+/** Gives up all shapes but the n that are cheapest at first. */
+void search_select(struct search *s, size_t n);
+
 /** The shape that was added first. */
 const struct dag *search_first(const struct search *s);
 

@@ -134,7 +134,7 @@ static const char gregory[] =
     "        for (m = 0; m < 2; m++) {\n"
     "            const int e = m ? 3 - c : c ^ 1;\n"
     "            for (j = 0; j < 3; j++) {\n"
-    "                const @R middle = x[e][j] + a[e][m][j] - x[c][j] - a[c][m][j];\n"
+    "                const @R middle = (x[e][j] - x[c][j]) + (a[e][m][j] - a[c][m][j]);\n"
     "                q[c][m][j] = a[c][m][j] + ((k[c][m] - k[e][m]) * t[c][m][j] - k[c][m] * t[e][m][j] +\n"
     "                                           2.0@F * l[c][m] * middle - l[e][m] * a[c][m][j]) / 3.0@F;\n"
     "            }\n"

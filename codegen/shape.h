@@ -24,8 +24,13 @@ struct dag *shape_split(const struct dag *g);
 struct dag *shape_linear(const struct dag *g);
 
 /** A new graph in which the vectors of a segment, sums of its nodes and the slave node of weight 0, are made by the
- *  fewest additions of differences; NULL if there are none, or too many nodes. */
-struct dag *shape_differences(const struct dag *g, const struct segment_kind *k);
+ *  fewest additions of differences; NULL if there are none, or too many nodes.  Where not all ways can be tried, another
+ *  seed may give another one. */
+struct dag *shape_differences(const struct dag *g, const struct segment_kind *k, uint64_t seed);
+
+/** True for a segment of so many nodes that the cheapest forms add coordinates, which loses digits far from the origin:
+ *  there differences come first, whatever they cost. */
+bool shape_differs_first(const struct segment_kind *k);
 
 /** A new graph in which each sum of terms that are not sums is factored over the rationals, and each quotient
  *  cancelled by the greatest common divisor; NULL if nothing factors or all is too large to try. */

@@ -13,21 +13,21 @@ enum { POINTS = 5, ROUNDS = 40 };
 /* Every value is what its addition says, of points or of differences; all wanted ones are among them. */
 static void check_found(const struct additions *x, const struct vector *wanted, int n)
 {
-    for (int i = 0; i < POINTS; i++)
-        for (int k = 0; k < POINTS; k++)
+    for (int i = 0; i < x->points; i++)
+        for (int k = 0; k < x->points; k++)
             assert_int_equal(x->value[i].of[k], i == k);
-    for (int i = POINTS; i < x->values; i++) {
+    for (int i = x->points; i < x->values; i++) {
         const struct addition *s = &x->addition[i];
         long weight = 0;
-        assert_true(s->a < i && s->b < i && s->d != 0 && (s->a < POINTS) == (s->b < POINTS));
-        for (int k = 0; k < POINTS; k++) {
+        assert_true(s->a < i && s->b < i && s->d != 0 && (s->a < x->points) == (s->b < x->points));
+        for (int k = 0; k < x->points; k++) {
             weight += x->value[i].of[k];
             assert_int_equal(s->d * x->value[i].of[k], s->p * x->value[s->a].of[k] + s->q * x->value[s->b].of[k]);
         }
         assert_int_equal(weight, 0);
     }
     for (int i = 0; i < n; i++) {
-        int k = POINTS;
+        int k = x->points;
         while (k < x->values && !vector_equal(&x->value[k], &wanted[i]))
             k++;
         assert_true(k < x->values);
@@ -49,6 +49,28 @@ static void test_quad(void **state)
     assert_true(additions_find(POINTS, wanted, 4, 12, &x));
     check_found(&x, wanted, 4);
     assert_int_equal(x.values - POINTS, 9);
+}
+
+/* Eight nodes and the slave node: base vectors, the second and third derivatives, the way to the slave node. */
+static void test_tree(void **state)
+{
+    (void)state;
+    enum { WANTED = 8, SEEDS = 12 };
+    static const struct vector wanted[WANTED] = {
+        {{0, 0, 0, 0, 0, 1, 0, -1}},      {{0, 0, 0, 0, 1, 0, -1}},
+        {{1, 1, 1, 1, -2, 0, -2}},        {{1, 1, 1, 1, 0, -2, 0, -2}},
+        {{1, -1, 1, -1}},                 {{1, 1, -1, -1, -2, 0, 2}},
+        {{1, -1, -1, 1, 0, 2, 0, -2}},    {{1, 1, 1, 1, -2, -2, -2, -2, 4}}};
+    int least = ADDITIONS_VALUES;
+    assert_false(additions_few(9, WANTED));
+    for (uint64_t seed = 1; seed <= SEEDS; seed++) {
+        struct additions x;
+        assert_true(additions_along_tree(9, wanted, WANTED, seed, &x));
+        check_found(&x, wanted, WANTED);
+        const int cost = x.values - x.points + x.multiplications;
+        least = cost < least ? cost : least;
+    }
+    assert_true(least <= 25); /* 19 additions and 5 multiplications where sums of coordinates are allowed */
 }
 
 /* Vectors made by hand are found again, in no more additions. */
@@ -119,6 +141,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_quad),
+        cmocka_unit_test(test_tree),
         cmocka_unit_test(test_random),
         cmocka_unit_test(test_code),
     };
