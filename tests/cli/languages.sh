@@ -1,7 +1,7 @@
 # What codegen writes beside C in double: float, Fortran, infix, LaTeX.  Fortran gives the bits of C, infix its values.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
-codegen() { "$BIN/footpoint-codegen" --effort 10 "$@"; } # how the search ends is no matter here
+codegen() { "$BIN/footpoint-codegen" --quiet --effort 10 "$@"; } # how the search ends is no matter here
 g=$work/g.gen
 strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
 bits='-O2 -ffp-contract=off'
