@@ -4,8 +4,6 @@
 
 #include "../generated/footpoint_quad4.h"
 
-#include <stdlib.h>
-
 enum { ORDINARY = 32 }; /* powers of 2 that edges may be long without a product of the check leaving its range */
 
 /* footpoint_check, in another unit of length if need be. */
@@ -14,7 +12,8 @@ static int is_sure(const double *const *x, const double loc[2])
     double y[5][3];
     int exponent;
     return footpoint_check(x[0], x[1], x[2], x[3], x[4], loc[0], loc[1]) ||
-           (footpoint_detail_scale(x, 4, 5, y, &exponent) == FOOTPOINT_OK && abs(exponent) > ORDINARY &&
+           (footpoint_detail_scale(x, 4, 5, y, &exponent) == FOOTPOINT_OK &&
+            (exponent > ORDINARY || exponent < -ORDINARY) &&
             footpoint_check(y[0], y[1], y[2], y[3], y[4], loc[0], loc[1]));
 }
 

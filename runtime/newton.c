@@ -22,17 +22,16 @@ static struct surface surface_of(const double xA[3], const double xB[3], const d
     struct surface f;
     for (int i = 0; i < 3; i++) {
         const double ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];
-        f.c1[i] = 0.25 * (ab + dc);
-        f.c2[i] = 0.25 * (ad + bc);
-        f.c3[i] = 0.25 * (dc - ab);
-        f.d0[i] = (xS[i] - xA[i]) - (f.c1[i] + f.c2[i] - f.c3[i]);
+        f.c1[i] = ab + dc;
+        f.c2[i] = ad + bc;
+        f.c3[i] = dc - ab;
     }
     const int exponent = vector_exponent(f.c1) > vector_exponent(f.c2) ? vector_exponent(f.c1) : vector_exponent(f.c2);
     for (int i = 0; i < 3; i++) {
-        f.c1[i] = ldexp(f.c1[i], -exponent);
-        f.c2[i] = ldexp(f.c2[i], -exponent);
-        f.c3[i] = ldexp(f.c3[i], -exponent);
-        f.d0[i] = ldexp(f.d0[i], -exponent);
+        f.c1[i] = 0.25 * ldexp(f.c1[i], -exponent);
+        f.c2[i] = 0.25 * ldexp(f.c2[i], -exponent);
+        f.c3[i] = 0.25 * ldexp(f.c3[i], -exponent);
+        f.d0[i] = ldexp(xS[i] - xA[i], -exponent) - (f.c1[i] + f.c2[i] - f.c3[i]);
     }
     return f;
 }

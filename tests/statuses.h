@@ -100,7 +100,7 @@ static void test_not_finite(int f)
 /* All nodes in one point, on a line, and corners that coincide crosswise so that nothing is left between them. */
 static void test_no_area(int f)
 {
-    static const double along[10] = {0, 1, 3, 2, 0.5, 2, 2.5, 1, 1.5, 1};
+    static const double along[11] = {0, 1, 3, 2, 0.5, 2, 2.5, 1, 1.5, 1, 2.25};
     int power, i, j;
     for (power = -EXTREME; power <= EXTREME; power += EXTREME / 4) {
         R x[VECTORS][3];

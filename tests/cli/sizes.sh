@@ -92,6 +92,8 @@ sizes() {
     report $((!good)) "$3"
 }
 sizes "$work/sized.h" 0,2,2 'a pole is met at any size, and nothing else is'
-for kind in bezier gregory paper_gregory; do
+# A Gregory patch divides by the lengths of its edges, a Bezier patch does not.
+sizes "$PWD/generated/footpoint_bezier.h" 0,0,0 'footpoint_bezier.h at any size'
+for kind in gregory paper_gregory; do
     sizes "$PWD/generated/footpoint_$kind.h" 0,0,2 "footpoint_$kind.h at any size"
 done
