@@ -8,6 +8,8 @@
 #define double long double
 #define sqrt sqrtl
 #define fabs fabsl
+#define frexp frexpl
+#define ldexp ldexpl
 #include "methods.h"
 
 #define METHOD(scene, kind, name, mul, div, add, sqrt)                                                                 \
