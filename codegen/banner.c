@@ -21,18 +21,46 @@ static void print_note(const char *indent, const char *key, const char *text, FI
     }
 }
 
-/* In the words of evolution's notes, which are about the genome in double. */
-static void print_measured(const struct measured *m, FILE *out)
+/* The error table, part by part; that of another distribution where it says something else than the first. */
+static void print_errors(const struct measured *m, FILE *out)
 {
     static const char *const output[] = {"xi", "eta"};
-    fprintf(out, " *   in float:\n");
     for (int part = 0; part < MEASURE_PARTS; part++)
         for (int k = 0; k < 2; k++) {
             const struct measure_error *e = &m->error[part][k];
-            if (e->n > 0)
-                fprintf(out, " *   %s_%s: n %zu mean %.3e p99 %.3e max %.3e\n", measure_part[part], output[k], e->n,
-                        e->mean, e->p99, e->max);
+            const bool same = part == MEASURE_EVEN && !measure_differs(&m->error[part][0], &m->error[0][0]) &&
+                              !measure_differs(&m->error[part][1], &m->error[0][1]);
+            if (e->n > 0 && !same)
+                fprintf(out, " *   %s_%s: mean %.3e, 99 %% %.3e, worst of %zu %.3e\n", measure_part[part], output[k],
+                        e->mean, e->p99, e->n, e->max);
         }
+}
+
+/* Where note `key` stands in the table; NULL if nowhere. */
+static struct measure_error *place_of(struct measured *m, const char *key)
+{
+    static const char *const output[] = {"xi", "eta"};
+    for (int part = 0; part < MEASURE_PARTS; part++)
+        for (int k = 0; k < 2; k++) {
+            const size_t length = strlen(measure_part[part]);
+            if (strncmp(key, measure_part[part], length) == 0 && key[length] == '_' &&
+                strcmp(key + length + 1, output[k]) == 0)
+                return &m->error[part][k];
+        }
+    return NULL;
+}
+
+/* Notes, those of errors that evolution measured as a table; these are about the genome in double. */
+static void print_notes(const struct genome *g, bool errors, FILE *out)
+{
+    struct measured m = {.worst = 0};
+    for (size_t k = 0; k < g->notes; k++) {
+        struct measure_error *place = place_of(&m, g->note[k].key);
+        if (!place || !measure_error_read(g->note[k].text, place))
+            print_note("  ", g->note[k].key, g->note[k].text, out);
+    }
+    if (errors)
+        print_errors(&m, out);
 }
 
 static void print_function(const struct unit *u, const struct function *f, FILE *out)
@@ -52,14 +80,14 @@ static void print_function(const struct unit *u, const struct function *f, FILE 
     char proof[120];
     proof_print(&f->proof, proof);
     fprintf(out, " *   %s\n", proof);
-    if (f->measured)
-        print_measured(f->measured, out);
+    if (f->measured) {
+        fprintf(out, " *   in float:\n");
+        print_errors(f->measured, out);
+    }
     if (u->options.precision == PRECISION_FLOAT)
         fprintf(out, " *   the same code in double:\n");
     evidence_print(f->evidence, u->file, g, f->program, out);
-    for (size_t k = 0; k < g->notes; k++)
-        if (!f->measured || strncmp(g->note[k].key, "heldout", strlen("heldout")) != 0)
-            print_note("  ", g->note[k].key, g->note[k].text, out);
+    print_notes(g, !f->measured, out);
 }
 
 static void print_cost(const struct compile_options *o, FILE *out)

@@ -8,7 +8,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const measure_part[MEASURE_PARTS] = {"heldout", "heldout_random"};
+const char *const measure_part[MEASURE_PARTS] = {"heldout", "heldout_random", "heldout_even"};
+
+bool measure_error_read(const char *text, struct measure_error *e)
+{
+    int end = 0;
+    return sscanf(text, "n %zu mean %lf p99 %lf max %lf%n", &e->n, &e->mean, &e->p99, &e->max, &end) == 4 &&
+           text[end] == '\0';
+}
+
+static bool far_apart(double a, double b)
+{
+    return a > 1.5 * b || b > 1.5 * a;
+}
+
+bool measure_differs(const struct measure_error *a, const struct measure_error *b)
+{
+    return far_apart(a->mean, b->mean) || far_apart(a->p99, b->p99);
+}
 
 /* The line that the file must begin with. */
 static char *head_of(const struct genome_file *f)
@@ -143,7 +160,8 @@ struct measured measure_program(const struct genome_file *f, const struct progra
     for (int part = 0; part < MEASURE_PARTS; part++)
         for (int k = 0; k < 2; k++) {
             found.error[part][k] = error_of(error[part][k], n[part]);
-            found.worst = fmax(found.worst, found.error[part][k].max);
+            if (part != MEASURE_EVEN)
+                found.worst = fmax(found.worst, found.error[part][k].max);
             free(error[part][k]);
         }
     free(x);

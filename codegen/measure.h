@@ -4,7 +4,8 @@
 
 #include "program.h"
 
-enum { MEASURE_PARTS = 2 }; /* held out on the grid of a scene, if it has one; held out off it */
+/* Held out on the grid of a scene, if it has one; held out off it; another distribution, to which nothing is fitted. */
+enum { MEASURE_PARTS = 3, MEASURE_EVEN = 2 };
 
 struct measure_samples {
     size_t inputs, n, room, width;
@@ -17,12 +18,18 @@ struct measure_error {
     double mean, p99, max; /* infinite if a value is not finite */
 };
 
+/** Reads "n %zu mean %.3e p99 %.3e max %.3e", evolution's words. */
+bool measure_error_read(const char *text, struct measure_error *e);
+
+/** True if mean or 99 % is another one by a factor of more than 1.5. */
+bool measure_differs(const struct measure_error *a, const struct measure_error *b);
+
 struct measured {
     struct measure_error error[MEASURE_PARTS][2]; /* by part and output, xi and eta */
-    double worst;                                 /* the largest of them */
+    double worst;                                 /* the largest of them, but for MEASURE_EVEN */
 };
 
-/** "heldout", "heldout_random". */
+/** "heldout", "heldout_random", "heldout_even". */
 extern const char *const measure_part[MEASURE_PARTS];
 
 /** Reads a file whose columns are the inputs of f, a segment, and xi, eta.  False with *d filled. */

@@ -117,10 +117,10 @@ void archive_crown(struct archive *a, const struct plan *plan);
 /** Copy of a tree whose decimal numbers become constants of a program. */
 void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound);
 
-/** Write the file: notes, program, and one genome for each tier with its errors on the two held-out parts, which serve
+/** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */
-bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct sample_set heldout[2],
-                   struct diag *d);
+bool archive_write(struct archive *a, const char *path, const struct run_facts *run,
+                   const struct sample_set heldout[HELDOUT_PARTS], struct diag *d);
 /** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors; of twin trees
  *  there are none.  Where the path ends in .csv: a line for each member of all fronts. */
 bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);

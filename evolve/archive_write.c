@@ -58,7 +58,7 @@ static void note_range(struct genome_file *f, const struct scene *s)
 
 static void add_file_notes(struct genome_file *f, const struct scene *s)
 {
-    char frames[512] = "", reference[2][32];
+    char frames[512] = "", reference[2][32], drawn[DRAWN_LINES][DRAWN_LENGTH];
     for (size_t i = 0; i < s->tiers; i++) {
         bool seen = false;
         for (size_t j = 0; j < i; j++)
@@ -76,13 +76,16 @@ static void add_file_notes(struct genome_file *f, const struct scene *s)
     if (strcmp(s->precision, "double") != 0)
         NOTE("precision", "%s", s->precision);
     note_range(f, s);
+    const size_t lines = scene_drawn(s, drawn);
+    for (size_t i = 0; i < lines; i++)
+        NOTE("drawn", "%s", drawn[i]);
     NOTE("frames", "%s", frames);
     NOTE("reference", "xi %s eta %s", reference[0], reference[1]);
 #undef NOTE
 }
 
 /* Notes that this program writes are "<what>_xi" and "<what>_eta"; others are somebody's remarks. */
-static const char *const measured[] = {"found", "exact", "training", "heldout", "heldout_random"};
+static const char *const measured[] = {"found", "exact", "training", "heldout", "heldout_random", "heldout_even"};
 
 static void note_key(const char *what, int output, char key[40])
 {
@@ -131,7 +134,7 @@ static void add_provenance(struct genome *g, const struct tier *t, const struct 
 
 /* Training errors are the champions'; those held out are measured on what is written. */
 static void add_errors(struct genome *g, struct kernel *kernel, const struct archive *a, size_t tier,
-                       const struct tree out[2], const struct sample_set heldout[2])
+                       const struct tree out[2], const struct sample_set heldout[HELDOUT_PARTS])
 {
     const struct tier *t = &a->scene->tier[tier];
     char key[40];
@@ -140,16 +143,16 @@ static void add_errors(struct genome *g, struct kernel *kernel, const struct arc
         note_key("training", k, key);
         NOTE(key, "genes %zu %s %.3e", c->tree.length, norm_name[a->scene->norm], c->error);
     }
-    for (int part = 0; part < 2; part++)
-        for (int k = 0; k < 2; k++) {
+    for (int part = 0; part < HELDOUT_PARTS; part++)
+        for (int k = 0; k < 2 && heldout[part].n > 0; k++) {
             const struct errors e = errors_measure(kernel, a->program, &out[k], k, &heldout[part]);
-            note_key(part ? "heldout_random" : "heldout", k, key);
+            note_key(heldout_part[part].name, k, key);
             NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
         }
 }
 
 static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, const struct run_facts *run,
-                     const struct sample_set heldout[2])
+                     const struct sample_set heldout[HELDOUT_PARTS])
 {
     const struct tier *t = &a->scene->tier[tier];
     const struct champion *c = a->champion[tier];
@@ -171,8 +174,8 @@ static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, cons
     }
 }
 
-bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct sample_set heldout[2],
-                   struct diag *d)
+bool archive_write(struct archive *a, const char *path, const struct run_facts *run,
+                   const struct sample_set heldout[HELDOUT_PARTS], struct diag *d)
 {
     struct outfile f;
     if (!outfile_open(&f, path, d))
@@ -201,7 +204,7 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
     NOTE("training", "genes %zu %s %.3e", t.length, norm_name[a->scene->norm], m->error);
     for (int part = 0; part < 2; part++) {
         const struct errors e = errors_measure(kernel, f, &t, output, &heldout[part]);
-        NOTE(part ? "heldout_random" : "heldout", "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+        NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
     genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[output], t.gene, t.length);
     free(t.gene);

@@ -150,8 +150,11 @@ static bool sample(struct run *r, struct diag *d)
         return false;
     if (r->team->rank > 0)
         return true;
-    return scene_samples(r->scene, PART_HELDOUT, &r->heldout[0], d) &&
-           scene_samples(r->scene, PART_HELDOUT_RANDOM, &r->heldout[1], d);
+    bool drawn = true;
+    for (int k = 0; k < HELDOUT_PARTS && drawn; k++)
+        drawn = !scene_has(r->scene, heldout_part[k].part) ||
+                scene_samples(r->scene, heldout_part[k].part, &r->heldout[k], d);
+    return drawn;
 }
 
 /* A front keeps what costs no more than its limit: where a value of a frame is dearer, the limit is raised. */
@@ -420,8 +423,8 @@ static void run_free(struct run *r)
     judge_free(r->judge);
     columns_free(&r->table);
     sample_set_free(&r->training);
-    sample_set_free(&r->heldout[0]);
-    sample_set_free(&r->heldout[1]);
+    for (int part = 0; part < HELDOUT_PARTS; part++)
+        sample_set_free(&r->heldout[part]);
     archive_free(r->archive);
     scene_free(r->scene);
 }

@@ -28,7 +28,7 @@ struct run {
     struct archive *archive;
     struct gene_set *genes;       /* one for each tier */
     struct sample_set training;   /* empty once the table is there */
-    struct sample_set heldout[2]; /* on rank 0 */
+    struct sample_set heldout[HELDOUT_PARTS]; /* on rank 0; empty where the scene has none */
     struct vary vary;             /* of the training samples */
     bool follows;                 /* frame and tiers follow from that */
     struct columns table;

@@ -29,10 +29,12 @@ static double length_of(const double a[3], const double b[3])
     return hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
 }
 
-/* A random quadratic form of principal curvatures up to `most`: xx, xy, yy. */
-static void draw_curvature(gsl_rng *stream, double most, double form[3])
+/* A random quadratic form of principal curvatures up to `most`: xx, xy, yy.  Both are uniform, or the larger one is
+ * and the other up to it. */
+static void draw_curvature(gsl_rng *stream, double most, bool evenly, double form[3])
 {
-    const double k1 = gsl_ran_flat(stream, -most, most), k2 = gsl_ran_flat(stream, -most, most);
+    const double k1 = gsl_ran_flat(stream, -most, most), smaller = evenly ? fabs(k1) : most,
+                 k2 = gsl_ran_flat(stream, -smaller, smaller);
     const double angle = gsl_ran_flat(stream, 0, M_PI), c = cos(angle), s = sin(angle);
     form[0] = k1 * c * c + k2 * s * s;
     form[1] = (k1 - k2) * c * s;
@@ -54,7 +56,7 @@ static void draw_middles(const struct surface *f, gsl_rng *stream, const struct 
         longest = fmax(longest, edge);
         shortest = fmin(shortest, edge);
     }
-    draw_curvature(stream, 8 * shapes->curve / longest, form);
+    draw_curvature(stream, 8 * shapes->curve / longest, shapes->evenly, form);
     for (size_t i = 0; i < corners; i++) {
         const double *a = x[i], *b = x[(i + 1) % corners], dx = b[0] - a[0], dy = b[1] - a[1];
         double *m = x[corners + i];

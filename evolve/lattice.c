@@ -260,6 +260,16 @@ static void add_strangers(const struct sample *s, size_t n, const struct sample 
     free(image);
 }
 
+size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    const struct lattice *l = &scene->lattice;
+    snprintf(line[0], DRAWN_LENGTH,
+             "heldout: configurations of a grid of steps %g in x, y and %g in z that training left, equally often",
+             l->xy_step, l->z_step);
+    snprintf(line[1], DRAWN_LENGTH, "heldout_random: x, y, z of C, D and S uniform in the same ranges");
+    return 2;
+}
+
 bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     struct sample_set all = {0};

@@ -170,6 +170,15 @@ static size_t add_half(const struct scene *scene, const struct pairs *found, boo
     return added;
 }
 
+size_t mesh_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    snprintf(line[0], DRAWN_LENGTH,
+             "heldout: half of the slave nodes over faces, at random; the other half is for training");
+    snprintf(line[1], DRAWN_LENGTH, "heldout_random: any master face, xi, eta, and gap within %g, uniform",
+             scene->mesh.distance);
+    return 2;
+}
+
 bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     struct mesh *mesh = mesh_read(scene->mesh.file, d);

@@ -56,6 +56,16 @@ static bool of_lattice(const struct scene *scene, enum sample_part part, struct 
     return lattice_gregory_samples(part == PART_TRAINING ? &all : &plan, part, patches, NULL, d);
 }
 
+size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    if (scene->source != SOURCE_LATTICE)
+        return smooth_drawn(line);
+    const size_t lines = lattice_drawn(scene, line);
+    snprintf(line[lines], DRAWN_LENGTH, "normals at each corner: tilt uniform in a disc, %d sets a configuration",
+             scene->lattice.normal_sets);
+    return lines + 1;
+}
+
 bool patches_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     struct patch_set patches = {0};

@@ -43,8 +43,9 @@ bool samples_write(const char *root, const char *scene_name, const char *path, s
         scene && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) && outfile_open(&f, path, d);
     if (good) {
         print_head(scene->segment, f.stream);
-        good = write_part(scene, PART_HELDOUT, "heldout", f.stream, d) &&
-               write_part(scene, PART_HELDOUT_RANDOM, "heldout_random", f.stream, d);
+        for (int k = 0; k < HELDOUT_PARTS && good; k++)
+            good = !scene_has(scene, heldout_part[k].part) ||
+                   write_part(scene, heldout_part[k].part, heldout_part[k].name, f.stream, d);
         if (good)
             good = outfile_commit(&f, d);
         else

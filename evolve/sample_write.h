@@ -4,8 +4,8 @@
 
 #include "scene.h"
 
-/** Writes CSV: the line "part,<inputs of the segment>,xi,eta", then one for each sample, the part heldout or
- *  heldout_random, the numbers hexadecimal and exact.  `scene` as for scene_read. */
+/** Writes CSV: the line "part,<inputs of the segment>,xi,eta", then one for each sample, the part heldout,
+ *  heldout_random or heldout_even, the numbers hexadecimal and exact.  `scene` as for scene_read. */
 bool samples_write(const char *root, const char *scene, const char *path, struct diag *d);
 
 #endif

@@ -9,6 +9,13 @@
 bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
+
+/** What each draws, in words: scene_drawn (scene.h). */
+size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
+size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
+size_t mesh_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
+size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
+
 /** Of segments with normals: the lattice with random ones, where `training` and `heldout` count samples before those
  *  are left out whose foot point is not in the box, or smooth bodies. */
 bool patches_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);

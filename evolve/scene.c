@@ -231,6 +231,30 @@ static bool draw_samples(const struct scene *s, enum sample_part part, struct sa
     return mesh_samples(s, part, set, d);
 }
 
+const struct heldout_part heldout_part[HELDOUT_PARTS] = {{PART_HELDOUT, "heldout"},
+                                                         {PART_HELDOUT_RANDOM, "heldout_random"},
+                                                         {PART_HELDOUT_EVEN, "heldout_even"}};
+
+bool scene_has(const struct scene *s, enum sample_part part)
+{
+    return part != PART_HELDOUT_EVEN || (s->source == SOURCE_RANDOM && !*s->segment->normals);
+}
+
+size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    if (*s->segment->normals)
+        return patches_drawn(s, line);
+    switch (s->source) {
+    case SOURCE_LATTICE:
+        return lattice_drawn(s, line);
+    case SOURCE_RANDOM:
+        return shapes_drawn(s, line);
+    case SOURCE_MESH:
+        break;
+    }
+    return mesh_drawn(s, line);
+}
+
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     const size_t before = set->n;

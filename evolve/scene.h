@@ -30,6 +30,7 @@ struct shapes {
     double curve;    /* rise of an edge along a body of the largest curvature, over the longest edge, 0..curve */
     double shift;    /* mid-side nodes off their place on it, in each direction, over the shortest edge, 0..shift */
     double overhang; /* contact points up to this fraction of the segment outside it: -1-2*overhang.. on squares */
+    bool evenly;     /* aspect, angle of warp and curvature uniform; see PART_HELDOUT_EVEN */
 };
 
 /** How far outside the segment contact points of mesh pairs are kept: this fraction of it. */
@@ -108,12 +109,27 @@ void scene_box(const struct scene *s, double lo[2], double hi[2]);
 /** Which of a scene's samples.  No two share a configuration. */
 enum sample_part {
     PART_TRAINING,      /* what evolution sees */
-    PART_HELDOUT,       /* lattice and mesh: the rest of the same points; random: a second stream */
-    PART_HELDOUT_RANDOM /* off the grid: drawn at random from the same ranges */
+    PART_HELDOUT,        /* lattice and mesh: the rest of the same points; random: a second stream */
+    PART_HELDOUT_RANDOM, /* off the grid: drawn at random from the same ranges */
+    PART_HELDOUT_EVEN    /* ordinary shapes: another distribution in the same limits, to which nothing is fitted */
 };
 
-/** Append the part's samples to *set; their coordinates are numbers of the scene's precision.  Deterministic in the
- *  scene alone.  False with *d filled when none is left. */
+enum { HELDOUT_PARTS = 3 };
+/** The parts held out, and what notes and samples call them: "heldout", "heldout_random", "heldout_even". */
+extern const struct heldout_part {
+    enum sample_part part;
+    const char *name;
+} heldout_part[HELDOUT_PARTS];
+
+/** False for PART_HELDOUT_EVEN of scenes that have none. */
+bool scene_has(const struct scene *s, enum sample_part part);
+
+/** How the parts held out are drawn, in words for banners: lines of text, as many as it returns. */
+enum { DRAWN_LINES = 3, DRAWN_LENGTH = 240 };
+size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH]);
+
+/** Append the part's samples, of a part that the scene has, to *set; their coordinates are numbers of the scene's
+ *  precision.  Deterministic in the scene alone.  False with *d filled when none is left. */
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
 
 #endif

@@ -1,7 +1,9 @@
 /* Ordinary segments drawn at random.  A bilinear one is made from its mid-lines and c3 (r = c0 + c1 xi + c2 eta + c3 xi
  * eta): c1 and c2 from aspect ratio and skew, c3 = a c1 + b c2 + g n from taper (a, b) and warp (g), n the unit normal
- * of c1, c2.  What exceeds the scene's limits is drawn again.  The slave node is put at r(xi,eta) + gap n(xi,eta), the
- * whole is rotated, scaled and moved at random, and labelled with the certain foot point. */
+ * of c1, c2.  What exceeds the scene's limits is drawn again, so that little warp is drawn more often;
+ * PART_HELDOUT_EVEN has aspect ratios, not their logarithms, and angles of warp uniform.  The slave node is put at
+ * r(xi,eta) + gap n(xi,eta), the whole is rotated, scaled and moved at random, and labelled with the certain foot
+ * point. */
 #include "samplers.h"
 #include "stream.h"
 #include "surface.h"
@@ -37,22 +39,43 @@ static double warp_of(const struct surface *f, double (*x)[3])
     return acos(fmax(-1, fmin(1, fmin(dot(n[0], n[1]), dot(n[2], n[3])))));
 }
 
-/* About the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
-bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+static void set_corners(const double c1[3], const double c2[3], double a, double b, double g, double (*x)[3])
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    const double aspect = pow(shapes->aspect, gsl_ran_flat(stream, -1, 1));
-    const double angle = M_PI_2 + uniform(stream, shapes->skew);
-    const double length1 = fmax(1, aspect), length2 = fmax(1, 1 / aspect);
-    const double a = uniform(stream, shapes->taper), b = uniform(stream, shapes->taper);
-    const double c1[3] = {length1, 0, 0}, c2[3] = {length2 * cos(angle), length2 * sin(angle), 0};
-    /* The warp of a rectangle of these sides. */
-    const double g = tan(uniform(stream, shapes->warp) / 2) / hypot(1 / length1, 1 / length2);
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 3; k++) {
             const double c3 = a * c1[k] + b * c2[k] + (k == 2 ? g : 0);
             x[i][k] = c1[k] * corner[i][0] + c2[k] * corner[i][1] + c3 * corner[i][0] * corner[i][1];
         }
+}
+
+/* The g of that warp, by bisection from below. */
+static double height_of_warp(const struct surface *f, const double c1[3], const double c2[3], double a, double b,
+                             double warp)
+{
+    double low = 0, high = hypot(c1[0], hypot(c2[0], c2[1])), x[4][3];
+    for (int i = 0; i < 60; i++) {
+        const double g = (low + high) / 2;
+        set_corners(c1, c2, a, b, g, x);
+        *(warp_of(f, x) <= warp ? &low : &high) = g;
+    }
+    return low;
+}
+
+/* About the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
+bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+{
+    const double part = gsl_ran_flat(stream, -1, 1), longer = 1 + fabs(part) * (shapes->aspect - 1);
+    const double aspect = !shapes->evenly ? pow(shapes->aspect, part) : part < 0 ? 1 / longer : longer;
+    const double angle = M_PI_2 + uniform(stream, shapes->skew);
+    const double length1 = fmax(1, aspect), length2 = fmax(1, 1 / aspect);
+    const double a = uniform(stream, shapes->taper), b = uniform(stream, shapes->taper);
+    const double c1[3] = {length1, 0, 0}, c2[3] = {length2 * cos(angle), length2 * sin(angle), 0};
+    const double warp = uniform(stream, shapes->warp);
+    /* The warp of a rectangle of these sides; or of the segment. */
+    const double g = shapes->evenly && shapes->warp > 0 ? copysign(height_of_warp(f, c1, c2, a, b, fabs(warp)), warp)
+                                                        : tan(warp / 2) / hypot(1 / length1, 1 / length2);
+    set_corners(c1, c2, a, b, g, x);
     for (int i = 0; i < 4; i++) {
         const double *p = x[i], *q = x[(i + 1) % 4], *r = x[(i + 2) % 4];
         if ((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]) <= 0)
@@ -140,11 +163,30 @@ void sample_order(struct sample *s, enum corner_order order)
     }
 }
 
+size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    const struct shapes *p = &scene->shapes;
+    const bool warps = !scene->segment->triangle && p->warp > 0;
+    const bool curves = strlen(scene->segment->nodes) > scene->segment->corners;
+    size_t lines = 0;
+    snprintf(line[lines++], DRAWN_LENGTH, "logarithm of aspect%s%s%s%s, gap, xi and eta uniform in these limits",
+             p->skew > 0 ? ", skew" : "", !scene->segment->triangle && p->taper > 0 ? ", two tapers" : "",
+             warps ? ", warp (a rectangle's of such sides)" : "", curves ? ", two principal curvatures, shifts" : "");
+    if (warps)
+        snprintf(line[lines++], DRAWN_LENGTH, "again where the segment's own warp is beyond its limit");
+    snprintf(line[lines++], DRAWN_LENGTH,
+             "heldout_even (shown where mean or 99 %% differ by more than 1.5): aspect%s%s uniform",
+             warps ? ", the segment's own warp" : "", curves ? ", the larger curvature" : "");
+    return lines;
+}
+
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
-    const struct shapes *shapes = &scene->shapes;
+    struct shapes drawn = scene->shapes;
+    const struct shapes *shapes = &drawn;
     const struct segment_kind *kind = scene->segment;
     const struct surface *f = surface_find(kind);
+    drawn.evenly = part == PART_HELDOUT_EVEN;
     const int corners = (int)kind->corners;
     const size_t count = part == PART_TRAINING ? scene->training : scene->heldout;
     gsl_rng *stream = stream_new();

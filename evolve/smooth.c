@@ -47,6 +47,15 @@ static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct 
     return footpoint_gregory_gap(&patch, s->xs, s->xi, s->eta, &s->gap) == FOOTPOINT_OK;
 }
 
+size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    size_t length = (size_t)snprintf(line[0], DRAWN_LENGTH, "any segment of any of %d meshes of", (int)MESHES);
+    for (int k = 0; k < SMOOTH_KINDS; k++)
+        length += (size_t)snprintf(line[0] + length, DRAWN_LENGTH - length, "%s %s", k > 0 ? "," : "", smooth_name[k]);
+    snprintf(line[0] + length, DRAWN_LENGTH - length, ", coarse to fine; xi, eta and gap uniform");
+    return 1;
+}
+
 void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set)
 {
     struct smooth_mesh *mesh[MESHES];

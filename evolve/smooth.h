@@ -16,4 +16,7 @@ struct smooth {
  *  and part; different parts share no sample. */
 void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set);
 
+/** scene_drawn (scene.h) of these. */
+size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH]);
+
 #endif

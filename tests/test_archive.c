@@ -195,7 +195,7 @@ static void exact_values_are_taken(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct sample_set heldout[2] = {f->set, f->set};
+    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
     const struct run_facts facts = {1, 0, 1};
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
@@ -235,7 +235,7 @@ static void fronts_are_written(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct sample_set heldout[2] = {f->set, f->set};
+    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
     struct archive *a = archive_of(&f->scene, START);
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;

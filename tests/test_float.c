@@ -89,18 +89,18 @@ static void coordinates_are_floats(void **state)
         }
 }
 
-/* The banner's line of a function: "KEY: n N mean A p99 B max C". */
+/* The banner's line of a function: "KEY: mean A, 99 % B, worst of N C". */
 static void read_banner(const char *text, const char *function, const char *key, struct error_stats *e, size_t *n)
 {
     char name[80], line[80];
     snprintf(name, sizeof name, " * footpoint_quad4_float_%s\n", function);
-    snprintf(line, sizeof line, " *   %s: n ", key);
+    snprintf(line, sizeof line, " *   %s: mean ", key);
     const char *at = strstr(text, name);
     assert_non_null(at);
     at = strstr(at, line);
     assert_non_null(at);
     assert_int_equal(
-        sscanf(at + strlen(line) - strlen("n "), "n %zu mean %lf p99 %lf max %lf", n, &e->mean, &e->p99, &e->max), 4);
+        sscanf(at + strlen(line), "%lf, 99 %% %lf, worst of %zu %lf", &e->mean, &e->p99, n, &e->max), 4);
 }
 
 static void banner_tells_errors_of_the_float_code(void **state)

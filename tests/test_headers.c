@@ -183,23 +183,23 @@ static void renumber(const struct method *m, const struct sample *s)
 
 static void check_scene(const char *name)
 {
-    static const enum sample_part part[] = {PART_HELDOUT, PART_HELDOUT_RANDOM};
-    static const char *const key[] = {"heldout", "heldout_random"};
     struct diag d = {0};
     char path[300];
     snprintf(path, sizeof path, "evolve/genomes/%s.gen", name);
     struct genome_file *f = genome_read(path, &d);
     struct scene *scene = f ? scene_read(".", name, &d) : NULL;
-    for (int p = 0; scene && p < 2; p++) {
+    for (int p = 0; scene && p < HELDOUT_PARTS; p++) {
         struct sample_set set = {0};
-        if (!scene_samples(scene, part[p], &set, &d))
+        if (!scene_has(scene, heldout_part[p].part))
+            continue;
+        if (!scene_samples(scene, heldout_part[p].part, &set, &d))
             fail_msg("%s", d.text);
         for (size_t i = 0; i < METHODS; i++) {
             if (strcmp(methods[i].scene, name) != 0)
                 continue;
             const struct genome *g = find_genome(f, &methods[i]);
             assert_non_null(g);
-            measure(&methods[i], g, &set, key[p]);
+            measure(&methods[i], g, &set, heldout_part[p].name);
             compare_with_genome(&methods[i], f, g, &set);
             for (size_t k = 0; p == 1 && k < set.n; k += 1 + set.n / 500) /* off the grid: there corners tie */
                 if (scene->order == CORNERS_ANY)

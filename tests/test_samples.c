@@ -20,7 +20,9 @@ static struct sample_set samples_of(const struct scene *s, enum sample_part part
 static void check_parts(const struct scene *s)
 {
     struct sample_set all = {0};
-    for (int part = PART_TRAINING; part <= PART_HELDOUT_RANDOM; part++) {
+    for (int part = PART_TRAINING; part <= PART_HELDOUT_EVEN; part++) {
+        if (!scene_has(s, (enum sample_part)part))
+            continue;
         struct sample_set a = samples_of(s, (enum sample_part)part), b = samples_of(s, (enum sample_part)part);
         assert_int_equal(a.n, b.n);
         assert_memory_equal(a.s, b.s, a.n * sizeof *a.s);
@@ -177,6 +179,66 @@ static void shapes_keep_their_limits(void **state)
     scene_free(s);
 }
 
+/* Angle between the normals at opposite corners, the larger of the two. */
+static double warp_of(const struct sample *s)
+{
+    double n[4][3], least = 1;
+    for (int c = 0; c < 4; c++) {
+        const double *o = s->x[c], *p = s->x[(c + 1) % 4], *q = s->x[(c + 3) % 4];
+        for (int k = 0; k < 3; k++) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            n[c][k] = (p[i] - o[i]) * (q[j] - o[j]) - (p[j] - o[j]) * (q[i] - o[i]);
+        }
+        const double size = sqrt(n[c][0] * n[c][0] + n[c][1] * n[c][1] + n[c][2] * n[c][2]);
+        for (int k = 0; k < 3; k++)
+            n[c][k] /= size;
+    }
+    for (int c = 0; c < 2; c++)
+        least = fmin(least, n[c][0] * n[c + 2][0] + n[c][1] * n[c + 2][1] + n[c][2] * n[c + 2][2]);
+    return acos(least);
+}
+
+/* Quarters of the limits of warp and aspect hold a quarter of the even part each, which those of aspect do of no other
+ * part; scenes of other sources have none. */
+static void even_parts_are_even(void **state)
+{
+    enum { QUARTERS = 4 };
+    struct scene *s = shipped("quad4"), *mesh = shipped("punch-quad4"), *smooth = shipped("gregory");
+    (void)state;
+    s->heldout = 20000;
+    for (int even = 0; even < 2; even++) {
+        struct sample_set set = samples_of(s, even ? PART_HELDOUT_EVEN : PART_HELDOUT_RANDOM);
+        double most[2] = {0}; /* of the quarters' shares, how far off a quarter: warp, aspect */
+        size_t count[2][QUARTERS] = {{0}};
+        for (size_t i = 0; i < set.n; i++) {
+            const struct sample *p = &set.s[i];
+            double c[2][3], origin[3] = {0};
+            for (int k = 0; k < 3; k++) {
+                c[0][k] = -p->x[0][k] + p->x[1][k] + p->x[2][k] - p->x[3][k];
+                c[1][k] = -p->x[0][k] - p->x[1][k] + p->x[2][k] + p->x[3][k];
+            }
+            const double ratio = distance(c[0], origin) / distance(c[1], origin), warp = warp_of(p) / s->shapes.warp;
+            const double aspect = (fmax(ratio, 1 / ratio) - 1) / (s->shapes.aspect - 1);
+            assert_true(warp < 1 + 1e-9 && aspect < 1 + 1e-9);
+            count[0][(int)fmin(QUARTERS - 1, QUARTERS * warp)]++;
+            count[1][(int)fmin(QUARTERS - 1, QUARTERS * aspect)]++;
+            check_label(p, -1.2 - 1e-6, 1.2 + 1e-6);
+        }
+        for (int k = 0; k < 2; k++)
+            for (int q = 0; q < QUARTERS; q++)
+                most[k] = fmax(most[k], fabs((double)count[k][q] / (double)set.n - 1.0 / QUARTERS));
+        for (int k = 0; k < 2; k++)
+            if (even ? most[k] > 0.01 : k == 1 && most[k] < 0.1)
+                fail_msg("%s is off a quarter by %g, even %d", k ? "aspect" : "warp", most[k], even);
+        sample_set_free(&set);
+    }
+    assert_true(scene_has(s, PART_HELDOUT_EVEN) && scene_has(mesh, PART_HELDOUT_RANDOM));
+    assert_false(scene_has(mesh, PART_HELDOUT_EVEN) || scene_has(smooth, PART_HELDOUT_EVEN));
+    scene_free(s);
+    scene_free(mesh);
+    scene_free(smooth);
+}
+
 static void order_renumbers_the_corners(void **state)
 {
     struct diag d;
@@ -290,6 +352,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_share_nothing),         cmocka_unit_test(seeds_draw_other_samples),
         cmocka_unit_test(labels_are_foot_points),      cmocka_unit_test(shapes_keep_their_limits),
+        cmocka_unit_test(even_parts_are_even),
         cmocka_unit_test(order_renumbers_the_corners), cmocka_unit_test(lattice_labels_are_certain),
         cmocka_unit_test(empty_sets_are_refused),      cmocka_unit_test(meshes_of_other_kinds_are_read),
     };

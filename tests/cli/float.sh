@@ -8,8 +8,9 @@ sed 's/^precision .*/precision = "float";/' tests/scenes/small.scene > "$work/f.
 expect 'evolution for float' 0 '*' '' "$evolve" --scene "$work/f.scene" -o "$work/f.gen" --generations 2 --quiet
 expect 'the genomes say so' 0 'note precision float' '' grep '^note precision' "$work/f.gen"
 expect 'samples' 0 '' '' "$evolve" --scene "$work/f.scene" --samples "$work/f.samples"
-expect 'of both parts' 0 'heldout
-heldout_random' '' sh -c "sed 1d '$work/f.samples' | cut -d, -f1 | uniq"
+expect 'of all parts' 0 'heldout
+heldout_random
+heldout_even' '' sh -c "sed 1d '$work/f.samples' | cut -d, -f1 | uniq"
 expect 'coordinates are floats' 0 0 '' sh -c \
     "sed 1d '$work/f.samples' | cut -d, -f2-16 | tr , '\n' | grep -cvE '^-?0x[01](\.[0-9a-f]{1,6})?p[-+][0-9]+$'; :"
 expect 'header' 0 '' '' "$codegen" --quiet --effort 10 --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/f.h"
