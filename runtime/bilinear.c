@@ -1,21 +1,30 @@
 /* The bilinear segment in the form that the files of this folder work with; see bilinear.h. */
 #include "bilinear.h"
 
-/* Differences of nodes, times a power of two. */
 static void subtract(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
-                     double scale, struct bilinear *f)
+                     struct bilinear *f)
 {
     for (int i = 0; i < 3; i++) {
-        f->ab[i] = scale * xB[i] - scale * xA[i];
-        f->dc[i] = scale * xC[i] - scale * xD[i];
-        f->ad[i] = scale * xD[i] - scale * xA[i];
-        f->bc[i] = scale * xC[i] - scale * xB[i];
-        f->as[i] = scale * xS[i] - scale * xA[i];
+        f->ab[i] = xB[i] - xA[i];
+        f->dc[i] = xC[i] - xD[i];
+        f->ad[i] = xD[i] - xA[i];
+        f->bc[i] = xC[i] - xB[i];
+        f->as[i] = xS[i] - xA[i];
     }
     f->m1 = bilinear_larger(bilinear_largest(f->ab), bilinear_largest(f->dc));
     f->m2 = bilinear_larger(bilinear_largest(f->ad), bilinear_largest(f->bc));
     f->m = bilinear_larger(f->m1, f->m2);
     f->s = bilinear_largest(f->as);
+}
+
+/* The differences of a quarter of the coordinates, where those of the coordinates are beyond the largest number. */
+static void subtract_quarters(const double *const x[5], struct bilinear *f)
+{
+    double y[5][3];
+    for (int k = 0; k < 15; k++)
+        y[k / 3][k % 3] = 0.25 * x[k / 3][k % 3];
+    subtract(y[0], y[1], y[2], y[3], y[4], f);
+    f->exponent = 2;
 }
 
 static void scale_by(struct bilinear *f, int exponent)
@@ -56,16 +65,14 @@ int footpoint_bilinear_of(const double xA[3], const double xB[3], const double x
 {
     if (!(sum_of(xA) + sum_of(xB) + sum_of(xC) + sum_of(xD) + sum_of(xS) == 0.0))
         return FOOTPOINT_ERR_NOT_FINITE;
-    subtract(xA, xB, xC, xD, xS, 1.0, f);
+    subtract(xA, xB, xC, xD, xS, f);
     f->exponent = 0;
     if (!(f->m >= BILINEAR_LEAST && f->m <= BILINEAR_MOST)) {
         int exponent;
         if (!(f->m > 0.0))
             return FOOTPOINT_ERR_DEGENERATE;
-        if (!(f->m <= DBL_MAX && f->s <= DBL_MAX)) { /* a difference beyond the largest number */
-            subtract(xA, xB, xC, xD, xS, 0.25, f);
-            f->exponent = 2;
-        }
+        if (!(f->m <= DBL_MAX && f->s <= DBL_MAX))
+            subtract_quarters((const double *const[5]){xA, xB, xC, xD, xS}, f);
         (void)frexp(f->m, &exponent);
         if (!(f->s * (1.0 / BILINEAR_FARTHEST) <= f->m))
             return FOOTPOINT_ERR_DOMAIN;

@@ -60,13 +60,13 @@ int footpoint_bilinear_prove(const struct bilinear *f, double xi, double eta, st
  * them.  It is convex, so either its tangent at 0 says so, or its discriminant, less what rounding may add to the
  * coefficient of v^2: that vanishes where b and c3 are parallel. */
 static int is_definite(double h11, double h12, double h22, double ac, double bc, double cc, double low, double high,
-                       double margin, const struct bilinear *f, double blur)
+                       double margin, double m)
 {
     const double q0 = h11 * h22 - h12 * h12 - margin, q1 = 2.0 * (h22 * ac - h12 * bc);
     if (!(q0 > 0.0 && h22 > 0.0))
         return 0;
     return (q0 + q1 * low > 0.0 && q0 + q1 * high > 0.0) ||
-           0.999 * 4.0 * q0 * (h22 * cc - bc * bc - 0.125 * blur / (f->m * f->m)) > q1 * q1;
+           0.999 * 4.0 * q0 * (h22 * cc - bc * bc - 0.125 * margin / (m * m)) > q1 * q1;
 }
 
 /* What |d'|^2 of bilinear.h has beyond the gradient is, with a' = a + v c3,
@@ -80,12 +80,11 @@ int footpoint_bilinear_is_nearest(const struct bilinear *f, const struct bilinea
 {
     const double change = fabs(p->ac) + fabs(p->bc) + 2.0 * f->m * p->cc;
     const double sum = p->h11 + p->h22 + 2.0 * fabs(p->h12) + 6.0 * f->m * change;
-    const double blur = (6.0 * change * slack + 96.0 * p->error) * sum, margin = blur + floor * sum;
+    const double margin = (6.0 * change * slack + 96.0 * p->error + floor) * sum;
     const double m1 = f->m1, m2 = f->m2;
-    return is_definite(p->h11, p->h12, p->h22, p->ac, p->bc, p->cc, m2 * (-1.0 - eta), m2 * (1.0 - eta), margin, f,
-                       blur) ||
-           is_definite(p->h22, p->h12, p->h11, p->bc, p->ac, p->cc, m1 * (-1.0 - xi), m1 * (1.0 - xi), margin, f,
-                       blur);
+    return is_definite(p->h11, p->h12, p->h22, p->ac, p->bc, p->cc, m2 * (-1.0 - eta), m2 * (1.0 - eta), margin,
+                       f->m) ||
+           is_definite(p->h22, p->h12, p->h11, p->bc, p->ac, p->cc, m1 * (-1.0 - xi), m1 * (1.0 - xi), margin, f->m);
 }
 
 int footpoint_certify(const double xA[3], const double xB[3], const double xC[3], const double xD[3],

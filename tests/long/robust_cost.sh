@@ -1,0 +1,17 @@
+# What footpoint_robust costs on ordinary segments, inside and all around, in instructions (gcc 12 -O3): no more than when
+# its last resort was a list that nothing proved complete.
+. tests/cli/expect.inc
+CC=${CC:-gcc}
+if ! command -v valgrind > /dev/null; then
+    report 1 'skipped: no valgrind'
+    exit
+fi
+$CC -std=c11 -D_DEFAULT_SOURCE -O3 -DNDEBUG -ffp-contract=off \
+    tests/hard/count_main.c tests/hard/hard.c tests/hard/draw.c tests/hard/wild.c runtime/*.c -o "$work/count" -lm
+for limit in '0 1226450 inside' '1 1456817 around'; do # of commit d5a6fb2
+    set -- $limit
+    count=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=footpoint_robust \
+        "$work/count" "$1" 2>&1 | sed -n 's/.*Collected : //p')
+    echo "# $3: $count instructions a thousand calls, $2 then"
+    [ -n "$count" ] && [ "$count" -le "$2" ]; report $((! $?)) "no more instructions than before: $3"
+done
