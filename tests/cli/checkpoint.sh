@@ -27,7 +27,7 @@ $mpirun -n 3 "$evolve" $options --generations 60 -o "$work/o.gen" --log "$work/l
 same "$work/whole.csv" "$work/log.csv" 'the same log from 3 ranks'
 $mpirun -n 3 "$evolve" $options --generations 30 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
 cp "$work/ck" "$work/good"; echo rubbish >> "$work/parts.csv"
-look=$(sed -n 's/^# submit it again .*until `\(.*\) run\.ckpt` says 100000$/\1/p' README.md)
+look=$(sed -n 's/^# submit it again .*until `\(.*\) run\.ckpt` says 100000$/\1/p' evolve/README.md)
 expect 'the generation, as the README'"'"'s job asks for it' 0 'generation 30' '' sh -c "$look '$work/good'"
 $mpirun -n 2 "$evolve" --resume "$work/ck" --generations 60 --quiet > /dev/null 2>&1
 same "$work/whole.gen" "$work/parts.gen" 'begun on 3 ranks, resumed on 2: the same genomes'
