@@ -4,7 +4,7 @@
 . tests/hard/build.inc
 worst=$(sed -n '/^ \* footpoint_quad4_accurate$/,/^ \*\//s/.*heldout\(_random\)\{0,1\}_[a-z]*: .*worst of [0-9]* \([0-9.e-]*\)$/\2/p' generated/footpoint_quad4.h | sort -g | tail -1)
 expect 'the check knows what the banner says' 0 "$worst" '' sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/check.h
-expect 'and so do the hard cases' 0 "$worst" '' sed -n 's/^#define BANNER_WORST //p' tests/hard/judge.h
+expect 'and so do the hard cases' 0 "$worst" '' sed -n 's/^#define BANNER_WORST //p' tests/hard/judges.h
 hard_build "$work/hard" "${CC:-gcc}" -O2 -ffp-contract=off
 hard_check 'families' "$work/hard" 200
 hard_check '100,000 calls of each certain function' "$work/hard" --certain 100000

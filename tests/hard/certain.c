@@ -1,8 +1,8 @@
 /* Certain answers by the million: footpoint_robust, _stationary, _locate, _certify, _select_closest and attach_2d_ are
- * called once a case, the last with 3, 4, 6 and 8 nodes in turn.  Each judge is in judge.c or judge_faces.c. */
+ * called once a case, the last with 3, 4, 6 and 8 nodes in turn.  Each judge is in judges.c or judge_faces.c. */
 #include "certain.h"
 
-#include "judge.h"
+#include "judges.h"
 
 #include <stdio.h>
 #include <string.h>

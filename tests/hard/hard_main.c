@@ -7,7 +7,7 @@
 #include "../trust_region.h"
 #include "certain.h"
 #include "hard_float.h"
-#include "judge.h"
+#include "judges.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* Judges of what searches among several segments, and of the search for CalculiX; see judge.h. */
-#include "judge.h"
+/* Judges of what searches among several segments, and of the search for CalculiX; see judges.h. */
+#include "judges.h"
 
 #include "../../runtime/footpoint.h"
 

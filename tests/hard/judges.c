@@ -1,5 +1,5 @@
-/* See judge.h. */
-#include "judge.h"
+/* See judges.h. */
+#include "judges.h"
 
 #include "../../runtime/footpoint.h"
 

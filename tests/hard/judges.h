@@ -1,6 +1,6 @@
 /* Judges of the functions whose answers are certain, by what runtime/footpoint.h says of them. */
-#ifndef FOOTPOINT_JUDGE_H
-#define FOOTPOINT_JUDGE_H
+#ifndef FOOTPOINT_JUDGES_H
+#define FOOTPOINT_JUDGES_H
 
 #include "verdict.h"
 
