@@ -1,10 +1,10 @@
-/* Truth by subdivision; see truth.h and boxes.h.  A closest point is a stationary point or lies on an edge, where it is
+/* Truth by subdivision; see truth.h and subdivision.h.  A closest point is a stationary point or lies on an edge, where it is
  * known in closed form; all of them that are nearly as near as the best are polished by a projected Newton iteration in
  * extended precision.  Where the list of stationary points has gaps, subdivision by bounds on the distance tells how
  * near the segment comes; any other case can be put to that test, too. */
 #include "truth.h"
 
-#include "boxes.h"
+#include "subdivision.h"
 
 #include <math.h>
 

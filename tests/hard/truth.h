@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_TRUTH_H
 #define FOOTPOINT_TRUTH_H
 
-#include "boxes.h"
+#include "subdivision.h"
 #include "hard.h"
 
 /* 113 bits of mantissa where the compiler has them. */

@@ -1,4 +1,4 @@
-/* Subdivision of a bilinear segment; see boxes.h.  A box of (xi,eta), mapped to -1 <= u, v <= 1, is a bilinear segment
+/* Subdivision of a bilinear segment; see subdivision.h.  A box of (xi,eta), mapped to -1 <= u, v <= 1, is a bilinear segment
  * itself: d = xS - r is
  *     d(u,v) = d - u a - v b - u v t,
  * with d, a, b of its middle, so that with a(v) = a + v t and b(u) = b + u t, exactly,
@@ -9,7 +9,7 @@
  * box lies in the hull of its four corners, so with any unit vector n no point of it is nearer than the least n . d of
  * a corner; n is taken from the nearest point of the parallelogram t = 0, so that the bound falls short by |t| at most,
  * of second order in the width of the box. */
-#include "boxes.h"
+#include "subdivision.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* What holds all over a bilinear segment, by subdivision of (xi,eta) into boxes; nothing of it shared with runtime/. */
-#ifndef FOOTPOINT_BOXES_H
-#define FOOTPOINT_BOXES_H
+#ifndef FOOTPOINT_SUBDIVISION_H
+#define FOOTPOINT_SUBDIVISION_H
 
 enum { BOXES_ROOTS = 64, BOXES_LEAVES = 256 };
 
