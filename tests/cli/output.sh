@@ -10,7 +10,7 @@ r = * + x y - x y
 end
 G
 cp "$work/a.gen" "$work/kept.gen"
-code() { "$codegen" --prefix a --effort 0 "$work/a.gen" "$@"; } # code -o FILE
+code() { "$codegen" --quiet --prefix a --effort 0 "$work/a.gen" "$@"; } # code -o FILE
 code -o "$work/a.h"
 holds() { # holds NAME FILE: it has the code, and nothing lies beside it
     cmp "$work/a.h" "$2" && [ -z "$(find "$work" -name '*.tmp*')" ]
@@ -43,7 +43,7 @@ name='a pipe'
 is -p "$work/pipe"
 holds 'its reader gets the code' "$work/through"
 if mknod "$work/null" c 1 3 2> /dev/null && : 2> /dev/null > "$work/null"; then
-    for program in "$codegen --effort 0 $work/a.gen" "$BIN/footpoint-calibrate"; do
+    for program in "$codegen --quiet --effort 0 $work/a.gen" "$BIN/footpoint-calibrate"; do
         expect "into a device, ${program%% *}" 0 '' '' $program -o "$work/null"
         name='a device'
         is -c "$work/null"

@@ -1,7 +1,7 @@
 # make tells what it makes in a line for each file, on stderr; V=1 shows commands, -s nothing.
 . tests/cli/expect.inc
 object=$work/o/codegen/text.o
-built() { rm -f "$object"; MAKEFLAGS='' MFLAGS='' make "$@" CC="${CC:-gcc}" OBJ="$work/o" "$object"; }
+built() { rm -f "$object"; MAKEFLAGS='' MFLAGS='' MAKELEVEL='' make --no-print-directory "$@" CC="${CC:-gcc}" OBJ="$work/o" "$object"; }
 expect 'a line for each file' 0 '' '  CC   codegen/text.c' built
 [ -s "$object" ]; report $((! $?)) 'which is made'
 expect 'silent' 0 '' '' built -s
