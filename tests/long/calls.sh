@@ -6,8 +6,8 @@ isas=x86-64-v3
 grep -q avx512f /proc/cpuinfo && isas="$isas x86-64-v4"
 for isa in $isas; do
     wide=; [ $isa = x86-64-v4 ] && wide=-mprefer-vector-width=512
-    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -march=$isa $wide -o "$work/calls" tests/bench_calls_main.c tests/hard/hard.c \
-        "$BIN/libfootpoint.a" -lm && "$work/calls" > "$work/calls.csv"
+    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -march=$isa $wide -o "$work/calls" tests/bench_calls_main.c \
+        tests/hard/hard.c tests/hard/draw.c tests/hard/wild.c "$BIN/libfootpoint.a" -lm && "$work/calls" > "$work/calls.csv"
     report $((! $?)) "$isa: runs"
     sed 's/^/# /' "$work/calls.csv"
     awk -F, '/_at,|_n,/ && $1 !~ /^(newton|full)/ && $3 < 1 { bad = 1 } END { exit bad || NR < 33 }' "$work/calls.csv"
