@@ -64,6 +64,25 @@ genome 'note evil */ int x; /* \\' 'input x' 'genome g' 'note more */ int y;' 'r
 "$codegen" "$g" -o "$work/e.h" && echo '#include "e.h"' > "$work/e.c" && ${CC:-gcc} -Wall -Werror -c "$work/e.c" -o "$work/e.o"
 report $((! $?)) 'a note cannot end the banner'
 genome 'input x y' 'genome g' 'r = + * x y * x 2' 'end'
+
+# Errors that evolution measured: the worst of so many; another distribution where mean or 99 % differ by more than 1.5.
+error_table() { # error_table MEAN P99: of the even part of eta
+    genome 'input x' 'genome g' 'note heldout_xi n 7 mean 1.000e-03 p99 2.000e-02 max 3.000e-01' \
+        'note heldout_eta n 7 mean 1.000e-03 p99 2.000e-02 max 3.000e-01' \
+        'note heldout_even_xi n 9 mean 1.000e-03 p99 2.000e-02 max 3.000e-01' \
+        "note heldout_even_eta n 9 mean $1 p99 $2 max 9.000e-01" 'xi = x' 'eta = x' 'end'
+    "$codegen" --quiet "$g" -o "$work/e.h" && sed -n 's/^ \* *heldout_//p' "$work/e.h"
+}
+first='xi: mean 1.000e-03, 99 % 2.000e-02, worst of 7 3.000e-01
+eta: mean 1.000e-03, 99 % 2.000e-02, worst of 7 3.000e-01'
+even='even_xi: mean 1.000e-03, 99 % 2.000e-02, worst of 9 3.000e-01'
+expect 'a table of errors' 0 "$first" '' error_table 1.490e-03 1.350e-02
+expect 'another mean' 0 "$first
+$even
+even_eta: mean 1.510e-03, 99 % 2.000e-02, worst of 9 9.000e-01" '' error_table 1.510e-03 2.000e-02
+expect 'another 99 %' 0 "$first
+$even
+even_eta: mean 1.000e-03, 99 % 1.300e-02, worst of 9 9.000e-01" '' error_table 1.000e-03 1.300e-02
 genome 'input x' 'genome g' 'r = * * x 1e300 1e300' 'end'; refused 'constant beyond double' 3:1 "genome 'g' needs a constant out of the range of double"
 genome 'input xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS' 'segment quad4 any' 'genome a' 'xi = xS' 'eta = yS' 'end' \
     'genome a_at' 'xi = xS' 'eta = yS' 'end'
