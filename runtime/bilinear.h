@@ -57,6 +57,11 @@ static inline double bilinear_larger(double a, double b)
     return a > b ? a : b;
 }
 
+static inline double bilinear_smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 static inline double bilinear_largest(const double v[3])
 {
     return bilinear_larger(bilinear_larger(fabs(v[0]), fabs(v[1])), fabs(v[2]));

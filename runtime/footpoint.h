@@ -192,8 +192,8 @@ enum { FOOTPOINT_STATIONARY_MOST = 5 };
  *  proof.  There are five at most.
  *  @param[out] loc    up to FOOTPOINT_STATIONARY_MOST x 2: xi, eta, in no particular order
  *  @param[out] count  how many
- *  @return FOOTPOINT_OK; FOOTPOINT_NOT_UNIQUE (some are too close together to be told apart, or there is a line of them;
- *          one stands for them);
+ *  @return FOOTPOINT_OK; FOOTPOINT_NOT_UNIQUE (some are too close together to be told apart, or there is a line of them:
+ *          one stands for them; perhaps there is none);
  *          FOOTPOINT_ERR_DEGENERATE (no area), FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DOMAIN as footpoint_certify */
 int footpoint_stationary(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                          const double xS[3], double loc[FOOTPOINT_STATIONARY_MOST][2], int *count);

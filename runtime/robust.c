@@ -127,7 +127,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
  * local minimum. */
 struct candidate {
     double loc[2], d[3], reach, variation;
-    struct twofold square; /* of the distance */
+    struct twofold square; /* of the distance, which may be less by variation x m where there are several */
     int edge, least;
 };
 
@@ -224,8 +224,11 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
         answer->dist = fabs(answer->dist);
         return FOOTPOINT_ERR_DEGENERATE;
     }
-    if (!c[best].least || c[best].variation > TIE)
+    if (!c[best].least)
         return FOOTPOINT_UNPROVED;
+    for (int k = 0; k < all; k++)
+        if (sqrt(c[k].square.high) - c[k].variation * f->m < sqrt(c[best].square.high) - TIE * f->m)
+            return FOOTPOINT_UNPROVED;
     for (int k = 0; k < all; k++)
         if (k != best && is_tied(f, &c[best], &c[k]))
             return FOOTPOINT_NOT_UNIQUE;

@@ -5,8 +5,6 @@
  * alike; its own rounding, 5 x 2^-101 of the means of sizes a time, is part of the bounds from the start. */
 #include "roots.h"
 
-#include <stddef.h>
-
 enum { HALVINGS = 64, LAST = ROOTS_DEGREE };
 
 #define LEAST 0x1p-100 /* width */
@@ -69,22 +67,32 @@ static struct twofold after(struct twofold low, double width)
     return twofold_add(low, twofold_of(width));
 }
 
+static double bound(const struct roots_polynomial *p)
+{
+    double most = 0.0;
+    for (int k = 0; k <= LAST; k++)
+        most = fmax(most, fabs(p->c[k].high) + 2.0 * p->error[k]);
+    return most;
+}
+
 /* Neighbours of which nothing is known make one interval; too many end in the last. */
-static int append(struct roots_interval *interval, int count, struct twofold low, double width,
+static int append(struct roots_interval *interval, int count, struct twofold low, double width, int single,
                   const struct roots_polynomial *p)
 {
-    struct roots_interval *const last = interval + count - 1;
+    struct roots_interval *const last = interval + count - 1, *const new = interval + count;
     if (count == ROOTS_MOST ||
-        (!p && count > 0 && !last->single && twofold_subtract(low, after(last->low, last->width)).high <= 0.0)) {
+        (!single && count > 0 && !last->single && twofold_subtract(low, after(last->low, last->width)).high <= 0.0)) {
+        last->most = fmax(last->most, count == ROOTS_MOST ? INFINITY : bound(p)); /* not known of what is between */
         last->width = twofold_subtract(after(low, width), last->low).high;
         last->single = 0;
         return count;
     }
-    interval[count].low = low;
-    interval[count].width = width;
-    interval[count].single = p != NULL;
-    if (p)
-        interval[count].local = *p;
+    new->low = low;
+    new->width = width;
+    new->single = single;
+    new->most = bound(p);
+    if (single)
+        new->local = *p;
     return count + 1;
 }
 
@@ -116,39 +124,48 @@ int footpoint_roots_isolate(const struct roots_polynomial *whole, struct roots_i
             continue;
         }
         if (verdict != NO_ROOT)
-            count = append(interval, count, low, width, verdict == ONE_ROOT ? &stack[top].p : NULL);
+            count = append(interval, count, low, width, verdict == ONE_ROOT, &stack[top].p);
         top--;
     }
     return count;
 }
 
-/* Halves a single interval once.  0 if what is in its middle is nearer to 0 than `errors` of its bounds. */
-static int halve(struct roots_interval *interval, double errors)
+/* Keeps the part of a single interval, cut at `at`, that holds the root.  0 if what is there is nearer to 0 than `errors`
+ * of its bounds. */
+static int cut(struct roots_interval *interval, double at, double errors)
 {
     struct roots_polynomial right = interval->local, left;
-    split(&right, 0.5, &left);
+    split(&right, at, &left);
     if (!(fabs(right.c[0].high) > errors * right.error[0]))
         return 0;
-    interval->width *= 0.5;
     if ((right.c[0].high > 0.0) == (left.c[0].high > 0.0)) {
-        interval->low = after(interval->low, interval->width);
+        interval->low = after(interval->low, at * interval->width);
+        interval->width *= 1.0 - at;
         interval->local = right;
     } else {
+        interval->width *= at;
         interval->local = left;
     }
+    interval->most = bound(&interval->local);
     return 1;
+}
+
+/* Where the root is in the middle, or next to it, the quarters at the ends are cut off. */
+static int halve(struct roots_interval *interval)
+{
+    return cut(interval, 0.5, 1.0) || (cut(interval, 0.25, 1.0) && cut(interval, 0.625, 1.0));
 }
 
 void footpoint_roots_narrow(struct roots_interval *interval, double width)
 {
-    while (interval->single && interval->width > width && halve(interval, 1.0))
+    while (interval->single && interval->width > width && halve(interval))
         ;
 }
 
 struct twofold footpoint_roots_middle(const struct roots_interval *interval)
 {
     struct roots_interval rest = *interval;
-    while (rest.single && rest.width > LEAST && halve(&rest, 0.0))
+    while (rest.single && rest.width > LEAST && cut(&rest, 0.5, 0.0))
         ;
     return after(rest.low, 0.5 * rest.width);
 }

@@ -19,6 +19,7 @@ struct roots_polynomial {
 struct roots_interval {
     struct twofold low; /* the interval is [low, low + width] */
     double width;
+    double most; /* |p| is no more, over the interval */
     int single;
     struct roots_polynomial local; /* of a single one: the polynomial over it, from 0 to 1 */
 };
@@ -30,8 +31,8 @@ struct roots_interval {
 /** @return how many, from left to right */
 int footpoint_roots_isolate(const struct roots_polynomial *p, struct roots_interval interval[ROOTS_MOST]);
 
-/** Halves a single interval until it is at most `width` wide, or the sign at its middle cannot be told: below the units
- *  of double if need be. */
+/** Cuts a single interval until it is at most `width` wide, or the sign where it is to be cut cannot be told: below the
+ *  units of double if need be. */
 void footpoint_roots_narrow(struct roots_interval *interval, double width);
 
 /** Where in a single interval the root is, as well as can be told: bounds on errors are amply above them. */

@@ -12,15 +12,20 @@
 #include "stationary.h"
 #include "roots.h"
 
-#define ERROR 0x1p-90  /* of coefficients and their halvings, in units of the sum of the sizes of all terms */
-#define BEYOND 0x1p-37 /* points that far outside, in s and t, count as on the edge */
-#define START 0x1p-18  /* width of an interval in t from which Newton's method is tried */
-#define END 0x1p-80    /* ... and to which it is narrowed if that fails: next to a pinch s changes that quickly */
-#define APART 1e-9     /* a point that near to one that the other family found is the same, in xi and eta ... */
-#define BLURRED 2.0    /* ... along its line whatever differs, if that could not be sharpened, */
-#define NARROW 1e-11   /* ... and across it less */
-#define MARGIN 0x1p-40 /* for the rounding of bounds */
-#define SHARP 1e-10    /* a reach below is that of one point */
+#include <string.h>
+
+#define ERROR 0x1p-90    /* of coefficients and their halvings, in units of the sum of the sizes of all terms */
+#define BEYOND 0x1p-37   /* points that far outside, in s and t, count as on the edge */
+#define START 0x1p-18    /* width of an interval in t from which Newton's method is tried */
+#define END 0x1p-80      /* ... and to which it is narrowed if that fails: next to a pinch s changes that quickly */
+#define APART 1e-9       /* a point that near to one that the other family found is the same, in xi and eta */
+#define MARGIN 0x1p-40   /* for the rounding of bounds */
+#define SMALL 0x1p-50    /* ... of s and t */
+#define CANCELED 0x1p-96 /* ... of p, over the lengths of a and e */
+#define SLICE 0.125      /* of an interval, which is cut off at its end if nothing is there */
+#define SHARP 1e-10      /* a reach below is that of one point */
+
+enum { CUTS = 400, PARTS = 64 };
 
 /* The lines of one family, by t from -BEYOND (0) to 1 + BEYOND (1): direction and xS minus the start, linear in t. */
 struct lines {
@@ -30,6 +35,8 @@ struct lines {
 struct family {
     struct lines lines;
     struct roots_interval interval[ROOTS_MOST];
+    int settled[ROOTS_MOST];      /* 1 if the root of the interval is outside, or listed and sharp */
+    double box[ROOTS_MOST][2][2]; /* ... bounds on (1 + z)/2 of what is not */
     int count, exchanged;
 };
 
@@ -161,10 +168,55 @@ static struct twofold line_in(const struct roots_interval *interval, double part
     return twofold_add(interval->low, twofold_of(part * interval->width));
 }
 
+/* The interval of (1 + z)/2 that an interval of t is. */
+static void place_of(const struct roots_interval *interval, double place[2])
+{
+    place[0] = (1.0 + 2.0 * BEYOND) * interval->low.high - BEYOND;
+    place[1] = place[0] + (1.0 + 2.0 * BEYOND) * interval->width;
+}
+
 /* The t of a point. */
 static double line_of(const struct family *family, const double z[2])
 {
     return (0.5 * (1.0 + z[!family->exchanged]) + BEYOND) / (1.0 + 2.0 * BEYOND);
+}
+
+/* The ends of an interval: a and e there. */
+static void at_ends(const struct family *family, const struct roots_interval *interval, struct twofold a[2][3],
+                    struct twofold e[2][3])
+{
+    for (int k = 0; k < 2; k++) {
+        at_line(family->lines.along, line_in(interval, k), a[k]);
+        at_line(family->lines.e, line_in(interval, k), e[k]);
+    }
+}
+
+/* Bounds on s = p/Q over an interval of t, and on Q from below: a ratio of quadratics in Bernstein's form is a mean of
+ * the ratios of their coefficients, if those of Q are positive.  From 0 to 1 and 0 if they are not. */
+static double bound_place(const struct family *family, const struct roots_interval *interval, double s[2])
+{
+    struct twofold a[2][3], e[2][3];
+    at_ends(family, interval, a, e);
+    const double size = bilinear_larger(length(e[0]), length(e[1]));
+    const struct twofold q[3] = {twofold_dot(a[0], a[0]), twofold_dot(a[0], a[1]), twofold_dot(a[1], a[1])};
+    const struct twofold p[3] = {twofold_dot(a[0], e[0]),
+                                 twofold_scale(0.5, twofold_add(twofold_dot(a[0], e[1]), twofold_dot(a[1], e[0]))),
+                                 twofold_dot(a[1], e[1])};
+    double least = q[0].high;
+    s[0] = INFINITY;
+    s[1] = -INFINITY;
+    for (int k = 0; k < 3; k++) {
+        const double place = twofold_divide(p[k], q[k]).high;
+        const double error = SMALL * (1.0 + fabs(place)) + CANCELED * size / sqrt(q[k].high);
+        least = bilinear_smaller(least, q[k].high);
+        s[0] = bilinear_smaller(s[0], place - error);
+        s[1] = bilinear_larger(s[1], place + error);
+    }
+    if (least > 0.0 && q[1].high > MARGIN * MARGIN * sqrt(q[0].high * q[2].high) && isfinite(s[0]) && isfinite(s[1]))
+        return least;
+    s[0] = 0.0;
+    s[1] = 1.0;
+    return 0.0;
 }
 
 /* Whether p - Q > 0 or p < 0, that is s > 1 or s < 0, all over an interval of t. */
@@ -208,16 +260,23 @@ static int is_inside(const double z[2])
     return fabs(z[0]) <= 1.0 && fabs(z[1]) <= 1.0;
 }
 
-/* Newton's method from z; 1 if it leads to the root of a single interval. */
+/* Newton's method from z; 1 if it leads to the root of a single interval: to the one stationary point that is proved to
+ * lie there, in the interval beyond doubt or, in one that has next to no width, at the place that its line has. */
 static int settle(const double *const x[5], const struct bilinear *f, const struct family *family,
                   const struct roots_interval *interval, double z[2])
 {
-    double to[2] = {z[0], z[1]}, radius;
+    const int along = family->exchanged, across = !along;
+    double to[2] = {z[0], z[1]}, place[2], radius;
     if (!is_inside(z) || !footpoint_bilinear_refine(x, f, to, &radius))
         return 0;
-    const double t = line_of(family, to) - interval->low.high;
-    if (t < -DBL_EPSILON || t > interval->width + DBL_EPSILON)
-        return 0;
+    const double m[2] = {f->m1, f->m2}, t = line_of(family, to) - interval->low.high;
+    const double slack = radius / m[across] + DBL_EPSILON;
+    if (!(slack < t && t < interval->width - slack)) {
+        const double s = 0.5 * (1.0 + to[along]), loose = radius / m[along] + DBL_EPSILON;
+        if (!(bound_place(family, interval, place) > 0.0 && -slack <= t && t <= interval->width + slack &&
+              place[1] - place[0] <= APART && place[0] - loose <= s && s <= place[1] + loose))
+            return 0;
+    }
     z[0] = clamp_near(to[0]);
     z[1] = clamp_near(to[1]);
     return 1;
@@ -235,32 +294,87 @@ static int is_known(const struct family *family, const struct roots_interval *in
     return 0;
 }
 
+/* How far points differ in distance from one, over m: such that lie within `reach` of it and u and v of its xi and eta.
+ *     |d - e|^2 = |d|^2 - 2 (u a . d + v b . d + u v c3 . d) + |e|^2 */
+static double vary(const struct bilinear *f, const struct bilinear_wide *w, double u, double v, double reach)
+{
+    const double square = twofold_dot(w->d, w->d).high, length = sqrt(square), noise = MARGIN * MARGIN * f->m * length;
+    const double slope = u * (fabs(twofold_dot(w->a, w->d).high) + noise) +
+                         v * (fabs(twofold_dot(w->b, w->d).high) + noise) +
+                         u * v * (fabs(twofold_dot(w->c, w->d).high) + noise);
+    return length > 0.0 ? (slope / f->m + 0.5 * reach * reach * f->m) / length : INFINITY;
+}
+
+/* What lies in an interval of which nothing more is known: all stationary points on its lines, and `within` along them
+ * unless that is NULL.  The point's z, of one of these lines, stands for them.  Along the points of the lines that are
+ * nearest to xS the square of the distance changes by -2 P/Q^2 a unit of t.  0 if there are none. */
+static int represent(const double *const x[5], const struct bilinear *f, const struct family *family,
+                     const struct roots_interval *interval, const double within[2], struct stationary_point *point)
+{
+    const struct lines *const l = &family->lines;
+    struct twofold a[2][3], e[2][3], middle[2][3], opposite[3];
+    struct bilinear_wide w;
+    double s[2], extent[2];
+    const double square = bound_place(family, interval, s);
+    s[0] = bilinear_larger(s[0], within ? bilinear_larger(within[0], 0.0) : 0.0) - BEYOND;
+    s[1] = bilinear_smaller(s[1], within ? bilinear_smaller(within[1], 1.0) : 1.0) + BEYOND;
+    if (s[0] > s[1])
+        return 0;
+    at_ends(family, interval, a, e);
+    for (int i = 0; i < 3; i++)
+        opposite[i] = twofold_add(l->across[i], l->twist[i]);
+    point->z[0] = bilinear_clamp(point->z[0]);
+    point->z[1] = bilinear_clamp(point->z[1]);
+    const double at = 0.5 * (1.0 + point->z[family->exchanged]);
+    const double along = bilinear_larger(length(a[0]), length(a[1])) * bilinear_larger(s[1] - at, at - s[0]);
+    const double across = bilinear_larger(length(l->across), length(opposite)) * interval->width;
+    point->reach = (along + across) / f->m;
+    point->box[family->exchanged][0] = s[0];
+    point->box[family->exchanged][1] = s[1];
+    place_of(interval, point->box[!family->exchanged]);
+    extent[family->exchanged] = 2.0 * bilinear_larger(s[1] - at, at - s[0]);
+    extent[!family->exchanged] = 2.0 * interval->width;
+    footpoint_bilinear_wide_at(x, f->exponent, point->z, &w);
+    point->variation = bilinear_smaller(point->reach, vary(f, &w, extent[0], extent[1], point->reach));
+    if (!(square > 0.0))
+        return 1;
+    at_line(l->along, line_in(interval, 0.5), middle[0]);
+    at_line(l->e, line_in(interval, 0.5), middle[1]);
+    const struct twofold p = twofold_dot(middle[0], middle[1]), q = twofold_dot(middle[0], middle[0]);
+    const double height =
+        twofold_subtract(twofold_dot(middle[1], middle[1]), twofold_divide(twofold_multiply(p, p), q)).high;
+    const double change = 2.0 * (1.0 + 2.0 * BEYOND) * interval->most * interval->width / (square * square);
+    const double there = sqrt(twofold_dot(w.d, w.d).high), least = sqrt(bilinear_larger(height - change, 0.0));
+    const double most = sqrt(bilinear_larger(height + change, 0.0));
+    point->variation = bilinear_smaller(point->reach, bilinear_larger(fabs(most - there), fabs(there - least)) / f->m);
+    return 1;
+}
+
 /* The root of a single interval.  0 if its point is outside. */
 static int find(const double *const x[5], const struct bilinear *f, const struct family *family,
                 struct roots_interval *interval, struct stationary_point *point)
 {
     static const double width[] = {0x1p-2, 0x1p-6, START};
-    double low[2], high[2];
+    double place[2];
     for (int k = 0; k < 3; k++) {
         footpoint_roots_narrow(interval, width[k]);
         if (is_outside(&family->lines, interval))
             return 0;
     }
     point->reach = point->variation = 0.0;
+    point->across = !family->exchanged;
+    point->several = 0;
+    place_of(interval, place);
+    point->alone[0] = 2.0 * place[0] - 1.0 + APART;
+    point->alone[1] = 2.0 * place[1] - 1.0 - APART;
     for (int exactly = 0; exactly < 2; exactly++) {
         point_of_line(family, line_in(interval, 0.5), point->z);
-        point->blur[0] = point->blur[1] = APART;
         if (settle(x, f, family, interval, point->z))
             return is_inside(point->z);
         footpoint_roots_narrow(interval, END);
     }
     point_of_line(family, footpoint_roots_middle(interval), point->z);
-    point_of_line(family, line_in(interval, 0.0), low);
-    point_of_line(family, line_in(interval, 1.0), high);
-    point->reach = between(x, f, low, high);
-    point->blur[family->exchanged] = BLURRED;
-    point->blur[!family->exchanged] = NARROW;
-    return is_inside(point->z);
+    return represent(x, f, family, interval, NULL, point);
 }
 
 /* ---- where nothing is known ---- */
@@ -273,93 +387,183 @@ static int is_excluded(const struct bilinear *f, const double z[2], const double
     bilinear_at(f, z[0], z[1], &p);
     const double c = sqrt(vector_dot(f->c3, f->c3));
     const double a = sqrt(vector_dot(p.a, p.a)) + c * w[1], b = sqrt(vector_dot(p.b, p.b)) + c * w[0];
-    const double d = sqrt(vector_dot(p.d, p.d)) + a * w[0] + b * w[1];
-    const double change1 = w[0] * a * a + w[1] * (c * d + a * b), change2 = w[1] * b * b + w[0] * (c * d + a * b);
+    const double cd = fabs(vector_dot(f->c3, p.d)) + c * (a * w[0] + b * w[1]);
+    const double change1 = w[0] * a * a + w[1] * (cd + a * b), change2 = w[1] * b * b + w[0] * (cd + a * b);
     const double error = 2.0 * p.error * f->m;
     return fabs(p.f1) > 2.0 * (change1 / f->m1 + error) || fabs(p.f2) > 2.0 * (change2 / f->m2 + error);
 }
 
-static double distance(const double *const x[5], const struct bilinear *f, const double z[2])
+/* Proved part by part, into which interval `cut` of a pair is divided. */
+static int is_pair_excluded(const struct bilinear *f, const struct roots_interval pair[2], int cut, int parts)
 {
-    struct bilinear_wide p;
-    footpoint_bilinear_wide_at(x, f->exponent, z, &p);
-    return sqrt(twofold_dot(p.d, p.d).high);
-}
-
-/* The points nearest to xS of some lines of an interval, by the first of them: if P is 0 all over the interval, so is
- * the slope of their distance. */
-static void represent(const double *const x[5], const struct bilinear *f, const struct family *family,
-                      const struct roots_interval *interval, struct stationary_point *point)
-{
-    static const double at[] = {0.5, 0.0, 0.25, 0.75, 1.0};
-    double first = 0.0;
-    point->reach = point->variation = 0.0;
-    point->blur[0] = point->blur[1] = APART;
-    for (int k = 0; k < 5; k++) {
-        double z[2];
-        point_of_line(family, line_in(interval, at[k]), z);
-        z[0] = bilinear_clamp(z[0]);
-        z[1] = bilinear_clamp(z[1]);
-        const double there = distance(x, f, z);
-        if (k == 0) {
-            point->z[0] = z[0];
-            point->z[1] = z[1];
-            first = there;
-        }
-        point->reach = bilinear_larger(point->reach, between(x, f, z, point->z));
-        point->variation = bilinear_larger(point->variation, fabs(there - first) / f->m);
+    double z[2], w[2], place[2];
+    for (int k = 0; k < 2; k++) {
+        place_of(&pair[k], place);
+        z[!k] = place[0] + place[1] - 1.0;
+        w[!k] = place[1] - place[0] + 2.0 * BEYOND;
     }
-}
-
-/* By the family whose lines are longer there. */
-static int find_pair(const double *const x[5], const struct bilinear *f, const struct family family[2],
-                     const struct roots_interval *i, const struct roots_interval *j, struct stationary_point *point)
-{
-    const double s = line_in(j, 0.5).high, t = line_in(i, 0.5).high;
-    const double z[2] = {bilinear_clamp(2.0 * s - 1.0), bilinear_clamp(2.0 * t - 1.0)};
-    const double w[2] = {j->width + 4.0 * BEYOND, i->width + 4.0 * BEYOND};
-    struct bilinear_point p;
-    if (is_excluded(f, z, w))
-        return 0;
-    bilinear_at(f, z[0], z[1], &p);
-    const int second = vector_dot(p.b, p.b) / (f->m2 * f->m2) > vector_dot(p.a, p.a) / (f->m1 * f->m1);
-    represent(x, f, &family[second], second ? j : i, point);
+    const double first = z[!cut] - w[!cut], width = 2.0 * w[!cut] / parts;
+    w[!cut] = 0.5 * width + 2.0 * BEYOND;
+    for (int i = 0; i < parts; i++) {
+        const double at = first + width * (i + 0.5), y[2] = {cut ? at : z[0], cut ? z[1] : at};
+        if (!is_excluded(f, y, w))
+            return 0;
+    }
     return 1;
 }
 
+/* Cuts off both intervals what is excluded at their ends.  0 if nothing is left. */
+static int trim(const struct bilinear *f, struct roots_interval pair[2])
+{
+    int cuts = 0, before = -1;
+    if (is_pair_excluded(f, pair, 0, 1))
+        return 0;
+    while (cuts > before && cuts < CUTS) {
+        before = cuts;
+        for (int k = 0; k < 4; k++) {
+            struct roots_interval part[2] = {pair[0], pair[1]}, *const at = &part[k / 2];
+            const double width = at->width * SLICE;
+            at->low = k % 2 ? twofold_add(at->low, twofold_of(at->width - width)) : at->low;
+            at->width = width;
+            if (!is_pair_excluded(f, part, k < 2, PARTS))
+                continue;
+            pair[k / 2].low = k % 2 ? pair[k / 2].low : twofold_add(pair[k / 2].low, twofold_of(width));
+            pair[k / 2].width -= width;
+            cuts++;
+        }
+    }
+    return 1;
+}
+
+/* By the family whose lines tell more. */
+static int find_pair(const double *const x[5], const struct bilinear *f, const struct family family[2], int i, int j,
+                     struct stationary_point *point)
+{
+    struct roots_interval pair[2] = {family[0].interval[i], family[1].interval[j]};
+    struct stationary_point by[2] = {{{0.0, 0.0}, 0.0, 0.0, {0.0, 0.0}, {{0.0, 0.0}, {0.0, 0.0}}, 0, 1}};
+    if (!trim(f, pair))
+        return 0;
+    for (int k = 0; k < 2; k++) {
+        double within[2];
+        by[k] = by[0];
+        place_of(&pair[!k], within);
+        point_of_line(&family[k], line_in(&pair[k], 0.5), by[k].z);
+        if (!represent(x, f, &family[k], &pair[k], within, &by[k]))
+            return 0;
+    }
+    *point = by[by[1].variation < by[0].variation];
+    return 1;
+}
+
+static int is_alone_at(const struct stationary_point *p, const struct stationary_point *q)
+{
+    const double z = q->z[p->across];
+    return q->reach <= 0.0 && p->alone[0] < z && z < p->alone[1];
+}
+
 /* Keeps the last of count + 1 points unless it is one of the first `known`, of which the sharper stays. */
-static int keep(struct stationary_point point[], int known, int count)
+static int keep(const double *const x[5], const struct bilinear *f, struct stationary_point point[], int known,
+                int count)
 {
     const struct stationary_point new = point[count];
     for (int k = 0; k < known; k++) {
         struct stationary_point *const old = &point[k];
-        const struct stationary_point *const loose = old->blur[0] + old->blur[1] > 2.0 * APART ? old : &new;
-        if (fabs(old->z[0] - new.z[0]) <= loose->blur[0] && fabs(old->z[1] - new.z[1]) <= loose->blur[1]) {
-            if (loose == old)
-                *old = new;
+        const struct stationary_point sharper = new.reach < old->reach ? new : *old;
+        const double both = new.reach + old->reach;
+        if (is_alone_at(old, &new) || is_alone_at(&new, old) ||
+            (fabs(old->z[0] - new.z[0]) <= APART && fabs(old->z[1] - new.z[1]) <= APART)) {
+            *old = sharper;
+            return count;
+        }
+        if (0.0 < both && both <= SHARP && between(x, f, old->z, new.z) <= both) { /* the same, or as good as that */
+            *old = sharper;
+            old->reach += both;
+            old->variation += new.variation + both;
             return count;
         }
     }
     return count + 1;
 }
 
+/* If there are too many, the last stands for all that do not fit. */
+static int add_pair(const double *const x[5], const struct bilinear *f, const struct family family[2], int i, int j,
+                    struct stationary_point point[], int count)
+{
+    struct stationary_point pair;
+    if (!find_pair(x, f, family, i, j, &pair))
+        return count;
+    if (count == STATIONARY_MOST) {
+        point[count - 1].reach = point[count - 1].variation = INFINITY;
+        return count;
+    }
+    point[count] = pair;
+    return keep(x, f, point, count, count);
+}
+
+static int is_apart(const double p[2][2], const double q[2][2])
+{
+    return p[0][1] + SMALL < q[0][0] || q[0][1] + SMALL < p[0][0] || p[1][1] + SMALL < q[1][0] ||
+           q[1][1] + SMALL < p[1][0];
+}
+
+/* Whether a point that is not sharp may be the root of an interval of a family: `single` ones that are not settled, or
+ * others. */
+static int is_met(const struct family *family, const struct stationary_point *point, int single)
+{
+    for (int i = 0; i < family->count; i++)
+        if (!family->settled[i] && (single || !family->interval[i].single) && !is_apart(family->box[i], point->box))
+            return 1;
+    return 0;
+}
+
+/* A point of the second family that is not sharp is new only where nothing is known of the first. */
+static int list_single(const double *const x[5], const struct bilinear *f, struct family family[2], int k,
+                       struct stationary_point point[], int count)
+{
+    const int first = count;
+    for (int i = 0; i < family[k].count; i++) {
+        struct roots_interval *const interval = &family[k].interval[i];
+        struct stationary_point *const new = &point[count];
+        family[k].settled[i] = interval->single && is_known(&family[k], interval, point, k == 0 ? 0 : first);
+        family[k].box[i][k][0] = 0.0;
+        family[k].box[i][k][1] = 1.0;
+        place_of(interval, family[k].box[i][!k]);
+        if (!interval->single || family[k].settled[i])
+            continue;
+        const int found = find(x, f, &family[k], interval, new), sharp = found && new->reach <= 0.0;
+        family[k].settled[i] = sharp || !found;
+        if (found && !sharp)
+            memcpy(family[k].box[i], new->box, sizeof new->box);
+        if (found && (k == 0 || sharp || is_met(&family[0], new, 0)))
+            count = k == 0 ? count + 1 : keep(x, f, point, first, count);
+    }
+    return count;
+}
+
+/* A stationary point lies in an interval of either family.  So one of the first that is not sharp is none, or listed by
+ * the second, if what it may meet there is settled. */
+static int drop_settled(const struct family *second, struct stationary_point point[], int count)
+{
+    int left = 0;
+    for (int k = 0; k < count; k++)
+        if (point[k].reach <= 0.0 || point[k].across == 0 || is_met(second, &point[k], 1))
+            point[left++] = point[k];
+    return left;
+}
+
 int footpoint_bilinear_stationary(const double *const x[5], const struct bilinear *f, struct stationary_point point[])
 {
     struct family family[2];
-    int count = 0, first = 0;
+    int count = 0;
     for (int k = 0; k < 2; k++) {
         isolate(x, f->exponent, k, &family[k]);
-        for (int i = 0; i < family[k].count; i++)
-            if (family[k].interval[i].single && !is_known(&family[k], &family[k].interval[i], point, first) &&
-                find(x, f, &family[k], &family[k].interval[i], &point[count]))
-                count = k == 0 ? count + 1 : keep(point, first, count);
-        first = k == 0 ? count : first;
+        count = list_single(x, f, family, k, point, count);
     }
+    count = drop_settled(&family[1], point, count);
     for (int i = 0; i < family[0].count; i++)
         for (int j = 0; j < family[1].count; j++)
-            if (!family[0].interval[i].single && !family[1].interval[j].single && count < STATIONARY_MOST &&
-                find_pair(x, f, family, &family[0].interval[i], &family[1].interval[j], &point[count]))
-                count = keep(point, count, count);
+            if (!family[0].interval[i].single && !family[1].interval[j].single)
+                count = add_pair(x, f, family, i, j, point, count);
     return count;
 }
 
@@ -378,7 +582,7 @@ int footpoint_stationary(const double xA[3], const double xB[3], const double xC
     int sharp = 1;
     *count = all < FOOTPOINT_STATIONARY_MOST ? all : FOOTPOINT_STATIONARY_MOST;
     for (int k = 0; k < *count; k++) {
-        sharp &= !(point[k].reach > SHARP);
+        sharp &= !point[k].several && !(point[k].reach > SHARP);
         loc[k][0] = point[k].z[0];
         loc[k][1] = point[k].z[1];
     }

@@ -8,9 +8,12 @@ enum { STATIONARY_MOST = 32 };
 
 struct stationary_point {
     double z[2];      /* xi, eta, in [-1,1] */
-    double blur[2];   /* within which another is the same */
     double reach;     /* the points that it stands for are that near in space, over m: 0 for one, known to rounding */
     double variation; /* of their distances from xS, over m */
+    double alone[2];  /* in that interval of z[across] lies no other stationary point; empty if that is not known */
+    double box[2][2]; /* bounds on (1 + z)/2 of what it stands for, if it has a reach */
+    int across;
+    int several;      /* 1 if it may be none, one or several */
 };
 
 #ifdef __GNUC__

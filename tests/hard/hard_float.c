@@ -130,8 +130,8 @@ int hard_float_family(int family, long n, uint64_t seed)
     }
     for (int row = 0; row < ROWS; row++) {
         const struct tally *const a = &tally[row];
-        printf("%s,%s,%ld,%ld,0,0,0,%ld,%.1e,%ld,%ld\n", name, row_name[row], a->asked, a->answered, a->refused, a->worst,
-               a->wrong, a->wrong_status);
+        printf("%s,%s,%ld,%ld,0,0,0,%ld,%.1e,%ld,%ld\n", name, row_name[row], a->asked, a->answered, a->refused,
+               a->worst, a->wrong, a->wrong_status);
         wrong += (row == BARE ? 0 : a->wrong) + a->wrong_status;
     }
     return wrong == 0;

@@ -56,7 +56,7 @@ static double closest_error(const struct truth *t, const double loc[2])
     double least = INFINITY;
     for (int k = 0;
          k < t->count && verdict_root(t->point[k].square) <= verdict_root(t->point[0].square) + verdict_tie(t); k++)
-        least = fmin(least, verdict_between(&t->surface, z, t->point[k].z));
+        least = fmin(least, truth_between(&t->surface, z, t->point[k].z));
     return least;
 }
 

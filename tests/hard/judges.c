@@ -53,7 +53,7 @@ static int is_ambiguous(const struct truth *t)
     const double tie = ERROR * t->surface.edge;
     for (int k = 1; k < t->count; k++)
         if (rise(&t->surface, t->point[0].square, t->point[k].square) <= tie &&
-            verdict_between(&t->surface, t->point[0].z, t->point[k].z) > 0.1 * ERROR)
+            truth_between(&t->surface, t->point[0].z, t->point[k].z) > 0.1 * ERROR)
             return 1;
     return !t->all || t->point[0].least < DEGENERATE * (1 + t->surface.distance);
 }
@@ -64,7 +64,7 @@ static const struct truth_point *find_point(const struct truth *t, const wide z[
     const double near = ERROR * t->surface.edge;
     *error = INFINITY;
     for (int k = 0; k < t->count && rise(&t->surface, t->point[0].square, t->point[k].square) <= near; k++) {
-        const double away = verdict_between(&t->surface, z, t->point[k].z);
+        const double away = truth_between(&t->surface, z, t->point[k].z);
         *error = fmin(*error, away);
         if (away <= near)
             return &t->point[k];
@@ -185,7 +185,7 @@ static double nearest_of(const struct truth *t, const long double root[2], doubl
     for (int i = 0; i < count; i++) {
         const wide z[2] = {loc[i][0], loc[i][1]}, y[2] = {root[0], root[1]};
         const long double at[2] = {loc[i][0], loc[i][1]};
-        least = fmin(least, fmin(apart(at, root), verdict_between(&t->surface, z, y)));
+        least = fmin(least, fmin(apart(at, root), truth_between(&t->surface, z, y)));
     }
     return least;
 }
@@ -201,7 +201,7 @@ static int is_stationary(const struct truth *t, double loc[2])
             return 1;
     if (truth_stationary(&t->surface, loc, z) &&
         (fmax(fabs((double)z[0] - loc[0]), fabs((double)z[1] - loc[1])) < SETTLED ||
-         verdict_between(&t->surface, z, y) < SETTLED))
+         truth_between(&t->surface, z, y) < SETTLED))
         return 1;
     truth_gradient(&t->surface, y, g);
     for (int k = 0; k < 3; k++) {

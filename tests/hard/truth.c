@@ -11,8 +11,7 @@
 enum { NEWTON_STEPS = 60, LEAVES = 12 };
 
 #define NEARLY 2e-10L /* heights above the least that are polished */
-#define SINGULAR 1e-6 /* determinant over its terms, from which on roots are not sharp */
-#define SAME 1e-8     /* what such a root may be off by */
+#define SAME 1e-8     /* what a root may be off by, in xi and eta or in space */
 #define ENOUGH 2e-12L /* to which the least height is known */
 
 static wide dot(const wide a[3], const wide b[3])
@@ -215,13 +214,20 @@ static void segment_of(const struct truth_surface *f, struct boxes_segment *s)
     }
 }
 
-static int same(const struct truth_surface *f, const wide p[2], const wide q[2])
+double truth_between(const struct truth_surface *f, const wide p[2], const wide q[2])
 {
-    wide d[3], e[3];
+    wide d[3], e[3], most = 0;
     truth_offset(f, p, d);
     truth_offset(f, q, e);
-    return size_of(d[0] - e[0]) < (wide)1e-14 && size_of(d[1] - e[1]) < (wide)1e-14 &&
-           size_of(d[2] - e[2]) < (wide)1e-14;
+    for (int k = 0; k < 3; k++)
+        most = size_of(d[k] - e[k]) > most ? size_of(d[k] - e[k]) : most;
+    return (double)most;
+}
+
+/* Whether q is p, to what a root in long double may be off by. */
+static int is_near(const struct truth_surface *f, const wide p[2], const wide q[2])
+{
+    return (size_of(p[0] - q[0]) <= (wide)SAME && size_of(p[1] - q[1]) <= (wide)SAME) || truth_between(f, p, q) <= SAME;
 }
 
 static void insert(struct truth *t, const struct truth_point *p)
@@ -239,7 +245,7 @@ void truth_add(struct truth *t, const double loc[2])
     struct truth_point p;
     truth_descend(&t->surface, loc, &p);
     for (int k = 0; k < t->count; k++)
-        if (same(&t->surface, t->point[k].z, p.z))
+        if (truth_between(&t->surface, t->point[k].z, p.z) < 1e-14)
             return;
     insert(t, &p);
 }
@@ -260,18 +266,16 @@ static void nearest_of_edge(const struct boxes_segment *f, int k, long double z[
     z[k < 2] = side;
 }
 
-/* Where the equations are nearly singular, long double leaves little: again in extended precision.  0 if a root was not
- * what it seemed. */
-static int sharpen(const struct truth_surface *f, const struct boxes_segment *s, struct boxes_list *list)
+/* Long double leaves little where the equations are nearly singular: all roots again in extended precision.  0 if one was
+ * not what it seemed. */
+static int sharpen(const struct truth_surface *f, struct boxes_list *list)
 {
     for (int k = 0; k < list->roots; k++) {
         long double *const root = list->root[k];
         const double loc[2] = {(double)root[0], (double)root[1]};
+        const wide from[2] = {root[0], root[1]};
         wide z[2];
-        if (boxes_regularity(s, root) > SINGULAR)
-            continue;
-        if (!truth_stationary(f, loc, z) || size_of(z[0] - root[0]) > (wide)SAME ||
-            size_of(z[1] - root[1]) > (wide)SAME)
+        if (!truth_stationary(f, loc, z) || !is_near(f, from, z))
             return 0;
         root[0] = (long double)z[0];
         root[1] = (long double)z[1];
@@ -308,7 +312,7 @@ void truth_find(const struct hard_case *h, enum truth_kind kind, struct truth *t
     const int has_area = truth_has_area(h);
     if (has_area)
         boxes_find(&t->segment, list);
-    list->complete = has_area && list->complete && sharpen(&t->surface, &t->segment, list);
+    list->complete = has_area && list->complete && sharpen(&t->surface, list);
     for (; count < 4; count++) {
         long double z[2];
         nearest_of_edge(&t->segment, count, z);

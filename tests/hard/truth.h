@@ -70,6 +70,9 @@ void truth_gradient(const struct truth_surface *f, const wide z[2], wide g[2]);
 /** xS - r. */
 void truth_offset(const struct truth_surface *f, const wide z[2], wide d[3]);
 
+/** The largest component of r(p) - r(q), in the unit of the surface. */
+double truth_between(const struct truth_surface *f, const wide p[2], const wide q[2]);
+
 wide truth_square(const struct truth_surface *f, const wide z[2]);
 
 #endif

@@ -3,17 +3,6 @@
 
 #include <math.h>
 
-double verdict_between(const struct truth_surface *f, const wide p[2], const wide q[2])
-{
-    wide d[3], e[3];
-    double most = 0;
-    truth_offset(f, p, d);
-    truth_offset(f, q, e);
-    for (int k = 0; k < 3; k++)
-        most = fmax(most, fabs((double)(d[k] - e[k])));
-    return most;
-}
-
 double verdict_root(wide x)
 {
     return sqrt((double)x);
@@ -34,7 +23,7 @@ double verdict_free(const struct truth *t, const double loc[2], double worst)
     const int inside = z[0] * z[0] <= 1 && z[1] * z[1] <= 1;
     if (inside && verdict_root(truth_square(&t->surface, z)) > verdict_root(t->point[0].square) + verdict_tie(t))
         return INFINITY;
-    if (!inside && !t->point[0].on_edge && verdict_between(&t->surface, z, t->point[0].z) > worst)
+    if (!inside && !t->point[0].on_edge && truth_between(&t->surface, z, t->point[0].z) > worst)
         return INFINITY;
     return error;
 }

@@ -4,9 +4,6 @@
 
 #include "truth.h"
 
-/** The largest component of r(p) - r(q), in the unit of the surface. */
-double verdict_between(const struct truth_surface *f, const wide p[2], const wide q[2]);
-
 double verdict_root(wide x);
 
 /** Rounding errors of distances. */
