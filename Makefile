@@ -68,20 +68,17 @@ CONTRACT :=
 endif
 CFLAGS = -std=c11 -D_DEFAULT_SOURCE $(WARN) $(CONTRACT) $(OPT_$(CONFIG)) $(THREADS) $(EXTRA_CFLAGS)
 
-# What each program is made of.  Files whose name ends in _main hold main(); MPI stops at evolve/.
-codegen_lib := $(filter-out %_main.c,$(wildcard codegen/*.c))
-evolve_mpi  := $(wildcard evolve/migrate*.c) $(addprefix evolve/evolve_,grow.c keeper.c loop.c resume.c run.c)
-evolve_lib  := $(filter-out %_main.c $(evolve_mpi),$(wildcard evolve/*.c)) \
-               $(addprefix runtime/,bezier.c gregory.c normals.c)
-pga_mpi     := evolve/pga_main.c evolve/migrate.c
-genome_lib  := codegen/base.c codegen/console.c codegen/outfile.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
-ccx_lib     := $(wildcard runtime/attach*.c)
-runtime_lib := $(filter-out $(ccx_lib),$(wildcard runtime/*.c))
-# Geometry of segments, which scenes are made of, too.
-geometry    := $(filter-out runtime/quad4.c,$(wildcard runtime/quad*.c runtime/tri*.c))
-test_main   := $(wildcard tests/test_*.c)
-bench_parts := tests/bench_main.c $(addprefix tests/bench_,isa.c map.c measure.c tune.c)
-test_lib    := $(filter-out $(test_main) tests/bench_%.c tests/headers_long.c %_main.c,$(wildcard tests/*.c))
+# What the programs are made of, by room: archives, of which the linker takes what a program needs.  Files whose name ends
+# in _main hold main().
+sources      = $(filter-out %_main.c,$(foreach room,$(1),$(wildcard $(room)/*.c)))
+codegen_lib := $(call sources,codegen codegen/*)
+evolve_lib  := $(call sources,evolve/*)
+evolve_mpi  := $(call sources,evolve/mpi evolve/run) evolve/evolve_main.c evolve/paper/pga_main.c
+ccx_lib     := $(call sources,runtime/calculix)
+runtime_lib := $(filter-out $(ccx_lib),$(call sources,runtime runtime/*))
+test_main   := $(wildcard tests/*/test_*.c)
+test_lib    := $(filter-out $(test_main),$(call sources,tests/support tests/rivals))
+bench_lib   := $(filter-out tests/bench/bench_gregory.c tests/bench/bench_methods.c,$(call sources,tests/bench))
 
 # Instruction sets that the methods of the bench are compiled for; the bench takes the best that its machine has.
 ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
@@ -107,7 +104,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -MMD -MP -c $< -o $@
 
-$(call object,evolve/evolve_main.c evolve/pga_main.c $(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
+$(call object,$(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
 
 # A file with one line, written where that is new.
 line = mkdir -p $(@D) && { [ "$$(cat $@ 2> /dev/null)" = '$(1)' ] || echo '$(1)' > $@; }
@@ -117,7 +114,7 @@ $(OBJ)/flags: FORCE
 	@$(call line,$(CC) $(CFLAGS))
 FORCE:
 
--include $(wildcard $(OBJ)/*/*.d $(OBJ)/*/*/*.d)
+-include $(wildcard $(addprefix $(OBJ)/,*/*.d */*/*.d */*/*/*.d))
 
 # ---- programs and libraries -------------------------------------------------------------------------------------------
 
@@ -146,56 +143,62 @@ runtime: $(LIB).a $(LIB)_ccx.a $(LIB).so $(MODULE)
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
 
-$(BIN)/footpoint-codegen: $(call object,codegen/codegen_main.c $(codegen_lib))
-	@mkdir -p $(@D)
-	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_codegen)
-
-$(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c codegen/base.c codegen/outfile.c)
-	@mkdir -p $(@D)
-	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_calibrate)
-
-$(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c $(evolve_mpi) $(evolve_lib) $(genome_lib) $(geometry))
-	@mkdir -p $(@D)
-	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
-
-$(BIN)/footpoint-pga: $(call object,$(pga_mpi) $(evolve_lib) $(genome_lib) $(geometry))
-	@mkdir -p $(@D)
-	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_mpi) $(LIBS_evolve)
-
-$(BIN)/footpoint-perceptron: $(call object,evolve/perceptron_main.c $(evolve_lib) $(genome_lib) $(geometry))
-	@mkdir -p $(@D)
-	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
-
-$(BIN)/footpoint-bench: $(call object,$(bench_parts) $(test_lib) $(evolve_lib) $(genome_lib) $(geometry)) \
-                        $(foreach isa,$(ISAS),$(OBJ)/tests/bench_methods-$(isa).o)
-	@mkdir -p $(@D)
-	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_evolve)
-
+$(OBJ)/codegen.a: $(call object,$(codegen_lib))
+$(OBJ)/evolve.a: $(call object,$(evolve_lib))
+$(OBJ)/support.a: $(call object,$(test_lib))
 $(LIB).a: $(call object,$(runtime_lib))
 # The search for CalculiX, by the name that CalculiX gives it: for nobody else's programs.
 $(LIB)_ccx.a: $(call object,$(ccx_lib))
-$(LIB).a $(LIB)_ccx.a: Makefile
+$(addprefix $(OBJ)/,codegen.a evolve.a support.a) $(LIB).a $(LIB)_ccx.a: Makefile
 	@mkdir -p $(@D) && rm -f $@
 	$(call say,AR,$@)
 	$(Q)$(AR) rcs $@ $(filter %.o,$^)
 
-# The number of the binary interface: raised when a program built before would no longer run.
-ABI := $(shell sed -n 's/^FOOTPOINT_\([0-9]*\) {/\1/p' runtime/footpoint.map)
-SONAME := libfootpoint.so.$(ABI)
+evolve_parts := $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB).a
+link = $(CC) $(CFLAGS) $(filter %.o,$^) $(filter %.a,$^) -o $@
 
-$(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib)) runtime/footpoint.map
+$(BIN)/footpoint-codegen: $(call object,codegen/codegen_main.c) $(OBJ)/codegen.a
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,runtime/footpoint.map $(filter %.o,$^) -o $@ -lm
+	$(Q)$(link) $(LIBS_codegen)
+
+$(BIN)/footpoint-calibrate: $(call object,codegen/calibrate_main.c) $(OBJ)/codegen.a
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(link) $(LIBS_calibrate)
+
+$(BIN)/footpoint-evolve: $(call object,evolve/evolve_main.c) $(evolve_parts)
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(link) $(LIBS_mpi) $(LIBS_evolve)
+
+$(BIN)/footpoint-pga: $(call object,evolve/paper/pga_main.c) $(evolve_parts)
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(link) $(LIBS_mpi) $(LIBS_evolve)
+
+$(BIN)/footpoint-perceptron: $(call object,evolve/paper/perceptron_main.c) $(evolve_parts)
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(link) $(LIBS_evolve)
+
+$(BIN)/footpoint-bench: $(call object,tests/bench/bench_main.c $(bench_lib)) \
+                        $(foreach isa,$(ISAS),$(OBJ)/tests/bench/bench_methods-$(isa).o) $(OBJ)/support.a $(evolve_parts)
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(link) $(LIBS_evolve)
+
+# The number of the binary interface: raised when a program built before would no longer run.
+ABI := $(shell sed -n 's/^FOOTPOINT_\([0-9]*\) {/\1/p' runtime/package/footpoint.map)
+SONAME := libfootpoint.so.$(ABI)
+
+$(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib)) runtime/package/footpoint.map
+	@mkdir -p $(@D)
+	$(call say,LD,$@)
+	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,runtime/package/footpoint.map $(filter %.o,$^) -o $@ -lm
 	@ln -sf libfootpoint.so $(@D)/$(SONAME)
 
-$(BIN)/footpoint.mod: runtime/footpoint.f90
+$(BIN)/footpoint.mod: runtime/package/footpoint.f90
 	@mkdir -p $(@D)
 	$(call say,FC,$<)
 	$(Q)$(FC) -std=f2003 -Wall -Wextra -pedantic -Werror -fsyntax-only -J$(@D) $<
@@ -213,23 +216,23 @@ $(OBJ)/methods: FORCE
 $(OBJ)/methods.h: $(DOUBLES) $(OBJ)/methods Makefile
 	$(Q)for h in $(DOUBLES); do echo "#include \"$$PWD/$$h\""; done > $@
 
-$(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/methods.awk Makefile
-	$(Q)awk -f tests/methods.awk $(DOUBLES) > $@
+$(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/bench/methods.awk Makefile
+	$(Q)awk -f tests/bench/methods.awk $(DOUBLES) > $@
 
 # The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.
 $(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
 	$(call say,GEN,$@)
 	$(Q)$(BIN)/footpoint-codegen --allow-poles --quiet $< -o $@
 
-$(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/methods.awk
-	$(Q)awk -f tests/methods.awk $< > $@
+$(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/bench/methods.awk
+	$(Q)awk -f tests/bench/methods.awk $< > $@
 
-$(OBJ)/rival_counts.inc: tests/count_rivals.cpp $(wildcard tests/rivals*.h) tests/trust_region.h tests/pinball.h
+$(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/rivals*.h) tests/rivals/trust_region.h tests/rivals/pinball.h
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
-of_headers := $(addprefix $(OBJ)/tests/,test_headers.o test_digits.o headers_long.o)
+of_headers := $(addprefix $(OBJ)/tests/generated/,test_headers.o test_digits.o headers_long.o)
 $(of_headers): CFLAGS += -I$(OBJ)
 $(of_headers): $(OBJ)/methods.h $(OBJ)/methods.inc
 
@@ -242,7 +245,7 @@ ISA_x86-64-v3 := -march=x86-64-v3
 ISA_x86-64-v4 := -march=x86-64-v4 -mprefer-vector-width=512
 isa_id = $(subst -,_,$(1))
 
-$(OBJ)/tests/bench_methods-%.o: tests/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
+$(OBJ)/tests/bench/bench_methods-%.o: tests/bench/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
                                 $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$< ($*))
@@ -274,13 +277,14 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 
 # ---- tests ------------------------------------------------------------------------------------------------------------
 
-TESTS := $(patsubst tests/%.c,$(BIN)/tests/%,$(test_main))
+TESTS := $(patsubst %.c,$(BIN)/tests/%,$(notdir $(test_main)))
 
-$(BIN)/tests/test_digits: $(OBJ)/tests/headers_long.o
-$(BIN)/tests/%: $(OBJ)/tests/%.o $(call object,$(test_lib) $(evolve_lib) $(codegen_lib) $(runtime_lib) $(ccx_lib))
+$(BIN)/tests/test_digits: $(OBJ)/tests/generated/headers_long.o
+$(foreach test,$(test_main),$(eval $(BIN)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
+$(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ $(LIBS_test)
+	$(Q)$(link) $(LIBS_test)
 
 JOBS ?= $(shell nproc)
 
@@ -305,11 +309,11 @@ calibrate: calibrate-program ## measure this machine's operation costs, build/ma
 	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && cat $(BIN)/machine.costs
 
 report: bench-program ## pictures of time against error, build/report/index.html
-	$(Q)BIN=$(BIN) sh tests/report.sh build/report
+	$(Q)BIN=$(BIN) sh tests/report/report.sh build/report
 
 paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's tables and figures, build/paper/index.html (half an hour; goes on if interrupted): RANKS= FULL=1 (the paper's size)
 	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN)' FULL=$(FULL) \
-	    PERCEPTRONS='$(PERCEPTRONS)' sh tests/paper.sh build/paper
+	    PERCEPTRONS='$(PERCEPTRONS)' sh tests/paper/paper.sh build/paper
 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
 
@@ -340,13 +344,13 @@ MANDIR     ?= $(PREFIX)/share/man
 # Programs look for it in ../share/footpoint from where they are.
 DATADIR    := $(BINDIR)/../share/footpoint
 
-VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/base.h)
+VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
-HEADERS := $(GENERATED) $(filter-out $(LIBRARY),$(sort $(wildcard runtime/footpoint-*.h))) runtime/footpoint.f90
+HEADERS := $(GENERATED) $(filter-out $(LIBRARY),$(sort $(wildcard runtime/geometry/footpoint-*.h))) runtime/package/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
-PAGES_1 := $(addprefix evolve/footpoint-,evolve.1 pga.1 perceptron.1) \
-           $(addprefix codegen/footpoint-,codegen.1 calibrate.1) tests/footpoint-bench.1
-PAGES_3 := runtime/footpoint.3
+PAGES_1 := $(addprefix evolve/man/footpoint-,evolve.1 pga.1 perceptron.1) \
+           $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1) tests/bench/footpoint-bench.1
+PAGES_3 := runtime/package/footpoint.3
 DATA_frames  := $(FRAMES:%=evolve/frames/%.gen)
 DATA_scenes  := $(SHIPPED:%=evolve/scenes/%.scene)
 DATA_genomes := $(SHIPPED:%=evolve/genomes/%.gen)
@@ -397,9 +401,9 @@ install-runtime: runtime ## the library and the headers alone, which take a C co
 	$(Q)ln -sf $(SHARED) $(call to,$(LIBDIR)/$(SONAME))
 	$(Q)ln -sf $(SONAME) $(call to,$(LIBDIR)/libfootpoint.so)
 	$(Q)install -d $(call to,$(LIBDIR)/pkgconfig) $(call to,$(LIBDIR)/cmake/footpoint)
-	$(Q)$(foreach f,$(PC),$(call fill,$(LIBDIR)/pkgconfig) runtime/$(f).in | \
+	$(Q)$(foreach f,$(PC),$(call fill,$(LIBDIR)/pkgconfig) runtime/package/$(f).in | \
 	    sed '/=/s/ /\\ /g' > $(call to,$(LIBDIR)/pkgconfig/$(f)) &&) :
-	$(Q)$(foreach f,$(CMAKE),$(call fill,$(LIBDIR)/cmake/footpoint) runtime/$(f).in \
+	$(Q)$(foreach f,$(CMAKE),$(call fill,$(LIBDIR)/cmake/footpoint) runtime/package/$(f).in \
 	    > $(call to,$(LIBDIR)/cmake/footpoint/$(f)) &&) :
 	$(Q)$(call put,$(PAGES_3),$(MANDIR)/man3)
 

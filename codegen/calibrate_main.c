@@ -5,7 +5,7 @@
  * chain in which each step waits for the one before.  All loops take turns, ROUNDS times, and a cost is the median over
  * the rounds of a loop's time over that of the additions in the same round: what else the machine does falls on both.
  */
-#include "outfile.h"
+#include "genome/outfile.h"
 
 #include <getopt.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_CODEGEN_OPTIONS_H
 #define FOOTPOINT_CODEGEN_OPTIONS_H
 
-#include "unit.h"
+#include "compile/compiled_file.h"
 
 enum language { LANGUAGE_C, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
 

@@ -1,10 +1,10 @@
 /* footpoint-evolve: expressions for the foot point, bred on islands over MPI (the paper's pd-LinearGP).  A scene gives
  * samples and tiers, frames give the values that expressions are made of, the start file gives the champions to beat.
  * Each output of each tier has a ring of islands. */
-#include "../codegen/console.h"
-#include "evolve_benchmark.h"
-#include "evolve_run.h"
-#include "sample_write.h"
+#include "../codegen/genome/console.h"
+#include "eval/kernel_benchmark.h"
+#include "run/run.h"
+#include "samples/samples_write.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Normal, gap and forces of one contact pair: (6), (9), (10), (11); see footpoint.h. */
 #include "footpoint.h"
-#include "footpoint-quad4-geometry.h"
-#include "vector.h"
+#include "geometry/footpoint-quad4-geometry.h"
+#include "geometry/vector.h"
 
 int footpoint_normal(const double corner[3], const double next[3], const double previous[3], double m[3])
 {

@@ -1,6 +1,6 @@
 /* The iteration-free search of one pair, and of many in the plainest arrays; see footpoint.h. */
-#include "batch_block.h"
-#include "check.h"
+#include "batch/batch_block.h"
+#include "certain/check.h"
 
 #include "../generated/footpoint_quad4.h"
 

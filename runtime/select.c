@@ -3,7 +3,7 @@
  *     n . (c1 x t) > 0   and   n . (t x c2) > 0,
  * without a root or a division. */
 #include "footpoint.h"
-#include "vector.h"
+#include "geometry/vector.h"
 
 #include <float.h>
 

@@ -35,7 +35,7 @@ report $((! $?)) 'the plates meet and part'
 expect 'usage' 2 '' 'usage: impact [SCALE [FOLDER]] | --inp       0 < SCALE <= 1: of the time step' "$work/impact" 0
 
 # ---- slide ----
-$CC $strict -O2 tests/example/slide.c runtime/gregory.c runtime/bezier.c runtime/normals.c -o "$work/slide" -lm \
+$CC $strict -O2 tests/example/slide.c runtime/geometry/gregory.c runtime/geometry/bezier.c runtime/geometry/node_normals.c -o "$work/slide" -lm \
     > "$work/log" 2>&1
 good=$?
 [ $good = 0 ] || sed 's/^/# /' "$work/log"

@@ -1,17 +1,143 @@
-# Arrows run one way: evolve -> genome text <- codegen -> generated <- runtime.  Every #include is read.
+# Arrows run one way: evolve -> genome text <- codegen -> generated <- runtime, and so they do between the rooms of each.
+# Below is what a room may include; every #include is read.  "x/*" stands for all rooms of x.
 . tests/cli/expect.inc
 
-# includes FOLDER: the files that the C files of a folder include, "path" and <path>
-includes() { sed -n 's/^ *# *include *\([<"][^>"]*\)[>"].*/\1/p' "$1"/*.[ch] | sort -u; }
+rooms() {
+    sed 's/ *#.*//; /^$/d' << 'EOF'
+codegen/genome:
+codegen/graph:      codegen/genome
+codegen/passes:     codegen/graph codegen/genome
+codegen/schedule:   codegen/graph codegen/genome
+codegen/program:    codegen/graph codegen/genome
+codegen/prove:      codegen/program codegen/graph codegen/genome
+codegen/bound:      codegen/prove codegen/program codegen/graph codegen/genome
+codegen/compile:    codegen/bound codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome
+codegen/print:      codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
+codegen:            codegen/*
+evolve/common:      codegen/genome
+evolve/input:       evolve/common codegen/genome
+evolve/surface:     evolve/common codegen/genome runtime/geometry
+evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome
+evolve/genotype:    evolve/common codegen/genome
+evolve/eval:        evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
+evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
+evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
+evolve/mpi:         evolve/common codegen/genome
+evolve/archive:     evolve/island evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
+evolve/run:         evolve/archive evolve/mpi evolve/island evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
+evolve/paper:       evolve/mpi evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
+evolve:             evolve/* codegen/genome
+generated:
+runtime/geometry:   runtime
+runtime/certain:    runtime/geometry runtime generated
+runtime/batch:      runtime/certain runtime/geometry runtime generated
+runtime/calculix:   runtime/certain runtime/geometry runtime
+runtime:            runtime/* generated
+tests/support:      codegen/* evolve/* runtime runtime/*
+tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
+tests/bench:        tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
+tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/generated:    tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/calculix:     runtime/calculix
+tests/example:      runtime runtime/* generated
+tests/fuzz:         codegen/* runtime runtime/* generated tests/hard
+tests/hard:         runtime runtime/* generated tests/support
+tests/long:
+EOF
+}
+
+# includes FOLDER...: "file path" for each line #include "path", the path from here; "file <path>" for what is ours not
+includes() {
+    find "$@" -name '*.[ch]' -o -name '*.cpp' | sort | xargs awk '
+        /^[ \t]*#[ \t]*include[ \t]*["<]/ {
+            match($0, /["<][^">]*/)
+            path = substr($0, RSTART + 1, RLENGTH - 1)
+            if (substr($0, RSTART, 1) == "<") { print FILENAME, "<" path ">"; next }
+            folder = FILENAME
+            sub(/\/[^\/]*$/, "", folder)
+            path = folder "/" path
+            while (sub(/[^\/.][^\/]*\/\.\.\//, "", path)) {}
+            print FILENAME, path
+        }'
+}
+folder_of='function folder_of(file) { sub(/\/[^\/]*$/, "", file); return file }'
 check() { [ -z "$2" ]; good=$?; [ $good = 0 ] || echo "$2" | sed 's/^/# /'; report $((! good)) "$1"; }
 
-check 'runtime takes only generated headers and the C library' \
-    "$(includes runtime | grep -vxE '<(math|stddef|stdint|limits|float|string)\.h|"[a-z0-9_-]+\.h|"\.\./generated/[a-z0-9_]+\.h')"
-check 'generated takes only math.h and stddef.h' "$(includes generated | grep -vxE '<(math|stddef)\.h')"
-check 'codegen takes nothing of ours but itself' "$(includes codegen | grep '^"\.\.')"
-check 'evolve takes genome text, its base, what is told, output files and segment geometry' \
-    "$(includes evolve | grep '^"\.\.' | grep -vxE '"\.\./codegen/(genome|base|outfile|segment|console)\.h|"\.\./runtime/footpoint-[a-z0-9]+-(geometry|normals)\.h')"
-check 'MPI stops at evolve'"'"'s main program and its migration' \
-    "$(grep -l 'include <mpi.h>' evolve/*.[ch] codegen/*.[ch] runtime/*.[ch] | grep -vxE 'evolve/(evolve_main|migrate|evolve_mpi)\.[ch]')"
+# Only files that are there count: what the Makefile makes is included by name alone.
+judge() {
+    includes "$@" > "$work/includes"
+    rooms > "$work/rooms"
+    wrong=$(awk "$folder_of"'
+        NR == FNR { room = $1; sub(/:$/, "", room); known[room]; for (i = 2; i <= NF; i++) may[room, $i]; next }
+        $2 ~ /^</ || system("test -e " $2) { next }
+        {
+            from = folder_of($1); to = folder_of($2); all = to; sub(/\/[^\/]*$/, "/*", all)
+            if (!(from in known)) print $1 ": no room of the table"
+            else if (from != to && !((from, to) in may) && !((from, all) in may)) print $1 ": includes " $2
+        }' "$work/rooms" "$work/includes")
+    # A circle: what is left when files are taken away that include none, or that none includes, of what is left.  A unit
+    # is x.c with x.h.
+    circles=$(awk '
+        function unit(file) { sub(/\.[^.\/]*$/, "", file); return file }
+        function peel(n, back,   u, count, leaf, i, j, k, other) {
+            for (u in left) if (!n[u]) leaf[++count] = u
+            for (i = 1; i <= count; i++) {
+                delete left[leaf[i]]
+                k = split(back[leaf[i]], other, " ")
+                for (j = 1; j <= k; j++) if (--n[other[j]] == 0) leaf[++count] = other[j]
+            }
+        }
+        $2 ~ /^</ || system("test -e " $2) { next }
+        {
+            a = unit($1); b = unit($2)
+            if (a == b || (a, b) in edge) next
+            edge[a, b]; left[a]; left[b]
+            down[a]++; users[b] = users[b] " " a
+            up[b]++; used[a] = used[a] " " b
+        }
+        END {
+            peel(down, users); peel(up, used)
+            for (u in left) print u
+        }' "$work/includes" | sort)
+}
+
+judge codegen evolve runtime generated tests
+check 'every room includes what it may' "$wrong"
+check 'no circle between files' "$circles"
+check 'no circle between rooms' "$(rooms | awk -F: '
+    { room[NR] = $1; list[NR] = $2; line[$1] = NR }
+    END {
+        for (i = 1; i <= NR; i++) { k = split(list[i], to, " "); for (j = 1; j <= k; j++) if (to[j] ~ /^(codegen|evolve|runtime\/)/ && line[to[j]] > i && room[i] !~ /^runtime\//) print room[i] ": " to[j] " stands below it" }
+    }')"
+check 'no folder has more than 30 sources' "$(git ls-files codegen evolve runtime tests | grep -E '\.(c|h|cpp)$' | sed 's|/[^/]*$||' | sort | uniq -c | awk '$1 > 30 { print $2 ": " $1 }')"
+check 'each room has its sentence in the README.md above it' "$(rooms | sed 's/:.*//' | while read -r room; do
+    case $room in
+    */*) grep -q "^| *\`${room#*/}/\` *|" "${room%%/*}/README.md" || echo "$room" ;;
+    *) [ -s "$room/README.md" ] || echo "$room" ;;
+    esac
+done)"
+check 'folders of sources are rooms' "$(git ls-files codegen evolve runtime generated | grep '\.[ch]$' | sed 's|/[^/]*$||' | sort -u | while read -r folder; do
+    rooms | grep -q "^$folder:" || echo "$folder"
+done)"
+
+check 'runtime takes only the C library besides' \
+    "$(includes runtime | sed -n 's/^.* <//p' | sort -u | grep -vxE '(math|stddef|stdint|limits|float|string)\.h>')"
+check 'generated takes only math.h and stddef.h' "$(includes generated | sed 's/^[^ ]* //' | sort -u | grep -vxE '<(math|stddef)\.h>')"
+check 'evolve takes public headers of the runtime alone' "$(includes evolve | grep ' runtime/' | grep -vE '/footpoint-[a-z0-9]+-(geometry|normals)\.h$')"
+check "MPI stops at evolve's main programs, mpi/ and run/" \
+    "$(grep -rl 'include <mpi.h>' codegen evolve runtime | grep -vE '^evolve/(evolve_main\.c|paper/pga_main\.c|mpi/|run/)')"
 check 'file names are unique' \
     "$(git ls-files 2> /dev/null | grep -E '\.(c|h|cpp|sh|awk)$' | sed 's|.*/||' | sort | uniq -d)"
+
+# What the test finds, planted.
+mkdir -p "$work/codegen/graph" "$work/codegen/passes"
+echo '#include "../passes/b.h"' > "$work/codegen/graph/a.h"
+echo '#include "../graph/a.h"' > "$work/codegen/passes/b.h"
+here=$PWD
+cd "$work" || exit 1
+judge codegen
+cd "$here" || exit 1
+[ "$wrong" = 'codegen/graph/a.h: includes codegen/passes/b.h' ]; report $((! $?)) 'an arrow that is planted is found'
+[ "$(echo "$circles" | wc -l)" = 2 ]; report $((! $?)) 'and a circle'

@@ -28,7 +28,7 @@ for cost in throughput paper; do
         "$codegen" --count --cost $cost --effort $effort "$gen" 2> /dev/null > "$work/counts" || continue
         "$codegen" --allow-poles --cost $cost --effort $effort --prefix g "$gen" -o "$work/g.h" 2> /dev/null || continue
         sed '1d; s/^[^,]*,//' "$work/counts" > "$work/said"
-        awk -f tests/operations.awk "$work/g.h" > "$work/seen"
+        awk -f tests/bench/operations.awk "$work/g.h" > "$work/seen"
         cmp -s "$work/said" "$work/seen" || echo "# $gen, $cost: $(diff "$work/said" "$work/seen" | tr '\n' ' ')"
     done
 done > "$work/log"

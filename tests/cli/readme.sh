@@ -93,7 +93,7 @@ for document in $documents; do
 done > "$work/wrong"
 check 'links and pictures' "$(cat "$work/wrong")"
 
-cat runtime/*.h generated/*.h > "$work/declared"
+cat runtime/*.h runtime/*/*.h generated/*.h > "$work/declared"
 { quoted $documents; cat $documents | awk '/^```/ { on = !on; next } on'; } | grep -oE '\<footpoint_[a-z0-9_]+\>' | sort -u |
     grep -vE '^footpoint_(example|mine|plates|ccx)' | while read -r name; do
     grep -q "\\<$name\\>" "$work/declared" || [ -e "generated/$name.h" ] || [ -e "runtime/$name.h" ] || echo "$name"
@@ -119,7 +119,7 @@ for f in fast coarse gauss2 medium balanced fine precise accurate full; do
     [ -n "$row" ] && [ "$row" = "${counted% *} $noted" ]; report $((! $?)) "quad4_$f on the front page"
 done
 row=$(sed -n 's/^| `footpoint_locate` .* \([0-9.e-]*\), proved .*/\1/p' README.md)
-noted=$(sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/check.h)
+noted=$(sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/certain/check.h)
 [ "$row" = "$(printf '%.1e' "$noted" | sed 's/e-0/e-/')" ]; report $((! $?)) 'what footpoint_locate proves'
 for f in coarse balanced accurate; do
     row=$(awk -F' *\\| *' -v f="\`_$f\`" '/^\| `paper_quad4` / { on = 1 } on && $2 == f { print $3, $4, $5, $6; exit }' generated/README.md)

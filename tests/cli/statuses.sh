@@ -1,10 +1,10 @@
 # Statuses of all functions of all generated headers, as C and C++ and where -ffast-math lets a compiler forget NaN: see
-# tests/statuses.h.  With FOOTPOINT_LONG every header with every compiler, else each with two and quad4 with all.
+# tests/generated/statuses.h.  With FOOTPOINT_LONG every header with every compiler, else each with two and quad4 with all.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
 HEADERS=${HEADERS:-$PWD/generated/*.h}
 
-# places KIND: numbers of the places in tests/statuses.h
+# places KIND: numbers of the places in tests/generated/statuses.h
 places() {
     case $1 in
     quad4) echo 0 1 2 3 9 ;;
@@ -44,12 +44,12 @@ for header in $HEADERS; do
         echo '#ifdef __cplusplus'
         echo '}'
         echo '#endif'
-        echo "#include \"$PWD/tests/statuses.h\""
+        echo "#include \"$PWD/tests/generated/statuses.h\""
     } > "$work/use.c"
     cp "$work/use.c" "$work/use.cpp"
     {
         echo "#define NARROW $type"
-        echo "#include \"$PWD/tests/wide_number.h\""
+        echo "#include \"$PWD/tests/generated/wide_number.h\""
         echo "#include \"$header\""
         for f in $functions; do
             echo "extern \"C\" void wide_$f(const __float128 (*at)[3], __float128 loc[2]);"
@@ -81,10 +81,10 @@ for header in $HEADERS; do
 done
 
 # The library's quick search and what goes with it, under the same flags.
-quick="quad4 locate batch batch_lanes newton contact derivatives normals"
+quick="geometry/quad4 geometry/node_normals batch/batch batch/batch_lanes locate newton contact differentiate"
 for compiler in "$CC -std=gnu11 -Ofast" "clang -std=gnu11 -Ofast" "$CC -std=gnu11 -Ofast -march=native" "$CC -std=gnu11 -O2"; do
     sources=$(for f in $quick; do echo "$PWD/runtime/$f.c"; done)
-    $compiler -I"$PWD" "$PWD/tests/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
+    $compiler -I"$PWD" "$PWD/tests/runtime/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1
     good=$?
     [ $good -eq 0 ] || head -12 "$work/log" | sed 's/^/# /'
     report $((!good)) "the library, $compiler"

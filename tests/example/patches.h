@@ -9,8 +9,8 @@
 #include "penalty.h"
 #pragma GCC diagnostic pop
 
-#include "../../runtime/footpoint-gregory-geometry.h"
-#include "../../runtime/footpoint-node-normals.h"
+#include "../../runtime/geometry/footpoint-gregory-geometry.h"
+#include "../../runtime/geometry/footpoint-node-normals.h"
 
 enum { NEWTON_STEPS = 2 };
 

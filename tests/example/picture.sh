@@ -4,8 +4,8 @@
 # FOLDER/slide.svg, made alone if asked for: contact forces over the distance slid.
 here=$(dirname "$0") folder=$1 CC=${CC:-gcc}
 [ -d "$folder" ] || { echo 'usage: picture.sh FOLDER [slide]' >&2; exit 2; }
-$CC -O3 -march=native "$here/slide.c" "$here/../../runtime/gregory.c" "$here/../../runtime/bezier.c" \
-    "$here/../../runtime/normals.c" -o "$folder/slide" -lm &&
+$CC -O3 -march=native "$here/slide.c" "$here/../../runtime/geometry/gregory.c" "$here/../../runtime/geometry/bezier.c" \
+    "$here/../../runtime/geometry/node_normals.c" -o "$folder/slide" -lm &&
     "$folder/slide" 1 "$folder" > "$folder/slide.txt" || exit 3
 gnuplot << PLOT || exit 3
 set terminal svg size 1000,430 font 'sans,13' background rgb 'white'

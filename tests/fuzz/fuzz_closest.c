@@ -3,7 +3,7 @@
  * nearer than the closest one.  Built with clang -fsanitize=fuzzer by tests/long/fuzz_closest.sh; with -DREPLAY a
  * program that reads the files it is given. */
 #include "../../runtime/footpoint.h"
-#include "../../runtime/footpoint-quad4-geometry.h"
+#include "../../runtime/geometry/footpoint-quad4-geometry.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* Fuzzing of everything that reads a genome file: what is read prints to text that reads and prints the same; what is
  * small also goes through compiler and proof.  Built with clang -fsanitize=fuzzer by tests/long/fuzz.sh. */
-#include "../../codegen/compile.h"
-#include "../../codegen/prove.h"
+#include "../../codegen/compile/compile.h"
+#include "../../codegen/prove/prove.h"
 
 #include <stdint.h>
 #include <stdlib.h>

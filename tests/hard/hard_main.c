@@ -4,7 +4,7 @@
  * float. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"
-#include "../trust_region.h"
+#include "../rivals/trust_region.h"
 #include "certain.h"
 #include "hard_float.h"
 #include "judges.h"

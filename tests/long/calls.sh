@@ -6,7 +6,7 @@ isas=x86-64-v3
 grep -q avx512f /proc/cpuinfo && isas="$isas x86-64-v4"
 for isa in $isas; do
     wide=; [ $isa = x86-64-v4 ] && wide=-mprefer-vector-width=512
-    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -march=$isa $wide -o "$work/calls" tests/bench_calls_main.c \
+    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -march=$isa $wide -o "$work/calls" tests/bench/bench_calls_main.c \
         tests/hard/hard.c tests/hard/draw.c tests/hard/wild.c "$BIN/libfootpoint.a" -lm && "$work/calls" > "$work/calls.csv"
     report $((! $?)) "$isa: runs"
     sed 's/^/# /' "$work/calls.csv"

@@ -3,7 +3,7 @@
 unset FOOTPOINT_LONG
 for config in asan fma debug; do
     make -s CONFIG=$config all > "$work/log" 2>&1 &&
-        make -s CONFIG=$config $(ls tests/test_*.c | sed "s|tests/\(.*\)\.c|build/$config/bin/tests/\1|") > "$work/log" 2>&1
+        make -s CONFIG=$config $(ls tests/*/test_*.c | sed "s|.*/\(.*\)\.c|build/$config/bin/tests/\1|") > "$work/log" 2>&1
     report $((! $?)) "$config builds"
     for test in build/$config/bin/tests/test_*; do
         [ "$config $(basename "$test")" != 'debug test_calibration' ] || continue

@@ -7,7 +7,7 @@ if ! { echo 'int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long);'
     echo 'ok 1 - fuzzing # SKIP no clang with -fsanitize=fuzzer (Debian: libclang-rt-14-dev)'
     exit 0
 fi
-sources=$(ls codegen/*.c | grep -v _main)
+sources=$(ls codegen/*/*.c)
 clang -std=c11 -D_DEFAULT_SOURCE -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all \
     tests/fuzz/fuzz_genome.c $sources $(pkg-config --libs libmd) -lflint-arb -lflint -lmpfr -lgmp -lm -o "$fuzzer"
 report $((! $?)) 'the fuzzer builds'

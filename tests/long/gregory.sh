@@ -2,13 +2,12 @@
 # Newton finds every foot point of the smooth bodies and nearly every one of the paper's.
 . tests/cli/expect.inc
 FAST='-ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffinite-math-only'
-parts="tests/error_stats.c codegen/base.c codegen/outfile.c codegen/genome.c codegen/genome_parse.c codegen/segment.c
-       runtime/bezier.c runtime/gregory.c runtime/normals.c $(ls runtime/quad*.c runtime/tri*.c evolve/*.c | grep -vE '_main\.c$|/migrate|/evolve_')"
+parts="tests/support/error_stats.c $(ls codegen/genome/*.c runtime/geometry/*.c evolve/*/*.c | grep -vE '_main\.c$|/mpi/|/run/')"
 
 # shellcheck disable=SC2046,SC2086
 {
-    ${CC:-gcc} -std=gnu11 -O3 -march=native $FAST -c tests/bench_gregory.c -o "$work/methods.o" &&
-        ${CC:-gcc} -std=gnu11 -O2 -o "$work/bench" tests/bench_gregory_main.c "$work/methods.o" $parts \
+    ${CC:-gcc} -std=gnu11 -O3 -march=native $FAST -c tests/bench/bench_gregory.c -o "$work/methods.o" &&
+        ${CC:-gcc} -std=gnu11 -O2 -o "$work/bench" tests/bench/bench_gregory_main.c "$work/methods.o" $parts \
             $(pkg-config --cflags --libs gsl libconfig libmd) -lm
 } > "$work/log" 2>&1
 good=$?

@@ -3,7 +3,7 @@
 # gcc is held to it; clang's figures are shown (it makes more of a clamp written as `?:`, of which gcc makes jumps).
 . tests/cli/expect.inc
 TRIES=4
-awk -f tests/as_written.awk evolve/genomes/*.gen > "$work/as_written.h"
+awk -f tests/rivals/as_written.awk evolve/genomes/*.gen > "$work/as_written.h"
 
 # best RUN...: the lines of all runs, each with its least times and largest ratios
 best() {
@@ -28,7 +28,7 @@ for cc in gcc clang; do
         name="$cc -O3$machine"
         # shellcheck disable=SC2046,SC2086
         $cc -std=gnu11 -O3 $machine -fno-math-errno -fno-trapping-math -I"$work" -o "$work/handwritten" \
-            tests/handwritten_main.c tests/ordinary_quad.c evolve/stream.c $(pkg-config --cflags --libs gsl) -lm \
+            tests/rivals/handwritten_main.c tests/support/ordinary_quad.c evolve/common/stream.c $(pkg-config --cflags --libs gsl) -lm \
             > "$work/log" 2>&1
         good=$?
         [ $good = 0 ] || sed 's/^/# /' "$work/log"

@@ -6,7 +6,7 @@
 CC=${CC:-gcc} TRIES=4
 free=$(awk '$1 == "MemAvailable:" { print int($2 / 1024) }' /proc/meminfo 2> /dev/null)
 [ "${free:-8000}" -gt 2500 ] || { report 1 'skipped: less than 2.5 GB free'; exit 0; }
-$CC -std=c11 -D_DEFAULT_SOURCE -O3 -o "$work/pairs" tests/bench_pairs_main.c "$BIN/libfootpoint.a" -lm > "$work/log" 2>&1
+$CC -std=c11 -D_DEFAULT_SOURCE -O3 -o "$work/pairs" tests/bench/bench_pairs_main.c "$BIN/libfootpoint.a" -lm > "$work/log" 2>&1
 good=$((! $?))
 [ "$good" = 1 ] || sed 's/^/# /' "$work/log"
 report "$good" 'builds'

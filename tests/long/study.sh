@@ -20,7 +20,7 @@ coarse gregory-inputs > "$work/patches.scene"
 mkdir -p "$work/a/runs" "$work/b/runs"
 "$BIN/footpoint-bench" --scene paper-quad4 --csv > "$work/a/runs/bench.csv"
 echo 1..0 > "$work/a/runs/calibration.tap"
-sh tests/paper.sh "$work/a" > "$work/a.out" 2>&1
+sh tests/paper/paper.sh "$work/a" > "$work/a.out" 2>&1
 report $((! $?)) 'a study'
 cp "$work/a/runs/"time-*.csv "$work/a/runs/bench.csv" "$work/a/runs/calibration.tap" "$work/b/runs/"
 
@@ -29,14 +29,14 @@ files() { find "$work/b/runs" -name '*.gen' | wc -l; }
 kills=0 done=0
 while [ $done = 0 ] && [ $kills -lt 12 ]; do
     before=$(files)
-    setsid sh tests/paper.sh "$work/b" > "$work/b.out" 2>&1 &
+    setsid sh tests/paper/paper.sh "$work/b" > "$work/b.out" 2>&1 &
     study=$!
     while kill -0 $study 2> /dev/null && [ "$(files)" -le "$before" ]; do sleep 0.2; done
     if kill -9 -$study 2> /dev/null; then kills=$((kills + 1)); else done=1; fi
     wait $study 2> /dev/null
 done
 [ $kills -ge 5 ]; report $((! $?)) "killed $kills times"
-sh tests/paper.sh "$work/b" > "$work/b.out" 2>&1
+sh tests/paper/paper.sh "$work/b" > "$work/b.out" 2>&1
 report $((! $?)) 'and it goes on'
 
 ls "$work/a" | grep -v '^runs$' > "$work/a.list"
@@ -66,5 +66,5 @@ sed 's/^/# missing: /' "$work/missing"
 report $([ -s "$work/missing" ] && echo 0 || echo 1) 'the page has all of them'
 
 export GP_GENERATIONS=7
-expect 'another size' 1 '*' '*' sh tests/paper.sh "$work/a"
+expect 'another size' 1 '*' '*' sh tests/paper/paper.sh "$work/a"
 grep -q 'holds runs of another size' "$work/stderr"; report $((! $?)) 'is refused'

@@ -1,4 +1,4 @@
-# page.sh: from the runs in $runs the tables, figures and CSV files of $folder/index.html.  Called by tests/paper.sh,
+# page.sh: from the runs in $runs the tables, figures and CSV files of $folder/index.html.  Called by tests/paper/paper.sh,
 # whose variables it reads.  Nothing here is typed in but what the paper says, marked as the paper's.
 page=$folder/index.html
 here=tests/paper
@@ -265,7 +265,7 @@ END
 blanks between genes."
     section table2 "Table 2: perfect polynomials in eight variables" "Counted by enumerating the monomials:
 exactly the paper's."
-    section table3 "Table 3: average error" "The data set is the reading of section 6.1 that tests/test_calibration.c
+    section table3 "Table 3: average error" "The data set is the reading of section 6.1 that tests/evolve/test_calibration.c
 checks ($checks); the paper leaves the choice of its 28546 configurations open. The second p-GA exchanges terms by
 forward and backward steps, and its coefficients minimise the mean error itself, not its square; its errors and
 terms $within the paper's."

@@ -1,0 +1,59 @@
+/* What a generated header says about itself beyond its operation counts: poles, rounding errors, test points. */
+#ifndef FOOTPOINT_EVIDENCE_H
+#define FOOTPOINT_EVIDENCE_H
+
+#include "../program/program.h"
+
+enum pole_verdict { POLE_FREE, POLE_EXISTS, POLE_UNDECIDED };
+
+/** One denominator of a program (OP_DIV's b; protected quotients have no poles). */
+struct denominator {
+    int op;     /* its operation */
+    char *name; /* owned: as in the text, "t7", "in_x", "xA[0]", or the expression if it is short */
+    enum pole_verdict verdict;
+    double least;     /* POLE_FREE: |D| >= least > 0 over the region, proved; else 0 */
+    double *witness;  /* owned: POLE_EXISTS: inputs where |D| is 0 or on both sides of which D has opposite signs
+                       * (the enclosure of a zero, its centre); else NULL */
+    double threshold; /* |D| <= threshold is indistinguishable from 0 in double; 0 if unknown */
+};
+
+/** Rounding error of one output in double. */
+struct output_error {
+    double bound;   /* proved over the region, with or without contraction to FMA; +infinity: no bound was found */
+    double sampled; /* worst seen against MPFR at random points of the region; -1: not sampled */
+};
+
+struct evidence {
+    bool region;                     /* the file gives the range of every input that the program reads */
+    bool empty;                      /* the requires contradict each other or the ranges: all below means nothing */
+    struct denominator *denominator; /* owned */
+    size_t denominators;
+    struct output_error *error; /* owned: by output */
+    size_t outputs;
+    long samples; /* points that `sampled` is from */
+};
+
+struct evidence_options {
+    long samples; /* random points for `sampled` (default 10000) */
+    long boxes;   /* work limit of branch and bound, in boxes (same limit, same bytes) */
+    unsigned long seed;
+};
+
+/** Never fails; what it cannot show it says. */
+struct evidence *evidence_new(const struct genome_file *f, const struct genome *genome, const struct program *p,
+                              const struct evidence_options *options);
+void evidence_free(struct evidence *e);
+
+/** True if no denominator can be 0 over the region (or there is none). */
+bool evidence_pole_free(const struct evidence *e);
+
+/** Lines of the banner, each " *   ...\n". */
+void evidence_print(const struct evidence *e, const struct genome_file *f, const struct genome *genome,
+                    const struct program *p, FILE *out);
+
+/** Eight test points of the region (of [-1,1] without ranges) with their exact results rounded to nearest, as rows of a
+ * C table "    {in..., out..., bound...},\n"; points at which a denominator is 0 are left out.  Returns their number. */
+int evidence_print_points(const struct genome_file *f, const struct genome *genome, const struct program *p,
+                          const struct evidence *e, FILE *out);
+
+#endif

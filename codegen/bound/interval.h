@@ -1,0 +1,172 @@
+/* Intervals of real numbers with ends in double, rounded outward: every operation encloses all values that it can take.
+ * They serve branch and bound, where boxes are wide: the product of two wide balls (Arb's) is wider than that of the
+ * intervals, and takes some ten times as long.  At points, Arb is used (evaluate.h). */
+#ifndef FOOTPOINT_INTERVAL_H
+#define FOOTPOINT_INTERVAL_H
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+/** lo <= hi; ends at infinity do not belong to it. */
+struct interval {
+    double lo, hi;
+};
+
+/* Of two numbers; unlike fmin and fmax, an instruction. */
+static inline double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double greater(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/** A number below (above) all that round to x, whatever operation x is the rounded result of. */
+static inline double below(double x)
+{
+    const double y = lesser(x, DBL_MAX);
+    return y - (fabs(y) * 0x1p-52 + 0x1p-1074);
+}
+
+static inline double above(double x)
+{
+    return -below(-x);
+}
+
+static inline struct interval interval_whole(void)
+{
+    return (struct interval){-INFINITY, INFINITY};
+}
+
+static inline struct interval interval_point(double x)
+{
+    return (struct interval){x, x};
+}
+
+static inline bool interval_finite(struct interval x)
+{
+    return x.lo >= -DBL_MAX && x.hi <= DBL_MAX;
+}
+
+static inline bool interval_has(struct interval x, double v)
+{
+    return x.lo <= v && v <= x.hi;
+}
+
+/** Largest |x|. */
+static inline double interval_most(struct interval x)
+{
+    return greater(-x.lo, x.hi);
+}
+
+/** Smallest |x|; never -0, by which others would divide to -infinity. */
+static inline double interval_least(struct interval x)
+{
+    return greater(greater(x.lo, -x.hi), 0);
+}
+
+/** A number inside, near the middle where the interval is finite. */
+static inline double interval_middle(struct interval x)
+{
+    if (interval_finite(x))
+        return lesser(greater(0.5 * x.lo + 0.5 * x.hi, x.lo), x.hi);
+    if (x.lo < 0 && x.hi > 0)
+        return 0;
+    return x.lo >= 0 ? lesser(2 * x.lo + 1, DBL_MAX) : greater(2 * x.hi - 1, -DBL_MAX);
+}
+
+/** Its farthest end from a number inside. */
+static inline double interval_half(struct interval x, double middle)
+{
+    return x.lo == x.hi ? 0 : above(greater(x.hi - middle, middle - x.lo));
+}
+
+/** May be empty: lo > hi. */
+static inline struct interval interval_meet(struct interval x, struct interval y)
+{
+    return (struct interval){greater(x.lo, y.lo), lesser(x.hi, y.hi)};
+}
+
+static inline struct interval interval_negative(struct interval x)
+{
+    return (struct interval){-x.hi, -x.lo};
+}
+
+/* A sum of 0 is exact. */
+static inline struct interval interval_add(struct interval x, struct interval y)
+{
+    const double lo = x.lo + y.lo, hi = x.hi + y.hi;
+    return (struct interval){lo == 0 ? lo : below(lo), hi == 0 ? hi : above(hi)};
+}
+
+static inline struct interval interval_subtract(struct interval x, struct interval y)
+{
+    return interval_add(x, interval_negative(y));
+}
+
+/* A product of ends: 0 times an end at infinity is 0, as the end does not belong to the interval. */
+static inline double interval_product_of_ends(double a, double b)
+{
+    return a == 0 || b == 0 ? 0 : a * b;
+}
+
+static inline bool interval_is_zero(struct interval x)
+{
+    return x.lo == 0 && x.hi == 0;
+}
+
+static inline struct interval interval_multiply(struct interval x, struct interval y)
+{
+    const double a = interval_product_of_ends(x.lo, y.lo), b = interval_product_of_ends(x.lo, y.hi);
+    const double c = interval_product_of_ends(x.hi, y.lo), d = interval_product_of_ends(x.hi, y.hi);
+    const double lo = lesser(lesser(a, b), lesser(c, d)), hi = greater(greater(a, b), greater(c, d));
+    /* a 0 is one, or too small a number of a sign that the factors tell */
+    const bool same = (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
+    const bool opposite = (x.lo >= 0 && y.hi <= 0) || (x.hi <= 0 && y.lo >= 0);
+    if (interval_is_zero(x) || interval_is_zero(y))
+        return interval_point(0);
+    return (struct interval){lo == 0 && same ? 0 : below(lo), hi == 0 && opposite ? 0 : above(hi)};
+}
+
+static inline struct interval interval_absolute(struct interval x)
+{
+    return (struct interval){interval_least(x), interval_most(x)};
+}
+
+static inline struct interval interval_square(struct interval x)
+{
+    const struct interval a = interval_absolute(x);
+    return (struct interval){greater(0, below(a.lo * a.lo)), a.hi == 0 ? 0 : above(a.hi * a.hi)};
+}
+
+/** The whole line where y has 0. */
+static inline struct interval interval_divide(struct interval x, struct interval y)
+{
+    if (interval_has(y, 0))
+        return interval_whole();
+    const double p = 1 / y.hi, q = 1 / y.lo; /* an end at infinity gives 0 */
+    return interval_multiply(x, (struct interval){isinf(y.hi) ? 0 : below(p), isinf(y.lo) ? 0 : above(q)});
+}
+
+/** The whole line where x has negative numbers: there is no root. */
+static inline struct interval interval_root(struct interval x)
+{
+    if (x.lo < 0)
+        return interval_whole();
+    return (struct interval){greater(0, below(sqrt(x.lo))), above(sqrt(x.hi))};
+}
+
+static inline struct interval interval_minimum(struct interval x, struct interval y)
+{
+    return (struct interval){lesser(x.lo, y.lo), lesser(x.hi, y.hi)};
+}
+
+static inline struct interval interval_maximum(struct interval x, struct interval y)
+{
+    return (struct interval){greater(x.lo, y.lo), greater(x.hi, y.hi)};
+}
+
+#endif

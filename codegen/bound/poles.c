@@ -1,0 +1,350 @@
+/* Branch and bound for the zeros of a denominator D over a region; see poles.h.
+ *
+ * A box is done with when D is beyond a target all over it; one that is not is narrowed to where D may be within the
+ * target, and halved.  The target is a share of the least |D| seen at points of the region: next to nothing at first,
+ * then, when D is known to have no zero, more.  D has a zero when
+ *   - it is 0 in exact rational arithmetic at a point of the region (corners, centres and simple points are tried), or
+ *   - a box lies in the region, all operations that D is made of are finite over it, so that D is continuous there, and
+ *     D has opposite signs, certain in interval arithmetic, at two of its points. */
+#include "poles.h"
+
+#include "affine.h"
+#include "box_queue.h"
+#include "../program/evaluate.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { KINDS = 5, RANDOM_POINTS = 64, RANDOM_TRIES = 20000, NARROWINGS = 3, BISECTIONS = 60 };
+
+struct search {
+    struct region *region;
+    struct forms *forms;
+    int op;
+    double nearest, share; /* least |D| seen; the target's share of it */
+    double least;          /* |D| is at least this in boxes that are done with, and in what was cut off */
+    long halved;           /* boxes that were */
+    long draws;            /* points drawn at random */
+    bool below, above;     /* D < 0, D > 0 somewhere in a box that is done with */
+    struct pole pole;
+    struct boxes boxes;
+    struct interval *box, *part, *thin; /* owned */
+    double *at, *other;                 /* owned: points */
+};
+
+static size_t sides(const struct search *s)
+{
+    return s->region->variables;
+}
+
+static struct interval value(const struct search *s)
+{
+    return s->forms->range[s->op];
+}
+
+static double target(const struct search *s)
+{
+    return s->nearest < INFINITY ? fmax(s->share * s->nearest, DBL_MIN) : DBL_MIN;
+}
+
+/* Evaluates D at a point, which is left in `thin`; false if that is outside the region for certain. */
+static bool evaluate_at(struct search *s, const double *at)
+{
+    for (size_t k = 0; k < sides(s); k++)
+        s->thin[k] = interval_point(at[k]);
+    return forms_evaluate(s->forms, s->thin);
+}
+
+/* ---- zeros ---- */
+
+static void set_witness(struct search *s, const double *at)
+{
+    s->pole = (struct pole){.verdict = POLE_EXISTS, .witness = new_array(sides(s), sizeof *s->pole.witness)};
+    if (sides(s) > 0)
+        memcpy(s->pole.witness, at, sides(s) * sizeof *at);
+}
+
+/* A coordinate as a rational: where the end of a range was rounded, the end itself. */
+static void exact_coordinate(const struct region *r, size_t input, double x, fmpq *q)
+{
+    double_rational(q, x);
+    if (fmpq_cmp(q, &r->lo[input]) < 0)
+        fmpq_set(q, &r->lo[input]);
+    if (fmpq_cmp(q, &r->hi[input]) > 0)
+        fmpq_set(q, &r->hi[input]);
+}
+
+static bool is_exact_zero(struct search *s, const double *at)
+{
+    const struct region *r = s->region;
+    const size_t ops = (size_t)s->op + 1;
+    fmpq *point = new_array(r->inputs, sizeof *point), *exact = new_array(ops, sizeof *exact);
+    bool *defined = new_array(ops, sizeof *defined);
+    for (size_t i = 0; i < r->inputs; i++) {
+        fmpq_init(&point[i]);
+        fmpq_set(&point[i], &r->lo[i]);
+    }
+    for (size_t k = 0; k < sides(s); k++) {
+        exact_coordinate(r, r->input[k], at[k], &point[r->input[k]]);
+        s->thin[k] = interval_around(&point[r->input[k]]);
+    }
+    for (size_t i = 0; i < ops; i++)
+        fmpq_init(&exact[i]);
+    bool zero = region_holds(s->region, s->thin);
+    if (zero) {
+        point_rational(r->program, ops, point, exact, defined);
+        zero = defined[s->op] && fmpq_is_zero(&exact[s->op]);
+    }
+    for (size_t i = 0; i < r->inputs; i++)
+        fmpq_clear(&point[i]);
+    for (size_t i = 0; i < ops; i++)
+        fmpq_clear(&exact[i]);
+    free(point);
+    free(exact);
+    free(defined);
+    return zero;
+}
+
+/* Looks at a point: true if it is in the region and D is 0 there. */
+static bool visit(struct search *s, const double *at)
+{
+    if (!evaluate_at(s, at))
+        return false;
+    const struct interval d = value(s);
+    if (!interval_has(d, 0)) {
+        if (interval_finite(d) && interval_least(d) < s->nearest && region_holds(s->region, s->thin))
+            s->nearest = interval_least(d);
+        return false;
+    }
+    if (!s->region->complete || !is_exact_zero(s, at))
+        return false;
+    set_witness(s, at);
+    return true;
+}
+
+/* Between two points of opposite signs. */
+static void bisect(struct search *s, double *low, double *high)
+{
+    double *middle = new_array(sides(s), sizeof *middle);
+    for (int i = 0; i < BISECTIONS; i++) {
+        for (size_t k = 0; k < sides(s); k++)
+            middle[k] = 0.5 * low[k] + 0.5 * high[k];
+        if (!evaluate_at(s, middle) || interval_has(value(s), 0))
+            break;
+        memcpy(value(s).hi < 0 ? low : high, middle, sides(s) * sizeof *middle);
+    }
+    set_witness(s, middle);
+    free(middle);
+}
+
+/* After an evaluation over `box`: the corner where the linear part of D is least (sign -1) or most (1). */
+static void extreme_corner(const struct search *s, const struct interval *box, int sign, double *corner)
+{
+    const double *slope = s->forms->slope + (size_t)s->op * sides(s);
+    for (size_t k = 0; k < sides(s); k++)
+        corner[k] = s->forms->affine && sign * slope[k] > 0 ? box[k].hi : box[k].lo;
+}
+
+/* After an evaluation over `box`. */
+static bool zero_inside(struct search *s, const struct interval *box)
+{
+    const bool continuous = forms_finite(s->forms) && region_holds(s->region, box);
+    extreme_corner(s, box, -1, s->at);
+    extreme_corner(s, box, 1, s->other);
+    if (continuous && evaluate_at(s, s->at) && value(s).hi < 0 && evaluate_at(s, s->other) && value(s).lo > 0) {
+        bisect(s, s->at, s->other);
+        return true;
+    }
+    return visit(s, s->at) || visit(s, s->other);
+}
+
+/* One of a range's simple numbers: middle, ends, and the nearest to 0 and to `common`. */
+static double simple_number(struct interval range, size_t which, double common)
+{
+    switch (which) {
+    case 0:
+        return interval_middle(range);
+    case 1:
+        return range.lo;
+    case 2:
+        return range.hi;
+    case 3:
+        return fmin(fmax(0, range.lo), range.hi);
+    default:
+        return fmin(fmax(common, range.lo), range.hi);
+    }
+}
+
+/* Points of simple numbers: all of them, or those of one kind and some of mixed kinds. */
+static bool zero_at_simple_point(struct search *s, size_t most)
+{
+    const struct region *r = s->region;
+    struct interval all = interval_whole();
+    size_t points = 1;
+    uint64_t seed = 0;
+    for (size_t k = 0; k < sides(s); k++) {
+        all = interval_meet(all, r->range[r->input[k]]);
+        points = points > most ? points : KINDS * points;
+    }
+    for (size_t i = 0; i < points && i < most; i++) {
+        size_t code = i;
+        for (size_t k = 0; k < sides(s); k++, code /= KINDS) {
+            const size_t mixed = (size_t)(random_next(&seed) >> 32);
+            const size_t which = points <= most ? code : i < KINDS ? i : mixed;
+            s->at[k] = simple_number(r->range[r->input[k]], which % KINDS, interval_middle(all));
+        }
+        if (visit(s, s->at))
+            return true;
+    }
+    return false;
+}
+
+/* Points of the region at random, for a first target. */
+static bool zero_at_random_point(struct search *s)
+{
+    const struct region *r = s->region;
+    double *input = new_array(r->inputs, sizeof *input);
+    uint64_t seed = 1;
+    long tries = RANDOM_TRIES;
+    bool found = false;
+    for (int i = 0; i < RANDOM_POINTS && !found && region_draw(s->region, &seed, 6, &tries, input); i++) {
+        for (size_t k = 0; k < sides(s); k++)
+            s->at[k] = input[r->input[k]];
+        found = visit(s, s->at);
+    }
+    s->draws = RANDOM_TRIES - tries;
+    free(input);
+    return found;
+}
+
+/* ---- branch and bound ---- */
+
+/* D is beyond the target all over the box, or the box has no point of the region.  Narrows it otherwise. */
+static bool is_done(struct search *s, struct interval *box)
+{
+    for (int i = 0;; i++) {
+        if (!forms_evaluate_narrowed(s->forms, box))
+            return true;
+        const struct interval d = value(s);
+        s->above = s->above || d.lo > target(s);
+        s->below = s->below || d.hi < -target(s);
+        if (d.lo > target(s) || d.hi < -target(s)) {
+            s->least = fmin(s->least, interval_least(d));
+            return true;
+        }
+        if (i == NARROWINGS)
+            return false;
+        const bool above = affine_narrow(s->forms, s->op, -1, target(s), box);
+        const bool below = affine_narrow(s->forms, s->op, 1, -target(s), box);
+        s->above = s->above || above;
+        s->below = s->below || below;
+        if (above || below)
+            s->least = fmin(s->least, target(s));
+        if (box_is_empty(box, sides(s)))
+            return true;
+        if (!above && !below)
+            return false;
+    }
+}
+
+/* Boxes in which 0 is nearest to the middle of D's values come first. */
+static double key_of(struct interval d)
+{
+    return interval_finite(d) ? -fabs(interval_middle(d)) : 0;
+}
+
+/* Takes a part of the last box into the queue, unless it is done with; true if it shows a zero. */
+static bool offer(struct search *s, struct interval *box)
+{
+    if (is_done(s, box))
+        return false;
+    boxes_push(&s->boxes, key_of(value(s)), box);
+    return s->region->complete && s->forms->inside && zero_inside(s, box);
+}
+
+/* The variable which, made a point, brings D farthest from 0; of equals, that of the widest side. */
+static size_t choose_variable(struct search *s)
+{
+    const size_t n = sides(s);
+    size_t best = n;
+    double most = 0, widest = 0;
+    memcpy(s->part, s->box, n * sizeof *s->part);
+    for (size_t k = 0; k < n; k++) {
+        const double width = region_width(s->region, k, s->box[k]);
+        if (width == 0)
+            continue;
+        s->part[k] = interval_point(interval_middle(s->box[k]));
+        const double far = forms_evaluate(s->forms, s->part) ? fmax(value(s).lo, -value(s).hi) : INFINITY;
+        s->part[k] = s->box[k];
+        if (best == n || far > most || (far == most && width > widest)) {
+            best = k;
+            most = far;
+            widest = width;
+        }
+    }
+    return best;
+}
+
+/* The verdict, POLE_UNDECIDED when the boxes are used up. */
+static enum pole_verdict explore(struct search *s, long boxes)
+{
+    s->below = s->above = false;
+    s->least = DBL_MAX;
+    region_box(s->region, s->part);
+    if (offer(s, s->part))
+        return POLE_EXISTS;
+    for (s->halved = 0; s->halved < boxes && s->boxes.n > 0; s->halved++) {
+        boxes_pop(&s->boxes, s->box);
+        const size_t k = choose_variable(s);
+        if (k == sides(s))
+            return POLE_UNDECIDED;
+        for (size_t j = 0; j < sides(s); j++)
+            s->at[j] = interval_middle(s->box[j]);
+        if (visit(s, s->at))
+            return POLE_EXISTS;
+        for (int half = 0; half < 2; half++) {
+            box_half(s->box, sides(s), k, half, s->part);
+            if (offer(s, s->part))
+                return POLE_EXISTS;
+        }
+    }
+    return s->boxes.n > 0 ? POLE_UNDECIDED : POLE_FREE;
+}
+
+/* First the verdict, then better bounds, as far as they do not take much more work. */
+static void find(struct search *s, long boxes)
+{
+    static const double share[] = {0x1p-20, 0.5, 0.95};
+    if (zero_at_simple_point(s, (size_t)boxes / 4) || zero_at_random_point(s))
+        return;
+    for (size_t i = 0; i < sizeof share / sizeof *share; i++) {
+        s->share = share[i];
+        const enum pole_verdict verdict = explore(s, i == 0 ? boxes : 4 * s->halved + boxes / 10);
+        boxes_free(&s->boxes);
+        if (verdict != POLE_FREE)
+            break;
+        s->pole = (struct pole){.verdict = POLE_FREE, .least = fmax(s->least, s->pole.least)};
+        s->pole.values = (struct interval){s->below ? -INFINITY : s->pole.least, s->above ? INFINITY : -s->pole.least};
+    }
+}
+
+struct pole pole_find(struct region *r, int op, long boxes)
+{
+    struct search s = {.region = r, .op = op, .nearest = INFINITY, .boxes.variables = r->variables};
+    s.pole = (struct pole){.verdict = POLE_UNDECIDED, .values = interval_whole()};
+    s.forms = forms_new(r, op);
+    s.box = new_array(r->variables, sizeof *s.box);
+    s.part = new_array(r->variables, sizeof *s.part);
+    s.thin = new_array(r->variables, sizeof *s.thin);
+    s.at = new_array(r->variables, sizeof *s.at);
+    s.other = new_array(r->variables, sizeof *s.other);
+    find(&s, boxes);
+    forms_free(s.forms);
+    free(s.box);
+    free(s.part);
+    free(s.thin);
+    free(s.at);
+    free(s.other);
+    s.pole.draws = s.draws;
+    return s.pole;
+}

@@ -1,0 +1,57 @@
+/* Where the inputs of a program may lie: the box of the file's ranges, as far as its requires are > 0.  What the file
+ * requires and the program compute become one program, so that what is known of a value serves for both. */
+#ifndef FOOTPOINT_REGION_H
+#define FOOTPOINT_REGION_H
+
+#include "interval.h"
+#include "../program/program.h"
+
+#include <stdint.h>
+
+struct region {
+    size_t inputs;            /* of the file */
+    fmpq *lo, *hi;            /* owned: by input, exact; 0 where no range is given */
+    struct interval *range;   /* owned: by input, around [lo,hi]; the whole line where none is given */
+    struct interval *doubles; /* owned: by input, from the double nearest to lo to that nearest to hi */
+    bool complete;            /* every input that the program or a require reads has a range */
+    size_t variables;         /* those inputs, as far as they vary; a box has a side for each */
+    size_t *input;            /* owned: by variable */
+    size_t *variable;         /* owned: by input, or `variables` where it is fixed or does not matter */
+    struct program *program;  /* owned: inputs, requires, then the program's operations; outputs: the requires */
+    size_t shift;             /* operations of the requires */
+    struct interval *known;   /* owned: by operation, what is proved of it on the region */
+    int *twin;                /* owned: by operation, an earlier one that it is a multiple of, or -1 */
+    struct interval *ratio;   /* owned: by operation, to its twin */
+    size_t *length;           /* owned: by operation, how many it is made of (at most; of requires alone) */
+    struct forms *required;   /* owned: enclosures of the requires */
+};
+
+/** The region of the inputs of program p, made from a genome of file f. */
+struct region *region_new(const struct genome_file *f, const struct program *p);
+void region_free(struct region *r);
+
+/** Number in region->program of the program's operation `op`. */
+int region_op(const struct region *r, int op);
+
+/** The box of the ranges. */
+void region_box(const struct region *r, struct interval *box);
+
+/** True if it is proved, in at most `boxes` boxes, that nowhere in the ranges are all requires > 0. */
+bool region_is_empty(struct region *r, long boxes);
+
+/** Width of a box's side as a fraction of its range (of infinite ranges, as it is); 0 if that is too small to be
+ * halved. */
+double region_width(const struct region *r, size_t variable, struct interval side);
+
+/** True if all of the box belongs to the region. */
+bool region_holds(struct region *r, const struct interval *box);
+
+/** Values of all inputs at a point given by variable, moved into the ranges where rounding puts it outside. */
+void region_inputs(const struct region *r, const double *at, double *input);
+
+/** A random point of the region: all inputs; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
+ *  short, whole multiples of a power of 2, so many bits below that of their range.  False when *tries, which are
+ *  counted down, are used up: the region is hard to hit. */
+bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *input);
+
+#endif

@@ -1,0 +1,403 @@
+/* Bounds of rounding errors, forwards and backwards; see rounding.h.
+ *
+ * Forwards (running error analysis): with x the exact and x' the computed value of an operation, |x' - x| <= e and |x'
+ * - x| <= r |x|: what the operands' errors make of the exact result, and one rounding, at most u |result| + h with u =
+ * 2^-53 and h the smallest number above 0 (of products and quotients; a sum that underflows is exact).  A product
+ * contracted into a sum is not rounded; the sum's rounding, u |sum| or h, is at most what is counted for both.  So the
+ * bounds hold with and without contraction.  Absolute and relative bound narrow each other: relative ones do not care
+ * by what factor a quotient's divisor varies over the box, absolute ones do not mind zeros.
+ *
+ * Backwards: what one operation adds to the error, times the derivative of the result.  There errors that reach the
+ * result on several ways cancel, as they do in fact; the forward bounds serve to enclose all values on the way. */
+#include "rounding.h"
+
+#include "../program/evaluate.h"
+
+#include <stdlib.h>
+
+#define UNIT 0x1p-53
+#define LEAST 0x1p-1074
+#define GROW (1 + 0x1p-45) /* above the roundings of the terms of a bound, all positive */
+
+struct rounding *rounding_new(struct forms *w, int op)
+{
+    struct rounding *e = new_array(1, sizeof *e);
+    const struct program *p = w->region->program;
+    bool *marked = new_array(p->ops, sizeof *marked);
+    *e = (struct rounding){.forms = w, .op = op};
+    e->needed = new_array(w->needs, sizeof *e->needed);
+    e->constant = new_array(p->ops, sizeof *e->constant);
+    e->error = new_array(p->ops, sizeof *e->error);
+    e->relative = new_array(p->ops, sizeof *e->relative);
+    e->nonnegative = new_array(p->ops, sizeof *e->nonnegative);
+    e->by = new_array(p->ops, sizeof *e->by);
+    marked[op] = true;
+    for (int i = op; i >= 0; i--) {
+        const struct op *o = &p->op[i];
+        if (!marked[i])
+            continue;
+        if (o->a >= 0)
+            marked[o->a] = true;
+        if (o->b >= 0)
+            marked[o->b] = true;
+        if (o->kind == OP_CONSTANT)
+            point_constant(p, o, &e->constant[i]);
+    }
+    for (int i = 0; i <= op; i++)
+        if (marked[i])
+            e->needed[e->needs++] = i;
+    free(marked);
+    return e;
+}
+
+void rounding_free(struct rounding *e)
+{
+    if (!e)
+        return;
+    free(e->needed);
+    free(e->constant);
+    free(e->error);
+    free(e->relative);
+    free(e->nonnegative);
+    free(e->by);
+    free(e);
+}
+
+/* ---- forwards ---- */
+
+static bool is_exact_zero(const struct rounding *e, int op)
+{
+    const struct interval x = e->forms->range[op];
+    return x.lo == 0 && x.hi == 0 && e->error[op] == 0;
+}
+
+/* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
+static bool is_exact_sum(const struct rounding *e, const struct op *op)
+{
+    const enum op_kind kind = e->forms->region->program->op[op->a].kind;
+    return is_exact_zero(e, op->a) || is_exact_zero(e, op->b) ||
+           (op->kind == OP_ADD && op->a == op->b && kind != OP_MUL && kind != OP_NEG);
+}
+
+static bool is_power_of_two(const struct rounding *e, int op)
+{
+    const struct interval x = e->forms->range[op];
+    int exponent;
+    return e->error[op] == 0 && x.lo == x.hi && fabs(frexp(x.lo, &exponent)) == 0.5;
+}
+
+static double last_rounding(double most)
+{
+    return UNIT * most + LEAST;
+}
+
+static double product_error(const struct rounding *e, const struct op *op, double most)
+{
+    const struct interval *x = e->forms->range;
+    const double ea = e->error[op->a], eb = e->error[op->b];
+    const double error =
+        (ea > 0 ? ea * (interval_most(x[op->b]) + eb) : 0) + (eb > 0 ? eb * interval_most(x[op->a]) : 0);
+    if (is_exact_zero(e, op->a) || is_exact_zero(e, op->b))
+        return 0;
+    return error + (is_power_of_two(e, op->a) || is_power_of_two(e, op->b) ? LEAST : last_rounding(most + error));
+}
+
+/* a'/b' - a/b = (da - (a/b) db) / b'. */
+static double quotient_error(const struct rounding *e, const struct op *op, double most)
+{
+    const double divisor = interval_least(e->forms->range[op->b]) * (1 - lesser(e->relative[op->b], 1)) * (1 - 0x1p-50);
+    if (!(divisor > 0))
+        return INFINITY;
+    const double eb = e->error[op->b], error = (e->error[op->a] + (eb > 0 ? most * eb : 0)) / divisor;
+    return error + (is_power_of_two(e, op->b) ? LEAST : last_rounding(most + error));
+}
+
+/* sqrt(a') - sqrt(a) = da / (sqrt(a') + sqrt(a)), and at most sqrt(|da|). */
+static double root_error(const struct rounding *e, const struct op *op, double most)
+{
+    const double ea = e->error[op->a], lo = e->forms->range[op->a].lo, computed = lo - ea * (1 + 0x1p-50);
+    if (!(lo >= 0 && ea <= DBL_MAX) || (computed < 0 && !e->nonnegative[op->a]))
+        return INFINITY;
+    const double divisor = sqrt(lo) + sqrt(greater(0, computed)), error = ea > 0 ? lesser(sqrt(ea), ea / divisor) : 0;
+    return error * (1 + 0x1p-48) + UNIT * (most + error);
+}
+
+/* The operand that is chosen, where the other one lies certainly beyond. */
+static double choice_error(const struct rounding *e, const struct op *op, double sign)
+{
+    const struct interval *x = e->forms->range;
+    const double ea = e->error[op->a], eb = e->error[op->b], both = (ea + eb) * (1 + 0x1p-50);
+    const double a_over_b = sign > 0 ? x[op->a].lo - x[op->b].hi : x[op->b].lo - x[op->a].hi;
+    const double b_over_a = sign > 0 ? x[op->b].lo - x[op->a].hi : x[op->a].lo - x[op->b].hi;
+    return below(a_over_b) > both ? ea : below(b_over_a) > both ? eb : greater(ea, eb);
+}
+
+static double error_of(const struct rounding *e, size_t i)
+{
+    const struct op *op = &e->forms->region->program->op[i];
+    const double most = interval_most(e->forms->range[i]);
+    switch (op->kind) {
+    case OP_CONSTANT:
+        return e->constant[i];
+    case OP_INPUT:
+        return 0;
+    case OP_NEG:
+    case OP_ABS:
+        return e->error[op->a];
+    case OP_ADD:
+    case OP_SUB: {
+        const double error = e->error[op->a] + e->error[op->b];
+        return is_exact_sum(e, op) ? error : error + UNIT * (most + error);
+    }
+    case OP_MUL:
+        return product_error(e, op, most);
+    case OP_DIV:
+    case OP_PDIV:
+        return quotient_error(e, op, most);
+    case OP_SQRT:
+        return root_error(e, op, most);
+    case OP_MIN:
+        return choice_error(e, op, -1);
+    case OP_MAX:
+        return choice_error(e, op, 1);
+    }
+    return INFINITY;
+}
+
+/* Relative bound of a product, quotient or root, infinite for others. */
+static double relative_error_of(const struct rounding *e, size_t i)
+{
+    const struct op *op = &e->forms->region->program->op[i];
+    const double ra = op->a >= 0 ? e->relative[op->a] : 0, rb = op->b >= 0 ? e->relative[op->b] : 0;
+    const double tiny = LEAST / interval_least(e->forms->range[i]);
+    double error = INFINITY;
+    if (op->kind == OP_NEG || op->kind == OP_ABS)
+        return ra;
+    if (op->kind == OP_MIN || op->kind == OP_MAX)
+        return ra < 1 && rb < 1 ? greater(ra, rb) : INFINITY;
+    if (op->kind == OP_MUL)
+        error = ra + rb + ra * rb;
+    else if ((op->kind == OP_DIV || op->kind == OP_PDIV) && rb < 1)
+        error = (ra + rb) / (1 - rb) * (1 + 0x1p-50);
+    else if (op->kind == OP_SQRT && ra < 1)
+        error = ra / (1 + sqrt(1 - ra)) * (1 + 0x1p-50);
+    return error + UNIT * (1 + error) + tiny;
+}
+
+/* Rounding is monotonic: what is >= 0 exactly from operands >= 0 is computed so. */
+static bool is_nonnegative(const struct rounding *e, size_t i)
+{
+    const struct op *op = &e->forms->region->program->op[i];
+    const bool a = op->a >= 0 && e->nonnegative[op->a], b = op->b >= 0 && e->nonnegative[op->b];
+    switch (op->kind) {
+    case OP_CONSTANT:
+    case OP_INPUT:
+        return e->forms->range[i].lo >= 0;
+    case OP_SQRT:
+    case OP_ABS:
+        return true;
+    case OP_MUL:
+        return op->squared || (a && b);
+    case OP_ADD:
+    case OP_DIV:
+    case OP_PDIV:
+    case OP_MIN:
+        return a && b;
+    case OP_MAX:
+        return a || b;
+    case OP_NEG:
+    case OP_SUB:
+        break;
+    }
+    return false;
+}
+
+/* NaN, anything below 0, and what may overflow, is no bound. */
+static double checked(double error, double most)
+{
+    const double padded = error > 0 ? error * GROW + LEAST : error;
+    return padded >= 0 && padded + most <= DBL_MAX ? padded : INFINITY;
+}
+
+static void propagate(struct rounding *e, size_t i)
+{
+    const struct interval range = e->forms->range[i];
+    const double most = interval_most(range), least = interval_least(range);
+    const double error = checked(error_of(e, i), most), relative = checked(relative_error_of(e, i), most);
+    e->error[i] = error > 0 ? lesser(error, checked(relative * most, most)) : error;
+    e->relative[i] = e->error[i] > 0 ? lesser(relative, checked(e->error[i] / least, 0)) : 0;
+    e->nonnegative[i] = is_nonnegative(e, i);
+}
+
+/* ---- backwards ---- */
+
+/* All values that an operation takes on the way from exact to computed ones. */
+static struct interval inflated(const struct rounding *e, int i)
+{
+    const struct interval x = e->forms->range[i];
+    return e->error[i] > 0 ? (struct interval){below(x.lo - e->error[i]), above(x.hi + e->error[i])} : x;
+}
+
+/* What rounding the operation itself adds: up to share |value| + constant. */
+static double own_share(const struct rounding *e, int i, double *constant)
+{
+    const struct op *op = &e->forms->region->program->op[i];
+    bool exact = false;
+    *constant = 0;
+    switch (op->kind) {
+    case OP_CONSTANT:
+        *constant = e->constant[i];
+        return 0;
+    case OP_ADD:
+    case OP_SUB:
+        return is_exact_sum(e, op) ? 0 : UNIT;
+    case OP_MUL:
+        if (is_exact_zero(e, op->a) || is_exact_zero(e, op->b))
+            return 0;
+        exact = is_power_of_two(e, op->a) || is_power_of_two(e, op->b);
+        break;
+    case OP_DIV:
+    case OP_PDIV:
+        exact = is_power_of_two(e, op->b);
+        break;
+    case OP_SQRT:
+        return UNIT;
+    case OP_INPUT:
+    case OP_NEG:
+    case OP_ABS:
+    case OP_MIN:
+    case OP_MAX:
+        return 0;
+    }
+    *constant = LEAST;
+    return exact ? 0 : UNIT;
+}
+
+/* Derivatives of operation i by its operands. */
+static void find_slopes(const struct rounding *e, int i, struct interval slope[2])
+{
+    const struct op *op = &e->forms->region->program->op[i];
+    const struct interval one = {1, 1}, a = op->a >= 0 ? inflated(e, op->a) : one,
+                          b = op->b >= 0 ? inflated(e, op->b) : one;
+    slope[0] = slope[1] = one;
+    switch (op->kind) {
+    case OP_CONSTANT:
+    case OP_INPUT:
+    case OP_ADD:
+        break;
+    case OP_NEG:
+        slope[0] = interval_point(-1);
+        break;
+    case OP_SUB:
+        slope[1] = interval_point(-1);
+        break;
+    case OP_MUL:
+        slope[0] = b;
+        slope[1] = a;
+        break;
+    case OP_DIV:
+    case OP_PDIV:
+        slope[0] = interval_divide(one, b);
+        slope[1] = interval_negative(interval_divide(inflated(e, i), b));
+        break;
+    case OP_SQRT:
+        slope[0] = interval_divide(interval_point(0.5), inflated(e, i));
+        break;
+    case OP_ABS:
+        slope[0] = (struct interval){a.lo >= 0 ? 1 : -1, a.hi <= 0 ? -1 : 1};
+        break;
+    case OP_MIN:
+    case OP_MAX: {
+        const bool first = op->kind == OP_MIN ? a.hi <= b.lo : a.lo >= b.hi;
+        const bool second = op->kind == OP_MIN ? b.hi <= a.lo : b.lo >= a.hi;
+        slope[0] = (struct interval){first ? 1 : 0, second ? 0 : 1};
+        slope[1] = (struct interval){second ? 1 : 0, first ? 0 : 1};
+        break;
+    }
+    }
+}
+
+/* Slope times operand over result, where that is a number: a power of a product. */
+static double find_power(const struct op *op, int k)
+{
+    switch (op->kind) {
+    case OP_NEG:
+    case OP_ABS:
+    case OP_MUL:
+        return 1;
+    case OP_DIV:
+    case OP_PDIV:
+        return k ? -1 : 1;
+    case OP_SQRT:
+        return 0.5;
+    default:
+        return 0;
+    }
+}
+
+/* Slope and weight of a value narrow each other. */
+static void reconcile(struct interval *slope, struct interval *weight, struct interval value)
+{
+    *weight = interval_meet(*weight, interval_multiply(*slope, value));
+    *slope = interval_meet(*slope, interval_divide(*weight, value));
+}
+
+/* What the result owes to operand k of operation i.  `blur`: the operation's own error times its slope. */
+static void charge(struct rounding *e, int i, int k, struct interval slope, double blur)
+{
+    const struct op *op = &e->forms->region->program->op[i];
+    const int operand = k ? op->b : op->a;
+    const struct sensitivity *by = &e->by[i];
+    struct sensitivity *to = &e->by[operand];
+    const double power = find_power(op, k);
+    struct interval part = interval_multiply(by->slope, slope), weight = interval_whole();
+    if (power != 0)
+        weight = interval_multiply((struct interval){below(by->weight.lo - blur), above(by->weight.hi + blur)},
+                                   interval_point(power));
+    reconcile(&part, &weight, inflated(e, operand));
+    to->slope = interval_add(to->slope, part);
+    to->weight = interval_add(to->weight, weight);
+    to->slope_size += op->kind == OP_NEG ? by->slope_size : interval_most(part);
+    to->weight_size += op->kind == OP_NEG ? by->weight_size : interval_most(weight);
+}
+
+/* By the mean value theorem, the error of the result is the sum over all operations of what each adds, times the
+ * derivative of the result by that at some point between exact and computed values.  A product may be contracted in one
+ * of its uses and rounded in another, so that its error is charged for each of them by itself; so through a sign. */
+static double backward_error(struct rounding *e)
+{
+    double error = 0;
+    for (size_t n = 0; n < e->needs; n++)
+        e->by[e->needed[n]] = (struct sensitivity){{0, 0}, {0, 0}, 0, 0};
+    const struct interval result = inflated(e, e->op);
+    e->by[e->op] = (struct sensitivity){{1, 1}, result, 1, interval_most(result)};
+    for (size_t n = e->needs; n-- > 0;) {
+        const int i = e->needed[n];
+        const struct op *op = &e->forms->region->program->op[i];
+        struct sensitivity *by = &e->by[i];
+        struct interval slope[2];
+        double constant;
+        reconcile(&by->slope, &by->weight, inflated(e, i));
+        const double share = own_share(e, i, &constant);
+        /* the rounded value and the one that the weight is of are both within the error from the exact one */
+        const double size = op->kind == OP_MUL ? by->slope_size : interval_most(by->slope);
+        const double weight = op->kind == OP_MUL ? by->weight_size : interval_most(by->weight);
+        const double own =
+            (share > 0 ? share * (weight + 2 * e->error[i] * size) : 0) + (constant > 0 ? constant * size : 0);
+        error += own;
+        if (!(own >= 0 && error <= DBL_MAX))
+            return INFINITY;
+        find_slopes(e, i, slope);
+        for (int k = 0; k < 2; k++)
+            if ((k ? op->b : op->a) >= 0)
+                charge(e, i, k, slope[k], own * GROW);
+    }
+    return checked(error * (1 + 0x1p-30), 0); /* its terms are many */
+}
+
+double rounding_error(struct rounding *e)
+{
+    for (size_t n = 0; n < e->needs; n++)
+        propagate(e, (size_t)e->needed[n]);
+    return e->error[e->op] < INFINITY ? lesser(e->error[e->op], backward_error(e)) : INFINITY;
+}

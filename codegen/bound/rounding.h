@@ -1,0 +1,33 @@
+/* Rounding errors of a program in double, bounded over a box. */
+#ifndef FOOTPOINT_ROUNDING_H
+#define FOOTPOINT_ROUNDING_H
+
+#include "enclosure.h"
+
+/** What an error added to a value does to the result: the result's derivative, and that times the value. */
+struct sensitivity {
+    struct interval slope, weight;
+    double slope_size, weight_size; /* sums of the sizes of their parts, one for each use of the value */
+};
+
+struct rounding {
+    struct forms *forms; /* not owned: the enclosures of the exact values */
+    int op;              /* whose error is asked for */
+    int *needed;         /* owned: operations that it depends on, ascending */
+    size_t needs;
+    double *constant;       /* owned: by operation, error of the constants */
+    double *error;          /* owned: by operation, above |computed - exact|; +infinity: no bound */
+    double *relative;       /* owned: by operation, above |computed - exact| / |exact| */
+    bool *nonnegative;      /* owned: by operation, the computed value is >= 0 for certain */
+    struct sensitivity *by; /* owned: by operation */
+};
+
+/** For the error of operation `op`, which the forms are of. */
+struct rounding *rounding_new(struct forms *w, int op);
+void rounding_free(struct rounding *e);
+
+/** Above |computed - exact| over the box that the forms were evaluated on last, whichever products are contracted to
+ *  FMA. */
+double rounding_error(struct rounding *e);
+
+#endif

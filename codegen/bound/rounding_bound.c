@@ -1,0 +1,108 @@
+/* Branch and bound over boxes; see rounding_bound.h. */
+#include "rounding_bound.h"
+
+#include "box_queue.h"
+#include "enclosure.h"
+#include "rounding.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define CLOSE 1.02 /* a bound so near to the errors at points is good enough */
+
+struct search {
+    struct region *region;
+    struct rounding *rounding;
+    double reached; /* the largest bound at a point of the region: none for all of it can be less */
+    struct boxes boxes;
+    struct interval *box, *part; /* owned */
+};
+
+/* The bound over what of the box is in the region. */
+static double evaluate(struct search *s, const struct interval *box)
+{
+    if (!forms_evaluate(s->rounding->forms, box))
+        return 0;
+    return rounding_error(s->rounding);
+}
+
+static void offer(struct search *s, struct interval *box)
+{
+    if (!forms_evaluate_narrowed(s->rounding->forms, box))
+        return;
+    boxes_push(&s->boxes, rounding_error(s->rounding), box);
+}
+
+static void visit_middle(struct search *s)
+{
+    for (size_t k = 0; k < s->region->variables; k++)
+        s->part[k] = interval_point(interval_middle(s->box[k]));
+    const double error = evaluate(s, s->part);
+    if (error > s->reached && region_holds(s->region, s->part))
+        s->reached = error;
+}
+
+/* The variable which, made a point, leaves the least error; of equals, that of the widest side. */
+static size_t choose_variable(struct search *s)
+{
+    const size_t n = s->region->variables;
+    size_t best = n;
+    double least = 0, widest = 0;
+    memcpy(s->part, s->box, n * sizeof *s->part);
+    for (size_t k = 0; k < n; k++) {
+        const double width = region_width(s->region, k, s->box[k]);
+        if (width == 0)
+            continue;
+        s->part[k] = interval_point(interval_middle(s->box[k]));
+        const double error = evaluate(s, s->part);
+        s->part[k] = s->box[k];
+        if (best == n || error < least || (error == least && width > widest)) {
+            best = k;
+            least = error;
+            widest = width;
+        }
+    }
+    return best;
+}
+
+double bound_error(struct region *r, int op, long boxes)
+{
+    struct forms *w = forms_new(r, op);
+    struct search s = {.region = r, .rounding = rounding_new(w, op), .boxes.variables = r->variables};
+    double bound = 0;
+    s.box = new_array(r->variables, sizeof *s.box);
+    s.part = new_array(r->variables, sizeof *s.part);
+    region_box(r, s.part);
+    offer(&s, s.part);
+    for (long i = 0; s.boxes.n > 0; i++) {
+        bound = boxes_pop(&s.boxes, s.box);
+        visit_middle(&s);
+        const size_t k = i < boxes && !(bound <= CLOSE * s.reached) ? choose_variable(&s) : r->variables;
+        if (k == r->variables)
+            break;
+        for (int half = 0; half < 2; half++) {
+            box_half(s.box, r->variables, k, half, s.part);
+            offer(&s, s.part);
+        }
+    }
+    boxes_free(&s.boxes);
+    rounding_free(s.rounding);
+    forms_free(w);
+    free(s.box);
+    free(s.part);
+    return bound;
+}
+
+double bound_error_at(const struct region *r, int op, const double *input)
+{
+    struct forms *w = forms_new(r, op);
+    struct rounding *e = rounding_new(w, op);
+    struct interval *box = new_array(r->variables, sizeof *box);
+    for (size_t k = 0; k < r->variables; k++)
+        box[k] = interval_point(input[r->input[k]]);
+    const double bound = forms_evaluate(w, box) ? rounding_error(e) : INFINITY;
+    rounding_free(e);
+    forms_free(w);
+    free(box);
+    return bound;
+}

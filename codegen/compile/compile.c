@@ -1,0 +1,89 @@
+/* The pipeline of passes for one genome; see compile.h. */
+#include "compile.h"
+
+#include "search.h"
+#include "../passes/expand.h"
+#include "../graph/from_genome.h"
+
+#include <stdlib.h>
+
+enum { WRITTEN = 2 }; /* shapes as written that are searched in full */
+static const double BEHIND = 1.5; /* how dear a shape may be at first, in terms of the genome as written */
+
+struct compile_options compile_defaults(void)
+{
+    struct diag d;
+    struct compile_options o = {.seed = 1, .effort = 2000};
+    cost_model_find("throughput", &o.cost, &d);
+    return o;
+}
+
+/* The genome as written.  Where differences come first, the cheapest of many ways to put the vectors together. */
+static void add_written(struct search *s, const struct genome_file *f, struct dag *g, const char *what)
+{
+    enum { WAYS = 32 };
+    struct dag *made = NULL;
+    for (uint64_t seed = 1; f->segment && shape_differs_first(f->segment) && seed <= WAYS; seed++)
+        if ((made = shape_differences(g, f->segment, seed)))
+            search_add(s, made, BEHIND, what);
+    if (made)
+        dag_free(g);
+    else
+        search_add(s, g, BEHIND, what);
+}
+
+/* What multiplying out, with or without common denominators, and factoring makes of the genome as written. */
+static void add_factored(struct search *s)
+{
+    const struct policy all = {.dissolve = 1, .combine = 1};
+    for (int combine = 0; combine <= 1; combine++) {
+        struct dag *g = dag_copy(search_first(s));
+        for (int pass = !combine; pass < 3 && g; pass++) {
+            struct dag *made = pass == 0   ? shape_combine(g, &all, NULL)
+                               : pass == 1 ? shape_dissolve(g, &all, NULL)
+                                           : shape_factor(g);
+            dag_free(g);
+            g = made;
+        }
+        if (rational_take_overflow()) {
+            dag_free(g);
+            g = NULL;
+        }
+        if (g)
+            search_add(s, g, BEHIND, combine ? "combined, multiplied out and factored" : "multiplied out and factored");
+    }
+}
+
+bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,
+                    struct compiled *c, struct diag *d)
+{
+    struct search *s = search_new(f, o);
+    *c = (struct compiled){0};
+    if (o->explain)
+        fprintf(o->explain, "%s\n", genome->name);
+    bool large = false;
+    for (int keep = KEEP_QUOTIENTS; keep <= KEEP_ALL && !large; keep++) {
+        struct dag *g = simplify_genome(f, genome, (enum keep_lets)keep, d);
+        if (!g) {
+            search_free(s);
+            return false;
+        }
+        large = g->nodes > SEARCH_MOST_NODES;
+        add_written(s, f, g, keep == KEEP_ALL ? "as written, named products whole" : "as written");
+    }
+    search_select(s, WRITTEN);
+    /* Differences of a segment's nodes are exact, or nearly, wherever it lies; sums of coordinates are not. */
+    struct dag *linear = f->segment || large ? NULL : shape_linear(search_first(s));
+    if (linear)
+        search_add(s, linear, 1, "linear forms written out");
+    if (!large)
+        add_factored(s);
+    c->removed = search_run(s, &c->emission);
+    search_free(s);
+    if (!c->emission.out_of_range)
+        return true;
+    free(c->emission.text);
+    c->emission.text = NULL;
+    return diag_at(d, f->path, genome->line, 1, "genome '%s' needs a constant out of the range of double",
+                   genome->name);
+}

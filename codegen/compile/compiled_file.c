@@ -1,0 +1,210 @@
+/* From genomes to proved functions; see compiled_file.h. */
+#include "compiled_file.h"
+
+#include "../genome/console.h"
+#include "../program/degree.h"
+#include "../program/evaluate_float.h"
+#include "../genome/text.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SAMPLES = 10000, BOXES_FOR_EFFORT = 20 };
+
+/* Rounding errors in float are 2^29 times those in double. */
+#define FLOAT_TO_DOUBLE 536870912.0
+
+bool function_has_poles(const struct function *f)
+{
+    return f->evidence && !evidence_pole_free(f->evidence);
+}
+
+double unit_threshold(const struct unit *u, const struct denominator *d)
+{
+    const bool single = u->options.precision == PRECISION_FLOAT;
+    const double threshold = single ? d->threshold * FLOAT_TO_DOUBLE : d->threshold;
+    return threshold >= (single ? (double)FLT_MIN : DBL_MIN) ? threshold : 0.0;
+}
+
+/* Do the ranges say that A = (0,0,0) and B = (1,0,0)? */
+static bool has_unit_edge(const struct genome_file *f)
+{
+    for (size_t i = 0; i < 6; i++) {
+        const double only = i == 3 ? 1.0 : 0.0;
+        const struct genome_range *r = &f->range[i];
+        if (!r->given || f->constant[r->lo].value != only || f->constant[r->hi].value != only)
+            return false;
+    }
+    return true;
+}
+
+int unit_degree(const struct unit *u, const struct function *f, const struct denominator *d)
+{
+    int degree = 0;
+    if (!u->file->segment || !has_unit_edge(u->file) ||
+        !homogeneous_degree(f->program, u->file->segment, d->op, &degree))
+        return 0;
+    return degree;
+}
+
+bool *function_reads(const struct function *f)
+{
+    const struct program *p = f->program;
+    bool *reads = new_array(p->inputs, sizeof *reads);
+    for (size_t i = 0; i < p->ops; i++) {
+        if (p->op[i].a >= 0 && (size_t)p->op[i].a < p->inputs)
+            reads[p->op[i].a] = true;
+        if (p->op[i].b >= 0 && (size_t)p->op[i].b < p->inputs)
+            reads[p->op[i].b] = true;
+    }
+    for (size_t i = 0; i < p->outputs; i++)
+        if ((size_t)p->output[i] < p->inputs)
+            reads[p->output[i]] = true;
+    return reads;
+}
+
+/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at and NAME_sure. */
+static bool check_names(const struct genome_file *f, struct diag *d)
+{
+    static const char *const suffix[] = {"_n", "_points", "_at", "_sure"};
+    for (size_t k = 0; k < f->genomes; k++)
+        for (size_t s = 0; s < (f->segment ? 4 : 2); s++) {
+            const char *name = f->genome[k].name;
+            const size_t n = strlen(name), tail = strlen(suffix[s]);
+            for (size_t i = 0; n > tail && strcmp(name + n - tail, suffix[s]) == 0 && i < f->genomes; i++)
+                if (strlen(f->genome[i].name) == n - tail && memcmp(f->genome[i].name, name, n - tail) == 0)
+                    return diag_at(d, f->path, f->genome[k].line, 1, "genome '%s' takes the name of a function of '%s'",
+                                   name, f->genome[i].name);
+        }
+    return true;
+}
+
+static bool check_poles(const struct genome_file *f, const struct function *function, struct diag *d)
+{
+    const struct evidence *e = function->evidence;
+    for (size_t i = 0; i < e->denominators; i++)
+        if (e->denominator[i].verdict != POLE_FREE)
+            return diag_at(d, f->path, function->genome->line, 1,
+                           "genome '%s' may divide by 0 (%s: %s); give the inputs' ranges, or --allow-poles",
+                           function->genome->name, e->denominator[i].name,
+                           e->denominator[i].verdict == POLE_EXISTS ? "has a zero" : "undecided");
+    return true;
+}
+
+/* Constants must be normal numbers in float, too. */
+static bool check_float(const struct genome_file *f, const struct function *function, struct diag *d)
+{
+    const struct program *p = function->program;
+    for (size_t i = 0; i < p->constants; i++) {
+        const double c = fabs(fmpq_get_d(&p->constant[i]));
+        if (!fmpq_is_zero(&p->constant[i]) && !(c >= FLT_MIN && c <= FLT_MAX))
+            return diag_at(d, f->path, function->genome->line, 1,
+                           "genome '%s' needs a constant out of the range of float", function->genome->name);
+    }
+    return true;
+}
+
+/* Hash of a genome with all that stands before it in its file, and nothing of the genomes beside it. */
+static void hash_genome(const struct genome_file *f, size_t k, char sha256[65])
+{
+    struct genome_file alone = *f;
+    struct memory *m = memory_open();
+    alone.genome += k;
+    alone.genomes = 1;
+    genome_print(&alone, m->stream);
+    char *text = memory_close(m);
+    sha256_hex(text, strlen(text), sha256);
+    free(text);
+}
+
+/* Compiling takes about as long as the evidence: two steps a genome. */
+static void tell(const struct steps *s, const struct genome_file *f, size_t k, bool compiled)
+{
+    char what[200];
+    snprintf(what, sizeof what, "%.80s, %zu of %zu, %s", f->genome[k].name, k + 1, f->genomes,
+             compiled ? "proofs and bounds" : "search for the cheapest form");
+    steps_show(s, 2 * k + compiled, what);
+}
+
+static void tell_done(struct steps *s, const struct genome_file *f, size_t k)
+{
+    const char *slash = strrchr(f->path, '/');
+    char what[400];
+    snprintf(what, sizeof what, "%.200s: %.80s, %zu of %zu", slash ? slash + 1 : f->path, f->genome[k].name, k + 1,
+             f->genomes);
+    steps_log(s, what);
+}
+
+static bool build(struct unit *u, size_t k, const struct unit_options *o, struct steps *s, struct diag *d)
+{
+    const struct genome_file *f = u->file;
+    struct function *function = &u->function[k];
+    struct compiled *c = &function->code;
+    function->genome = &f->genome[k];
+    function->name = new_format("%s_%s", o->prefix, function->genome->name);
+    tell(s, f, k, false);
+    if (!compile_genome(f, function->genome, &o->compile, c, d))
+        return false;
+    tell(s, f, k, true);
+    function->program = program_read(f, function->genome, c->emission.text, d);
+    if (!function->program || !prove_equal(f, function->genome, function->program, &function->proof, d))
+        return false;
+    if (c->removed) {
+        console_line(s->terminal, "");
+        fprintf(stderr, "%s:%d: warning: genome '%s': %zu division%s cancelled (a removed singularity)\n", f->path,
+                function->genome->line, function->genome->name, c->removed, c->removed == 1 ? "" : "s");
+    }
+    if (!o->evidence)
+        return true;
+    if (o->precision == PRECISION_FLOAT && !check_float(f, function, d))
+        return false;
+    const struct evidence_options options = {
+        .samples = SAMPLES, .boxes = BOXES_FOR_EFFORT * (1 + o->compile.effort), .seed = o->compile.seed};
+    function->evidence = evidence_new(f, function->genome, function->program, &options);
+    if (function->evidence->empty)
+        return diag_at(d, f->path, f->require[0].line, 1, "no inputs in the ranges have all requires > 0");
+    hash_genome(f, k, function->sha256);
+    function->scaled = o->samples && single_is_relative(f->segment, function->program);
+    if (o->samples) {
+        function->measured = new_array(1, sizeof *function->measured);
+        *function->measured = measure_program(f, function->program, function->scaled, o->samples);
+    }
+    return o->allow_poles || check_poles(f, function, d);
+}
+
+struct unit *unit_new(const struct genome_file *f, const char sha256[65], const struct unit_options *o, struct diag *d)
+{
+    struct unit *u = new_array(1, sizeof *u);
+    *u = (struct unit){.file = f, .options = *o};
+    memcpy(u->sha256, sha256, sizeof u->sha256);
+    u->function = new_array(f->genomes, sizeof *u->function);
+    bool good = f->genomes > 0 || diag_at(d, f->path, 0, 0, "the file holds no genome");
+    good = good && check_names(f, d);
+    struct steps steps = steps_start(!o->quiet && !o->compile.explain, 2 * f->genomes);
+    for (size_t k = 0; good && k < f->genomes; k++)
+        if ((good = build(u, k, o, &steps, d)) && o->evidence)
+            tell_done(&steps, f, k);
+    steps_end(&steps);
+    if (good)
+        return u;
+    unit_free(u);
+    return NULL;
+}
+
+void unit_free(struct unit *u)
+{
+    for (size_t k = 0; k < u->file->genomes; k++) {
+        struct function *f = &u->function[k];
+        free(f->name);
+        free(f->code.emission.text);
+        free(f->measured);
+        if (f->program)
+            program_free(f->program);
+        if (f->evidence)
+            evidence_free(f->evidence);
+    }
+    free(u->function);
+    free(u);
+}

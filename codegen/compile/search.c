@@ -1,0 +1,573 @@
+/* Seeded local search; see search.h.  Each shape is tried with a few random likings; the best of what results is
+ * improved by overruling one of Horner's choices at a time, keeping what is not worse.  Work is counted, not timed, so
+ * that the result does not depend on the machine. */
+#include "search.h"
+
+#include "../passes/absorb.h"
+#include "../schedule/balance.h"
+#include "../schedule/distribute.h"
+#include "../passes/horner.h"
+#include "../schedule/share_multiples.h"
+#include "../schedule/scales.h"
+#include "../passes/expand.h"
+#include "../passes/cse.h"
+#include "../graph/rewrite.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    BEAM = 4,
+    FORMS = 24,
+    KEEPING = 6, /* the first of them, which leave quotients as they are */
+    WRITTEN = 2, /* shapes that are the genome as written; others may be far from it */
+    RANDOM_TRIES = 200,
+    UNIT = 1500, /* nodes and edges handled in about a millisecond */
+    PAIRS = 50,  /* pairs of operands looked at in the time of a node */
+    FREE_PAIRS = 20000000,
+    SCALES = 12,     /* work of searching a node's scale, in nodes */
+    FIRST = 2000,    /* units for the starting points, whatever the effort */
+    SLACK = 2,       /* multiplications that a search of scales may make up for */
+    FREE_DEGREE = 64 /* common denominators may raise the degree up to this; of a segment's functions, whose scale is
+                      * any length, never beyond the genome's own */
+};
+
+static const double TIE = 1e-3; /* what all operations count where the longest chain is the cost */
+static const double HOT = 0.5;  /* multiplications by which annealing may go up at first */
+
+struct shape {
+    struct dag *dag; /* owned */
+    double behind;   /* given up if it costs so many times the first one */
+    bool open;       /* it was multiplied out at no great expense */
+    const char *what;
+};
+
+/* A way to emit a shape. */
+struct candidate {
+    size_t shape;
+    struct policy policy; /* owned */
+    double estimate;      /* cost before scales are searched */
+    double cost;
+};
+
+struct search {
+    const struct genome_file *file;
+    const struct compile_options *options;
+    struct shape *shape; /* owned */
+    size_t shapes, shape_room;
+    struct candidate beam[BEAM + 1]; /* sorted by cost; the last place is for the one under trial */
+    size_t n;
+    struct emission best;    /* owned text */
+    struct candidate winner; /* that it came from */
+    double least;
+    double guide;             /* least cost of the emissions that steer the search */
+    size_t removing, removed; /* singularities: by the passes under way, by the winner's */
+    uint64_t random;
+    int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
+    double chain;                          /* longest one of the graph at hand, where the cost model asks for it */
+    struct cost_model latency;             /* when operands are ready */
+    double work, limit;
+    bool differences; /* those of two inputs stay whole */
+    bool starting;   /* the starting points are under way */
+    bool explaining; /* the passes print what they made */
+};
+
+struct search *search_new(const struct genome_file *f, const struct compile_options *o)
+{
+    struct search *s = new_array(1, sizeof *s);
+    s->file = f;
+    s->options = o;
+    struct diag d;
+    s->random = o->seed;
+    cost_model_find("latency", &s->latency, &d);
+    s->limit = (double)o->effort * UNIT;
+    s->guide = HUGE_VAL;
+    s->differences = f->segment && shape_differs_first(f->segment);
+    s->least_degree = f->segment ? 0 : FREE_DEGREE;
+    return s;
+}
+
+void search_free(struct search *s)
+{
+    for (size_t i = 0; i < s->shapes; i++)
+        dag_free(s->shape[i].dag);
+    for (size_t i = 0; i <= BEAM; i++)
+        policy_clear(&s->beam[i].policy);
+    policy_clear(&s->winner.policy);
+    free(s->shape);
+    free(s);
+}
+
+void search_add(struct search *s, struct dag *g, double behind, const char *what)
+{
+    grow_array(&s->shape, s->shapes, &s->shape_room, sizeof *s->shape);
+    if (s->shapes == 0)
+        s->most_degree = dag_degree(g) > s->least_degree ? dag_degree(g) : s->least_degree;
+    s->shape[s->shapes++] = (struct shape){.dag = g, .behind = behind, .what = what};
+}
+
+const struct dag *search_first(const struct search *s)
+{
+    return s->shape[0].dag;
+}
+
+/* One line: the operations of a graph before scales are chosen. */
+static void explain_graph(FILE *out, const char *pass, const struct dag *g)
+{
+    struct operations ops = {0};
+    int *uses = dag_uses(g);
+    for (size_t n = 1; n < g->nodes; n++) {
+        const struct node *node = &g->node[n];
+        if (!uses[n])
+            continue;
+        for (size_t i = 0; i < node->edges; i++) {
+            ops.mul += node->kind == NODE_PRODUCT ? node->edge[i].power : 0;
+            ops.mul += node->edge[i].node != 0 && node->edge[i].coef != ONE && node->edge[i].coef != MINUS_ONE;
+        }
+        ops.mul -= node->kind == NODE_PRODUCT;
+        ops.add += node->kind == NODE_SUM ? (long)node->edges - 1 : 0;
+        ops.div += node->kind == NODE_INVERSE || node->kind == NODE_PDIV;
+        ops.sqrt += node->kind == NODE_SQRT;
+        ops.compare += node->kind >= NODE_PDIV && node->kind != NODE_SQRT;
+    }
+    fprintf(out, "  %-26s %5ld mul %4ld div %5ld add %4ld sqrt %4ld compare\n", pass, ops.mul, ops.div, ops.add,
+            ops.sqrt, ops.compare);
+    free(uses);
+}
+
+static uint64_t next_random(struct search *s)
+{
+    uint64_t z = s->random += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+static void copy_candidate(struct candidate *to, const struct candidate *from)
+{
+    to->shape = from->shape;
+    to->cost = from->cost;
+    to->estimate = from->estimate;
+    policy_copy(&to->policy, &from->policy);
+}
+
+static void count_work(struct search *s, const struct dag *g)
+{
+    for (size_t i = 0; i < g->nodes; i++)
+        s->work += 1 + (double)g->node[i].edges;
+}
+
+/* Comparisons of pairs are counted only where they are so many that they take longer than what is counted else. */
+static void count_dear(struct search *s, double pairs)
+{
+    if (pairs > FREE_PAIRS)
+        s->work += (pairs - FREE_PAIRS) / PAIRS;
+}
+
+/* One pass done: its result takes the place of the graph that it was made from. */
+static void step(struct search *s, struct dag **g, struct dag *made, const char *pass)
+{
+    count_work(s, made);
+    dag_free(*g);
+    *g = made;
+    if (s->explaining)
+        explain_graph(s->options->explain, pass, made);
+}
+
+static bool divides(const struct dag *g)
+{
+    for (size_t i = 0; i < g->outputs; i++)
+        if (g->node[g->output[i].node].divides)
+            return true;
+    return false;
+}
+
+static struct dag *run_passes(struct search *s, const struct candidate *c, struct record *record)
+{
+    const struct policy *p = &c->policy;
+    struct dag *g = dag_copy(s->shape[c->shape].dag);
+    if (record)
+        record->decisions = record->alternatives = 0;
+    if (divides(g))
+        step(s, &g, shape_combine(g, p, record), "common denominators");
+    step(s, &g, shape_dissolve(g, p, record), "multiplying out");
+    if (p->join && divides(g))
+        step(s, &g, shape_join(g), "one division for several");
+    if (p->early) {
+        count_dear(s, (double)share_pairs(g));
+        step(s, &g, walk_again(g), "early sharing");
+    }
+    step(s, &g, horner_factor(g, p, record), "Horner");
+    s->removing = dag_removed(g);
+    s->degree = dag_degree(g);
+    struct dag *absorbed = p->absorb ? absorb_coefficients(g) : NULL;
+    if (absorbed)
+        step(s, &g, absorbed, "coefficients absorbed");
+    count_dear(s, (double)share_pairs(g));
+    if (s->explaining)
+        explain_graph(s->options->explain, "sharing", g);
+    if (s->options->cost.chain)
+        s->chain = balance_trees(g, &s->options->cost);
+    else {
+        distribute_products(g, &s->options->cost);
+        balance_order(g, &s->latency);
+    }
+    return g;
+}
+
+/* Emits a scheduled graph; the text is kept if it is the cheapest so far.  Returns the cost.  Emissions that do not
+ * steer the search leave no trace where they do not win. */
+static double emit_schedule(struct search *s, const struct schedule *schedule, const struct candidate *from,
+                            bool steers)
+{
+    struct emission e;
+    emit_statements(s->file, schedule, &e);
+    e.out_of_range |= rational_take_overflow();
+    const double sum = operations_cost(&e.ops, &s->options->cost);
+    const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
+    const bool tie = s->best.text && cost < s->least + 1e-9,
+               exacter = from->policy.differences && !s->winner.policy.differences,
+               neater =
+                   e.ops.mul < s->best.ops.mul || (e.ops.mul == s->best.ops.mul && e.negations < s->best.negations);
+    if (steers && cost < s->guide)
+        s->guide = cost;
+    if (!s->best.text || cost < s->least - 1e-9 || (tie && (exacter || (steers && neater)))) {
+        free(s->best.text);
+        s->best = e;
+        s->least = cost;
+        s->removed = s->removing;
+        copy_candidate(&s->winner, from);
+    } else
+        free(e.text);
+    return cost;
+}
+
+/* Once more with multiples of values shared, if that may be the cheapest. */
+static void emit_multiples(struct search *s, const struct schedule *schedule, const struct candidate *from, double cost)
+{
+    size_t saved;
+    struct dag *g = s->options->cost.chain ? NULL : multiples_taken(schedule, &saved);
+    if (g && cost - (double)saved * s->options->cost.mul < s->least - 1e-9) {
+        struct schedule *again = scaled_schedule(g, &s->options->cost, SCALES_SINGLE);
+        emit_schedule(s, again, from, false);
+        schedule_free(again);
+    }
+    dag_free(g);
+}
+
+/* Emits a graph, in its own scales or in those that a search finds; returns the cost. */
+static double emit(struct search *s, const struct dag *g, const struct candidate *from, enum scale_search scales)
+{
+    struct schedule *schedule = scaled_schedule(g, &s->options->cost, scales);
+    const bool steers = scales != SCALES_GROUPS;
+    const double cost = emit_schedule(s, schedule, from, steers);
+    if (steers) {
+        s->work += (scales ? SCALES : 2) * (double)schedule->n;
+        count_dear(s, schedule->work);
+    }
+    if (scales != SCALES_KEPT)
+        emit_multiples(s, schedule, from, cost);
+    schedule_free(schedule);
+    return cost;
+}
+
+/* Emits the candidate; the text is kept if it is the cheapest so far.  One whose estimate is beyond `limit` is not
+ * looked at any further. */
+static void evaluate(struct search *s, struct candidate *c, struct record *record, double limit)
+{
+    rational_take_overflow();
+    struct dag *g = run_passes(s, c, record);
+    c->cost = c->estimate = HUGE_VAL;
+    if (rational_take_overflow() || s->degree > s->most_degree) {
+        dag_free(g);
+        return;
+    }
+    for (int multiples = 0; multiples < 2; multiples++) {
+        if (multiples > 0)
+            share_multiples(g);
+        if (multiples == 0)
+            c->estimate = emit(s, g, c, SCALES_KEPT);
+        if (g->nodes > SEARCH_MOST_NODES) {
+            c->cost = c->estimate;
+            break;
+        }
+        if (c->estimate <= limit) {
+            const double cost = emit(s, g, c, SCALES_SINGLE);
+            c->cost = cost < c->cost ? cost : c->cost;
+            if (s->starting && c->cost <= s->least + SLACK * s->options->cost.mul)
+                emit(s, g, c, SCALES_GROUPS);
+        }
+        if (c->estimate > limit || c->cost > s->guide + SLACK * s->options->cost.mul)
+            break;
+    }
+    dag_free(g);
+}
+
+/* Puts the candidate under trial in its place of the beam. */
+static void enter_beam(struct search *s)
+{
+    const struct candidate c = s->beam[BEAM];
+    size_t i = s->n < BEAM ? s->n++ : BEAM;
+    if (i == BEAM && c.cost >= s->beam[BEAM - 1].cost)
+        return;
+    if (i == BEAM)
+        i--;
+    s->beam[BEAM] = s->beam[i];
+    for (; i > 0 && s->beam[i - 1].cost > c.cost; i--)
+        s->beam[i] = s->beam[i - 1];
+    s->beam[i] = c;
+}
+
+static struct policy starting_policy(const struct search *s, int form)
+{
+    return (struct policy){.plain = form % 3 == 1,
+                           .early = form % 3 == 2,
+                           .dissolve = form / 3 & 1,
+                           .combine = form / 6 & 1,
+                           .join = form / 12 & 1,
+                           .differences = s->differences};
+}
+
+/* What has been found so far is forgotten. */
+static void start_again(struct search *s, double work)
+{
+    free(s->best.text);
+    s->best = (struct emission){0};
+    s->guide = HUGE_VAL;
+    s->work = work;
+}
+
+/* Least cost of a shape without choices, then fewest multiplications. */
+static double first_cost(struct search *s, size_t shape)
+{
+    const double work = s->work;
+    struct candidate c = {.shape = shape, .policy = {.plain = true, .differences = s->differences}};
+    evaluate(s, &c, NULL, HUGE_VAL);
+    const double cost = s->best.text ? s->least + TIE * (double)s->best.ops.mul : HUGE_VAL;
+    start_again(s, work);
+    return cost;
+}
+
+void search_select(struct search *s, size_t n)
+{
+    double *cost = new_array(s->shapes, sizeof *cost);
+    for (size_t i = 0; s->shapes > n && i < s->shapes; i++)
+        cost[i] = first_cost(s, i);
+    while (s->shapes > n) {
+        size_t worst = 0;
+        for (size_t i = 1; i < s->shapes; i++)
+            worst = cost[i] >= cost[worst] ? i : worst;
+        dag_free(s->shape[worst].dag);
+        s->shapes--;
+        memmove(&s->shape[worst], &s->shape[worst + 1], (s->shapes - worst) * sizeof *s->shape);
+        memmove(&cost[worst], &cost[worst + 1], (s->shapes - worst) * sizeof *cost);
+    }
+    free(cost);
+}
+
+/* Gives up shapes that are far behind the first one from the beginning, unless trying them is dear.  That is not
+ * counted as work, so that they leave no trace. */
+static void drop_shapes(struct search *s)
+{
+    const double work = s->work;
+    struct candidate first = {.policy.differences = s->differences};
+    size_t kept = 1;
+    if (s->shapes <= WRITTEN)
+        return;
+    evaluate(s, &first, NULL, 0);
+    for (size_t i = 1; i < s->shapes; i++) {
+        struct candidate c = {.shape = i, .policy.differences = s->differences};
+        if (s->work - work < s->limit / 20)
+            evaluate(s, &c, NULL, 0);
+        if (c.estimate < s->shape[i].behind * first.estimate)
+            s->shape[kept++] = s->shape[i];
+        else
+            dag_free(s->shape[i].dag);
+    }
+    start_again(s, work);
+    s->shapes = kept;
+}
+
+/* Evaluates a shape under a policy without choices, for the beam. */
+static void try_policy(struct search *s, size_t shape, const struct policy *p)
+{
+    struct candidate *c = &s->beam[BEAM];
+    c->shape = shape;
+    policy_copy(&c->policy, p);
+    evaluate(s, c, NULL, HUGE_VAL);
+    enter_beam(s);
+}
+
+/* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
+ * or not, in all mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear.
+ */
+static void try_first(struct search *s)
+{
+    static const double preference[] = {0.9, 3, 1000};
+    const double first = s->limit > FIRST * (double)UNIT ? s->limit : FIRST * (double)UNIT;
+    for (size_t i = 0; i < s->shapes; i++) {
+        const bool quotients = divides(s->shape[i].dag);
+        bool dear = false;
+        for (int form = 0; form < FORMS; form++) {
+            const struct policy p = starting_policy(s, form);
+            const double before = s->work;
+            if ((form >= KEEPING && !quotients) || (p.dissolve > 0 && dear) || (s->n > 0 && s->work > first))
+                continue;
+            s->starting = true;
+            try_policy(s, i, &p);
+            s->starting = false;
+            dear |= s->work - before > s->limit / 20;
+            s->shape[i].open |= p.dissolve > 0 && !dear;
+        }
+        for (int attempt = 0; attempt < RANDOM_TRIES && s->work < s->limit / 2 * (double)(i + 1) / (double)s->shapes;
+             attempt++) {
+            const struct policy p = {.seed = next_random(s),
+                                     .preference = preference[attempt % 3],
+                                     .plain = attempt % 4 == 3,
+                                     .early = attempt % 5 == 1,
+                                     .dissolve = dear ? 0 : 0.5 * (attempt % 3),
+                                     .combine = quotients ? attempt / 2 % 2 : 0,
+                                     .join = quotients && attempt & 4,
+                                     .differences = s->differences};
+            try_policy(s, i, &p);
+        }
+    }
+}
+
+/* One choice of the candidate under trial overruled. */
+static void mutate(struct search *s, struct candidate *c, const struct record *record)
+{
+    if (c->policy.choices > 0 && next_random(s) % 8 == 0) {
+        const size_t k = next_random(s) % c->policy.choices;
+        memmove(&c->policy.choice[k], &c->policy.choice[k + 1],
+                (c->policy.choices-- - k - 1) * sizeof *c->policy.choice);
+        return;
+    }
+    const struct decision *d = &record->decision[next_random(s) % record->decisions];
+    const size_t k = next_random(s) % (d->alternatives + 1);
+    policy_choose(&c->policy, (struct choice){d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
+}
+
+static double uniform(struct search *s)
+{
+    return (double)(next_random(s) >> 11) * 0x1p-53;
+}
+
+/* Simulated annealing from a candidate until so much work is done; it becomes the best that was met. */
+static void anneal(struct search *s, struct candidate *best, double hot, double until)
+{
+    struct record record = {0}, next = {0};
+    struct candidate at = {0}, *trial = &s->beam[BEAM];
+    const double start = s->work;
+    copy_candidate(&at, best);
+    evaluate(s, &at, &record, HUGE_VAL);
+    while (s->work < until && record.decisions > 0) {
+        const double heat = hot * (1 - (s->work - start) / (until - start)) * s->options->cost.mul;
+        copy_candidate(trial, &at);
+        for (uint64_t moves = 1 + next_random(s) % 3; moves > 0; moves--)
+            mutate(s, trial, &record);
+        evaluate(s, trial, &next, at.estimate + SLACK * s->options->cost.mul);
+        if (trial->cost > at.cost - heat * log(1 - uniform(s)))
+            continue;
+        copy_candidate(&at, trial);
+        const struct record swap = record;
+        record = next;
+        next = swap;
+        if (at.cost < best->cost)
+            copy_candidate(best, &at);
+    }
+    policy_clear(&at.policy);
+    record_clear(&record);
+    record_clear(&next);
+}
+
+/* Once more multiplied out, the outputs' coefficients absorbed.  It comes last and is no start for the others, so that
+ * it leaves no trace where it does not win. */
+static void try_absorbing(struct search *s)
+{
+    for (size_t i = 0; i < s->shapes; i++) {
+        struct candidate c = {.shape = i, .policy = {.plain = true, .dissolve = 1, .absorb = true}};
+        c.policy.differences = s->differences;
+        if (s->shape[i].open)
+            evaluate(s, &c, NULL, HUGE_VAL);
+    }
+}
+
+/* The last shape from all starting points that keep quotients. */
+static void try_keeping(struct search *s)
+{
+    const double before = s->work;
+    s->starting = true;
+    for (int form = 0; form < KEEPING && s->work - before < s->limit / 20; form++) {
+        struct candidate c = {.shape = s->shapes - 1, .policy = starting_policy(s, form)};
+        evaluate(s, &c, NULL, HUGE_VAL);
+    }
+    s->starting = false;
+}
+
+/* The first shape with quotients by single factors; last, too. */
+static void try_splitting(struct search *s)
+{
+    struct dag *g = s->shapes > 0 && divides(s->shape[0].dag) ? shape_split(s->shape[0].dag) : NULL;
+    if (!g)
+        return;
+    search_add(s, g, 1, "quotients by single factors");
+    try_keeping(s);
+}
+
+/* The winner's shape, with the vectors of a segment by the fewest differences, under its own choices, too; last. */
+static void try_differences(struct search *s)
+{
+    struct candidate c = {0};
+    if (!s->file->segment || s->differences || !s->best.text)
+        return;
+    struct dag *g = shape_differences(s->shape[s->winner.shape].dag, s->file->segment, 0);
+    if (!g)
+        return;
+    search_add(s, g, 1, "fewest differences");
+    copy_candidate(&c, &s->winner);
+    c.shape = s->shapes - 1;
+    c.policy.differences = s->differences = true;
+    evaluate(s, &c, NULL, HUGE_VAL);
+    policy_clear(&c.policy);
+    try_keeping(s);
+}
+
+/* How the result came about: the winner's passes once more. */
+static void explain(struct search *s)
+{
+    FILE *out = s->options->explain;
+    fprintf(out, "  %zu shapes, %.0f units of work; the cheapest is \"%s\" with %zu choices overruled\n", s->shapes,
+            s->work / UNIT, s->shape[s->winner.shape].what, s->winner.policy.choices);
+    s->explaining = true;
+    explain_graph(out, "simplified", s->shape[s->winner.shape].dag);
+    dag_free(run_passes(s, &s->winner, NULL));
+    s->explaining = false;
+    fprintf(out, "  %-26s %5ld mul %4ld div %5ld add %4ld sqrt %4ld compare; cost %g (%s)\n", "emitted",
+            s->best.ops.mul, s->best.ops.div, s->best.ops.add, s->best.ops.sqrt, s->best.ops.compare, s->least,
+            s->options->cost.name);
+}
+
+size_t search_run(struct search *s, struct emission *e)
+{
+    drop_shapes(s);
+    try_first(s);
+    const double start = s->work, share = (s->limit - start) / (2 * (double)(s->n + 1));
+    for (size_t i = 0; i < s->n && s->work < s->limit; i++)
+        anneal(s, &s->beam[i], HOT, s->work + share);
+    size_t best = 0;
+    for (size_t i = 0; i < s->n; i++)
+        if (s->beam[i].cost < s->beam[best].cost)
+            best = i;
+    if (s->n > 0 && s->work < s->limit)
+        anneal(s, &s->beam[best], HOT, s->limit);
+    try_splitting(s);
+    try_absorbing(s);
+    try_differences(s);
+    if (s->options->explain && s->best.text)
+        explain(s);
+    *e = s->best;
+    e->out_of_range |= !e->text; /* on the way there, in every form */
+    return s->removed;
+}

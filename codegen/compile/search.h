@@ -1,0 +1,37 @@
+/* The search for the cheapest form: over the shapes that a genome was given, and over Horner's choices in each. */
+#ifndef FOOTPOINT_SEARCH_H
+#define FOOTPOINT_SEARCH_H
+
+#include "../graph/cost.h"
+#include "../schedule/emit.h"
+
+/** A genome of more nodes is compiled as it is written: no other shapes of it, and one emission. */
+enum { SEARCH_MOST_NODES = 100000 };
+
+struct compile_options {
+    struct cost_model cost;
+    unsigned long seed;
+    long effort;   /* work that the search may do, in units of about a millisecond; same effort, same bytes */
+    FILE *explain; /* one line per pass with its counts, or NULL */
+};
+
+struct search;
+
+struct search *search_new(const struct genome_file *f, const struct compile_options *o);
+void search_free(struct search *s);
+
+/** Another shape of the same outputs; the graph becomes the search's.  `what` says in a few words how it was made.  It is
+ *  given up if its first estimate is not below `behind` times that of the first shape. */
+void search_add(struct search *s, struct dag *g, double behind, const char *what);
+
+/** Gives up all shapes but the n that are cheapest at first. */
+void search_select(struct search *s, size_t n);
+
+/** The shape that was added first. */
+const struct dag *search_first(const struct search *s);
+
+/** The cheapest emission found with the options' effort, and how many singularities it removed.  e->text is the
+ *  caller's. */
+size_t search_run(struct search *s, struct emission *e);
+
+#endif

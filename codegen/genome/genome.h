@@ -1,0 +1,196 @@
+/* Genome text: a small straight-line program with named inputs, named values (`let`) and any number of genomes.
+ *
+ *     footpoint-genome 1                   the format and its version: the first words of the file
+ *     # comment                            anywhere, to the end of the line
+ *     note scene quad4                     provenance: a key and the rest of the line; any number
+ *     input xA yA zA xB                    names of inputs, in order; may be repeated
+ *     segment quad4 any                    the inputs are nodes of a segment and the slave node: a kind of segment_kind.h
+ *                                          and the order of corners assumed: any | nearest | nearest-shorter
+ *     range xC -0.5 2                      closed interval of an input; at most one for each
+ *     let c1x = - xB xA                    a value: one expression of inputs and earlier lets
+ *     exchange p q                         of a frame: exchanging xi and eta turns the one value into the other
+ *     function newton u v un vn            of a frame: newton of a pair (a,b) is what the values un and vn are where a
+ *                                          stands for u and b for v
+ *     require - xC xD                      an expression that is > 0 on the region; any number
+ *     genome fast                          a function to be made
+ *     note training_xi genes 5 mean 1e-3   its own provenance
+ *     xi = + * 0.05 c1x yA                 an output: one expression; any number
+ *     eta = yA
+ *     end
+ *
+ *     file       = "footpoint-genome" "1" { line | genome }
+ *     line       = note | input | segment | range | let | exchange | function | require
+ *     note       = "note" KEY text-to-the-end-of-the-line
+ *     input      = "input" NAME { NAME }                       before the first let and the first genome
+ *     segment    = "segment" KIND ORDER                        at most one; ORDER other than "any" for quad4 alone
+ *     range      = "range" INPUT NUMBER NUMBER                 lower limit <= upper limit
+ *     let        = "let" NAME "=" expression                   before the first genome
+ *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one such line at most
+ *     function   = "function" NAME SYMBOL SYMBOL SYMBOL SYMBOL
+ *     require    = "require" expression
+ *     genome     = "genome" NAME newline { note | output } "end"
+ *     output     = NAME "=" expression
+ *     expression = OP2 expression expression | OP1 expression | SYMBOL | NUMBER
+ *     OP2        = "+" | "-" | "*" | "/" | "%" | "min" | "max"
+ *     OP1        = "neg" | "sqrt" | "abs"
+ *
+ * Words are parted by blanks.  Each of the lines above is one line of the file, but expressions may go on over several:
+ * an expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
+ * leaf +1), and nothing may follow it on its line.  / is the quotient, % the protected quotient, which is 1 where the
+ * divisor is 0.  A NAME has letters, digits and underscores, 63 at most, does not begin with a digit and is no operator
+ * or keyword; a SYMBOL is the name of an input or of an earlier let.  A NUMBER is decimal, has an exponent if need be
+ * (1e-3), and is exact: 0.05 means 1/20.
+ *
+ * A file with `segment` has exactly the inputs of that kind (quad4: xA yA zA ... xD yD zD xS yS zS), and each of its
+ * genomes the outputs xi and eta.  The region that bounds and verdicts of a header hold on is the box of the ranges, as
+ * far as all `require`s are > 0. */
+#ifndef FOOTPOINT_GENOME_H
+#define FOOTPOINT_GENOME_H
+
+#include "base.h"
+#include "segment_kind.h"
+
+#define GENOME_FORMAT 1
+
+/** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
+ *  -1-k: constant k of the file's table.  Those between are operators of twin trees alone (evolve/genotype/twin.h). */
+enum gene_operator {
+    GENE_ADD,
+    GENE_SUB,
+    GENE_MUL,
+    GENE_DIV,
+    GENE_PDIV, /* 1 where the divisor is 0 */
+    GENE_MIN,
+    GENE_MAX,
+    GENE_NEG,
+    GENE_SQRT,
+    GENE_ABS,
+    GENE_OPERATORS,
+    GENE_HALVES = 16, /* two operands */
+    GENE_EXCHANGE,    /* one operand, as all that follow */
+    GENE_FUNCTION,    /* + k: function k of the file */
+    GENE_SYMBOL = 64
+};
+enum { GENOME_FUNCTIONS = GENE_SYMBOL - GENE_FUNCTION };
+
+/** Operands of a gene: 2, 1 or 0. */
+int gene_arity(int gene);
+/** Text of an operator gene: "+", "min", ... */
+const char *gene_name(int gene);
+/** Length of the subtree that starts at gene[0] (Tokui and Iba: stack counts add up to 1), or 0 if `n` genes do not
+ * hold one. */
+size_t gene_span(const int *gene, size_t n);
+
+/** A named prefix expression. */
+struct genome_expr {
+    char *name; /* owned */
+    int *gene;  /* owned, length genes */
+    size_t length;
+    int line; /* where it stands in the file; 0 when made by a program */
+};
+
+/** A provenance line. */
+struct genome_note {
+    char *key, *text; /* owned */
+};
+
+/** Corner order that a genome of a segment assumes. */
+enum corner_order {
+    CORNERS_ANY,            /* as the mesh has them */
+    CORNERS_NEAREST,        /* A is the corner nearest to the slave node */
+    CORNERS_NEAREST_SHORTER /* and |AD| <= |AB| */
+};
+
+/** "any", "nearest", "nearest-shorter". */
+const char *corner_order_name(enum corner_order order);
+
+struct genome {
+    char *name;               /* owned */
+    struct genome_note *note; /* owned */
+    size_t notes, note_room;
+    struct genome_expr *out; /* owned */
+    size_t outs, out_room;
+    int line;
+};
+
+/** A constant keeps its decimal text, so that exact arithmetic can read it. */
+struct genome_constant {
+    char *text; /* owned */
+    double value;
+};
+
+/** A step from a pair of values to another: the symbols that it replaces, and those whose values are its result. */
+struct genome_function {
+    char *name; /* owned */
+    size_t from[2], to[2];
+};
+
+/** Closed interval of an input: constants of the file's table. */
+struct genome_range {
+    bool given;
+    size_t lo, hi;
+};
+
+struct genome_file {
+    char *path; /* owned */
+    struct genome_note *note;
+    size_t notes, note_room;
+    const struct segment_kind *segment; /* NULL when the inputs are not nodes */
+    enum corner_order order;
+    char **input; /* owned */
+    size_t inputs, input_room;
+    struct genome_range *range; /* owned: by input */
+    size_t range_room;
+    struct genome_constant *constant;
+    size_t constants, constant_room;
+    struct genome_expr *let;
+    size_t lets, let_room;
+    size_t (*exchange)[2]; /* owned: symbols */
+    size_t exchanges, exchange_room;
+    struct genome_function *function; /* owned */
+    size_t functions, function_room;
+    struct genome_expr *require; /* owned; without names */
+    size_t requires, require_room;
+    struct genome *genome;
+    size_t genomes, genome_room;
+    void *symbol_tree, *constant_tree; /* owned; name -> index, see genome_find_symbol */
+};
+
+/** Read and check a file.  Returns NULL with *d filled ("file:line:column: error: ...") on malformed text. */
+struct genome_file *genome_read(const char *path, struct diag *d);
+/** The same from `size` characters of text; `path` is used in diagnostics only. */
+struct genome_file *genome_parse(const char *path, const char *text, size_t size, struct diag *d);
+struct genome_file *genome_file_new(const char *path);
+void genome_file_free(struct genome_file *f);
+
+/** Print; genome_parse of what is printed gives the same program. */
+void genome_print(const struct genome_file *f, FILE *stream);
+
+/** Index of a symbol (inputs, then lets) or -1. */
+long genome_find_symbol(const struct genome_file *f, const char *name);
+const char *genome_symbol_name(const struct genome_file *f, size_t k);
+/** Index of a constant of the given decimal text, added if new. */
+size_t genome_add_constant(struct genome_file *f, const char *text);
+/** Append; text is copied. */
+void genome_add_note(struct genome_note **note, size_t *n, size_t *room, const char *key, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+/** Text of the first note of that key, or NULL. */
+const char *genome_find_note(const struct genome_note *note, size_t n, const char *key);
+struct genome *genome_add(struct genome_file *f, const char *name);
+void genome_add_input(struct genome_file *f, const char *name);
+/** Give an input's interval as decimal texts, lo <= hi. */
+void genome_add_range(struct genome_file *f, size_t input, const char *lo, const char *hi);
+/** Append an expression that is > 0 on the region. Copies `length` genes. */
+void genome_add_require(struct genome_file *f, const int *gene, size_t length);
+/** Append a named value; its name must be new. Copies `length` genes. */
+void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length);
+/** Two symbols that exchanging xi and eta exchanges. */
+void genome_add_exchange(struct genome_file *f, size_t a, size_t b);
+/** Append a function; its name must be new, and there are GENOME_FUNCTIONS at most. */
+void genome_add_function(struct genome_file *f, const char *name, const size_t from[2], const size_t to[2]);
+/** Index of a function or -1. */
+long genome_find_function(const struct genome_file *f, const char *name);
+/** Append an output of a genome: genome_add_expr(&g->out, &g->outs, &g->out_room, ...). Copies `length` genes. */
+void genome_add_expr(struct genome_expr **e, size_t *n, size_t *room, const char *name, const int *gene, size_t length);
+
+#endif

@@ -1,0 +1,29 @@
+/* What an operation costs: the currency in which codegen compares forms of an expression. */
+#ifndef FOOTPOINT_COST_H
+#define FOOTPOINT_COST_H
+
+#include "../genome/base.h"
+
+/** Cost of one operation each.  `throughput`, in units of a vector addition: mul 1, add 1, div 8, sqrt 12, compare 1.
+ *  `paper`: mul 1, div 1, the rest nearly nothing.  `latency`: the longest chain counts, not the sum. */
+struct cost_model {
+    char name[32];
+    double mul, add, div, sqrt, compare;
+    bool chain; /* cost of the longest chain of dependent operations, ties by the sum */
+};
+
+/** Operations as written: every *, /, + or -, and square root that the statements hold; constant quotients such as
+ *  (7.0 / 3.0), which a compiler folds, are none. */
+struct operations {
+    long mul, div, add, sqrt;
+    long compare;     /* min, max, abs and the test of a protected quotient */
+    long temporaries; /* named values */
+};
+
+/** Sum of the costs of all operations. */
+double operations_cost(const struct operations *ops, const struct cost_model *m);
+
+/** "throughput", "paper", "latency", or a file that footpoint-calibrate wrote.  False with *d filled otherwise. */
+bool cost_model_find(const char *name, struct cost_model *m, struct diag *d);
+
+#endif

@@ -1,0 +1,228 @@
+/* The table of rationals and the memory of what was computed with them; see rational.h. */
+#include "rational.h"
+
+#include "../genome/base.h"
+
+#include <flint/nmod_vec.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+const mp_limb_t rational_prime[PRIMES] = {1152921504606846883UL, 1152921504606846697UL};
+
+struct known {
+    fmpq_t value;
+    mp_limb_t residue[PRIMES];
+    rational inverse, negative; /* -1: not known yet */
+    int sign;
+};
+
+struct result { /* a + b or a * b */
+    int a, b;
+    rational r; /* -1: none */
+    bool sum;
+};
+
+static struct known *known;
+static size_t n_known, known_room;
+static int *bucket; /* by hash of the residues: number + 1 */
+static size_t buckets;
+static struct result *memo; /* by hash of operation and operands; a new one replaces an old one */
+static bool overflow;
+enum { MEMO = 1 << 16, MOST_BITS = 1 << 16 };
+
+static uint64_t mix(uint64_t z)
+{
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+static void insert(rational r)
+{
+    size_t i = mix(known[r].residue[0]) & (buckets - 1);
+    while (bucket[i])
+        i = (i + 1) & (buckets - 1);
+    bucket[i] = r + 1;
+}
+
+/* At the end of the program: the tables, and what FLINT keeps for more numbers. */
+static void forget(void)
+{
+    for (size_t i = 0; i < n_known; i++)
+        fmpq_clear(known[i].value);
+    free(known);
+    free(bucket);
+    free(memo);
+    flint_cleanup();
+}
+
+void rational_start(void)
+{
+    if (bucket)
+        return;
+    atexit(forget);
+    buckets = 1024;
+    bucket = new_array(buckets, sizeof *bucket);
+    memo = new_array(MEMO, sizeof *memo);
+    for (size_t i = 0; i < MEMO; i++)
+        memo[i].r = -1;
+    for (int i = 0; i < 9; i++) /* in the order of the enumeration */
+        rational_from_si((long[]){0, 1, -1, 2, -2, 4, -4, 8, -8}[i]);
+}
+
+rational rational_intern(const fmpq *q)
+{
+    mp_limb_t residue[PRIMES];
+    for (int k = 0; k < PRIMES; k++) {
+        nmod_t m;
+        nmod_init(&m, rational_prime[k]);
+        residue[k] = nmod_mul(fmpz_fdiv_ui(fmpq_numref(q), rational_prime[k]),
+                              nmod_inv(fmpz_fdiv_ui(fmpq_denref(q), rational_prime[k]), m), m);
+    }
+    for (size_t i = mix(residue[0]) & (buckets - 1); bucket[i]; i = (i + 1) & (buckets - 1))
+        if (fmpq_equal(known[bucket[i] - 1].value, q))
+            return bucket[i] - 1;
+    if (2 * (n_known + 1) > buckets) {
+        free(bucket);
+        buckets *= 2;
+        bucket = new_array(buckets, sizeof *bucket);
+        for (size_t i = 0; i < n_known; i++)
+            insert((rational)i);
+    }
+    grow_array(&known, n_known, &known_room, sizeof *known);
+    struct known *x = &known[n_known];
+    fmpq_init(x->value);
+    fmpq_set(x->value, q);
+    x->inverse = x->negative = -1;
+    x->sign = fmpq_sgn(q);
+    for (int k = 0; k < PRIMES; k++)
+        x->residue[k] = residue[k];
+    insert((rational)n_known);
+    return (rational)n_known++;
+}
+
+rational rational_from_si(long n)
+{
+    fmpq_t q;
+    fmpq_init(q);
+    fmpq_set_si(q, n, 1);
+    const rational r = rational_intern(q);
+    fmpq_clear(q);
+    return r;
+}
+
+const fmpq *rational_value(rational r)
+{
+    return known[r].value;
+}
+
+/* Whether a result may have so many bits. */
+static bool fits(double bits)
+{
+    overflow |= bits > MOST_BITS;
+    return bits <= MOST_BITS;
+}
+
+static double bits_of(const fmpq *q)
+{
+    return (double)fmpq_height_bits(q);
+}
+
+bool rational_take_overflow(void)
+{
+    const bool taken = overflow;
+    overflow = false;
+    return taken;
+}
+
+void rational_scale(fmpq *q, const fmpq *by)
+{
+    if (fits(bits_of(q) + bits_of(by)))
+        fmpq_mul(q, q, by);
+    else
+        fmpq_one(q);
+}
+
+static rational combine(rational a, rational b, bool sum)
+{
+    if (a > b) {
+        const rational swap = a;
+        a = b;
+        b = swap;
+    }
+    struct result *m = &memo[mix((uint64_t)a << 33 ^ (uint64_t)b << 1 ^ sum) & (MEMO - 1)];
+    if (m->r >= 0 && m->a == a && m->b == b && m->sum == sum)
+        return m->r;
+    if (!fits(bits_of(known[a].value) + bits_of(known[b].value)))
+        return ONE;
+    fmpq_t q;
+    fmpq_init(q);
+    (sum ? fmpq_add : fmpq_mul)(q, known[a].value, known[b].value);
+    const rational r = rational_intern(q);
+    fmpq_clear(q);
+    *m = (struct result){a, b, r, sum};
+    return r;
+}
+
+rational rational_mul(rational a, rational b)
+{
+    return a == ZERO || b == ONE ? a : b == ZERO || a == ONE ? b : combine(a, b, false);
+}
+
+rational rational_add(rational a, rational b)
+{
+    return a == ZERO ? b : b == ZERO ? a : combine(a, b, true);
+}
+
+rational rational_neg(rational a)
+{
+    if (known[a].negative < 0) {
+        const rational r = rational_mul(a, MINUS_ONE);
+        known[a].negative = r;
+        known[r].negative = a;
+    }
+    return known[a].negative;
+}
+
+rational rational_inv(rational a)
+{
+    if (known[a].inverse < 0) {
+        fmpq_t q;
+        fmpq_init(q);
+        fmpq_inv(q, known[a].value);
+        const rational r = rational_intern(q);
+        fmpq_clear(q);
+        known[a].inverse = r;
+        known[r].inverse = a;
+    }
+    return known[a].inverse;
+}
+
+rational rational_abs(rational a)
+{
+    return known[a].sign < 0 ? rational_neg(a) : a;
+}
+
+rational rational_pow(rational a, int n)
+{
+    if (a == ONE || n == 1)
+        return a;
+    if (!fits(bits_of(known[a].value) * abs(n)))
+        return ONE;
+    fmpq_t q;
+    fmpq_init(q);
+    fmpq_pow_si(q, known[a].value, n);
+    const rational r = rational_intern(q);
+    fmpq_clear(q);
+    return r;
+}
+
+int rational_sign(rational a)
+{
+    return known[a].sign;
+}
+
+mp_limb_t rational_mod(rational a, int k)
+{
+    return known[a].residue[k];
+}

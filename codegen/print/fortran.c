@@ -1,0 +1,307 @@
+/* Fortran 2008, free form; see fortran.h.  The order of operations is that of the C text: what C associates from left
+ * to right Fortran does, too, and the rest stands in parentheses, which a Fortran compiler must honour. */
+#include "fortran.h"
+
+#include "banner.h"
+#include "../program/dialect.h"
+#include "../genome/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { MOST_NAME = 63, MOST_CONTINUATIONS = 255, WIDTH = 130, LONGEST = 6000 };
+
+/* ---- expressions ---- */
+
+static char *constant_text(const fmpq *value, enum level *level, bool single)
+{
+    bool negative;
+    char *num, *den, *text;
+    split_constant(value, &negative, &num, &den);
+    const char *sign = negative ? "-" : "";
+    if (den)
+        text = new_format(single ? "%sreal(%s.0_real64 / %s.0_real64, wp)" : "%s(%s.0_wp / %s.0_wp)", sign, num, den);
+    else
+        text = new_format("%s%s_wp", sign, num);
+    *level = negative ? LEVEL_MINUS : LEVEL_NAME;
+    free(num);
+    free(den);
+    return text;
+}
+
+static char *double_constant(const fmpq *value, enum level *level)
+{
+    return constant_text(value, level, false);
+}
+
+static char *float_constant(const fmpq *value, enum level *level)
+{
+    return constant_text(value, level, true);
+}
+
+static char *input_text(const struct genome_file *f, size_t k)
+{
+    char vector[4];
+    if (!f->segment)
+        return new_format("in_%s", f->input[k]);
+    segment_vector_name(f->segment, k / 3, vector);
+    return new_format("%s(%d)", vector, (int)(k % 3) + 1);
+}
+
+/* merge() takes both values: a protected quotient must not divide by 0 for the one that it drops. */
+#define DIALECT(constant_function)                                                                                     \
+    {                                                                                                                  \
+        .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},                                                                       \
+               [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},                                                                    \
+               [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},                                                                    \
+               [OP_MUL] = {"$a1 * $b3", LEVEL_PRODUCT},                                                                \
+               [OP_DIV] = {"$a1 / $b3", LEVEL_PRODUCT},                                                                \
+               [OP_SQRT] = {"sqrt($a0)", LEVEL_NAME},                                                                  \
+               [OP_ABS] = {"abs($a0)", LEVEL_NAME},                                                                    \
+               [OP_MIN] = {"merge($a0, $b0, $a0 < $b0)", LEVEL_NAME},                                                  \
+               [OP_MAX] = {"merge($a0, $b0, $a0 > $b0)", LEVEL_NAME},                                                  \
+               [OP_PDIV] = {"(merge(1.0_wp, $a0, $b0 == 0.0_wp) / merge(1.0_wp, $b0, $b0 == 0.0_wp))", LEVEL_NAME}},   \
+        .open = "(", .close = ")", .constant = constant_function, .input = input_text, .longest = LONGEST              \
+    }
+
+static const struct dialect fortran_double = DIALECT(double_constant), fortran_float = DIALECT(float_constant);
+
+/* ---- statements ---- */
+
+struct target {
+    const struct genome_file *file;
+    FILE *names, *code;
+    bool too_long;
+};
+
+static void print_statement(struct target *t, const char *head, const char *text)
+{
+    fputs(head, t->code);
+    const size_t breaks = print_broken(text, strlen(head), WIDTH, " &\n        ", "&\n&", t->code);
+    fputc('\n', t->code);
+    t->too_long = t->too_long || breaks > MOST_CONTINUATIONS;
+}
+
+static void write_fortran(void *to, const char *name, long output, const char *text)
+{
+    struct target *t = to;
+    char *head = new_format("    %s%s = ", output < 0 || t->file->segment ? "" : "out_", name);
+    if (output < 0)
+        fprintf(t->names, " %s", name);
+    print_statement(t, head, text);
+    free(head);
+}
+
+/* "    real(wp) :: t1, t2, ..." from " t1 t2 ...", as many lines as it takes. */
+static void print_declarations(char *names, FILE *out)
+{
+    size_t column = 0;
+    char *rest;
+    for (char *name = strtok_r(names, " ", &rest); name; name = strtok_r(NULL, " ", &rest)) {
+        const bool fits = column > 0 && column + strlen(name) + 2 <= WIDTH;
+        if (!fits)
+            column = (size_t)fprintf(out, column ? "\n    real(wp) :: %s" : "    real(wp) :: %s", name) - (column > 0);
+        else
+            column += (size_t)fprintf(out, ", %s", name);
+    }
+    fputs(column ? "\n" : "", out);
+}
+
+/* status = 0, or 2 where a denominator that may be 0 is too near it, or not finite. */
+static void print_status(const struct unit *u, const struct function *f, struct printer *r, struct target *t)
+{
+    struct memory *m = memory_open();
+    fputs("merge(0, 2", m->stream);
+    const char *joint = ", ";
+    for (size_t i = 0; i < f->evidence->denominators; i++) {
+        const struct denominator *d = &f->evidence->denominator[i];
+        if (d->verdict == POLE_FREE)
+            continue;
+        char *text = printer_text(r, d->op, LEVEL_SUM);
+        fprintf(m->stream, "%sabs(%s) > %.4e_wp .and. abs(%s) <= huge(1.0_wp)", joint, text, unit_threshold(u, d),
+                text);
+        joint = " .and. ";
+        free(text);
+    }
+    fputc(')', m->stream);
+    char *text = memory_close(m);
+    print_statement(t, "    status = ", text);
+    free(text);
+}
+
+/* Statements and the names that they set, then all of it in order. */
+static void print_body(const struct unit *u, const struct function *f, bool status, struct target *t, FILE *out)
+{
+    const bool single = u->options.precision == PRECISION_FLOAT;
+    struct memory *names = memory_open(), *code = memory_open();
+    t->names = names->stream;
+    t->code = code->stream;
+    struct printer *r = printer_new(u->file, f->genome, f->program, single ? &fortran_float : &fortran_double);
+    printer_run(r, write_fortran, t);
+    if (status)
+        print_status(u, f, r, t);
+    printer_free(r);
+    char *declared = memory_close(names), *text = memory_close(code);
+    print_declarations(declared, out);
+    fputs(text, out);
+    free(declared);
+    free(text);
+}
+
+/* ---- subroutines ---- */
+
+/* Parameters are read, which silences warnings of those that are not used. */
+static void print_unused(const struct unit *u, const struct function *f, FILE *out)
+{
+    bool *reads = function_reads(f);
+    for (size_t i = 0; i < u->file->inputs; i += u->file->segment ? 3 : 1) {
+        char vector[4];
+        if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2])) {
+            segment_vector_name(u->file->segment, i / 3, vector);
+            fprintf(out, "    associate (unused => %s)\n    end associate\n", vector);
+        } else if (!u->file->segment && !reads[i])
+            fprintf(out, "    associate (unused => in_%s)\n    end associate\n", u->file->input[i]);
+    }
+    free(reads);
+}
+
+/* Names in a row, for a statement; " in_x, in_y" after what is there. */
+static char *list_names(const char *before, const struct unit *u, const struct genome *g, bool inputs, bool outputs)
+{
+    struct memory *m = memory_open();
+    const char *joint = "";
+    fputs(before, m->stream);
+    for (size_t i = 0; inputs && i < u->file->inputs; i++, joint = ", ")
+        fprintf(m->stream, "%sin_%s", joint, u->file->input[i]);
+    for (size_t i = 0; outputs && i < g->outs; i++, joint = ", ")
+        fprintf(m->stream, "%sout_%s", joint, g->out[i].name);
+    return memory_close(m);
+}
+
+static void print_list(struct target *t, const char *before, const struct unit *u, const struct genome *g, bool inputs,
+                       bool outputs, const char *after)
+{
+    char *list = list_names("", u, g, inputs, outputs), *all = new_format("%s%s", list, after);
+    if (*list)
+        print_statement(t, before, all);
+    free(list);
+    free(all);
+}
+
+/* "xA(3), xB(3), ..., xS(3)" */
+static void print_vectors(const struct segment_kind *k, const char *shape, FILE *out)
+{
+    for (size_t i = 0; i <= segment_vectors(k); i++) {
+        char name[4];
+        segment_vector_name(k, i, name);
+        fprintf(out, "%s%s%s", i ? ", " : "", name, shape);
+    }
+}
+
+static void print_subroutine(const struct unit *u, const struct function *f, struct target *t, FILE *out)
+{
+    const struct operations *ops = &f->code.emission.ops;
+    const bool segment = u->file->segment != NULL, status = !segment && function_has_poles(f);
+    fprintf(out, "\n  ! %ld mul, %ld div, %ld add, %ld sqrt.%s\n", ops->mul, ops->div, ops->add, ops->sqrt,
+            segment  ? "  xi, eta dimensionless; nothing checked."
+            : status ? "  status: 2 where a denominator is 0, or too near it to tell, or not finite; else 0."
+                     : "");
+    t->code = out;
+    if (segment) {
+        fprintf(out, "  pure subroutine %s_at(", f->name);
+        print_vectors(u->file->segment, "", out);
+        fputs(", xi, eta)\n    real(wp), intent(in) :: ", out);
+        print_vectors(u->file->segment, "(3)", out);
+        fputs("\n    real(wp), intent(out) :: xi, eta\n", out);
+    } else {
+        char *head = new_format("  pure elemental subroutine %s(", f->name);
+        print_list(t, head, u, f->genome, true, true, status ? ", status)" : ")");
+        print_list(t, "    real(wp), intent(in) :: ", u, f->genome, true, false, "");
+        print_list(t, "    real(wp), intent(out) :: ", u, f->genome, false, true, "");
+        fputs(status ? "    integer, intent(out) :: status\n" : "", out);
+        free(head);
+    }
+    print_body(u, f, status, t, out);
+    print_unused(u, f, out);
+    fprintf(out, "  end subroutine %s%s\n", f->name, segment ? "_at" : "");
+}
+
+/* ---- names ---- */
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcasecmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* Sorts names and refuses long ones, and two that differ in case at most. */
+static bool check_list(const struct unit *u, char **name, size_t n, int line, struct diag *d)
+{
+    qsort(name, n, sizeof *name, compare_names);
+    for (size_t i = 0; i < n; i++) {
+        if (strlen(name[i]) > MOST_NAME)
+            return diag_at(d, u->file->path, line, line ? 1 : 0, "'%s' is longer than a name in Fortran", name[i]);
+        if (i > 0 && compare_names(&name[i - 1], &name[i]) == 0)
+            return diag_at(d, u->file->path, line, line ? 1 : 0, "Fortran takes '%s' and '%s' for one name",
+                           name[i - 1], name[i]);
+    }
+    return true;
+}
+
+static bool check_names(const struct unit *u, struct diag *d)
+{
+    const struct genome_file *f = u->file;
+    size_t n = 0;
+    char **name = new_array(f->genomes + f->inputs + 1, sizeof *name);
+    name[n++] = new_format("%s", u->options.prefix);
+    for (size_t i = 0; i < f->genomes; i++)
+        name[n++] = new_format("%s%s", u->function[i].name, f->segment ? "_at" : "");
+    for (size_t i = 0; i < f->inputs && !f->segment; i++)
+        name[n++] = new_format("in_%s", f->input[i]);
+    bool good = check_list(u, name, n, 0, d);
+    for (size_t i = 0; good && !f->segment && i < f->genomes; i++) {
+        const struct genome *g = &f->genome[i];
+        char **out = new_array(g->outs, sizeof *out);
+        for (size_t k = 0; k < g->outs; k++)
+            out[k] = new_format("out_%s", g->out[k].name);
+        good = check_list(u, out, g->outs, g->line, d);
+        for (size_t k = 0; good && k < g->outs; k++)
+            good = !bsearch(&out[k], name, n, sizeof *name, compare_names) ||
+                   diag_at(d, f->path, g->line, 1, "Fortran takes '%s' for two names", out[k]);
+        for (size_t k = 0; k < g->outs; k++)
+            free(out[k]);
+        free(out);
+    }
+    for (size_t i = 0; i < n; i++)
+        free(name[i]);
+    free(name);
+    return good;
+}
+
+bool fortran_print(const struct unit *u, FILE *out, struct diag *d)
+{
+    const struct genome_file *f = u->file;
+    const char *prefix = u->options.prefix;
+    if (!check_names(u, d))
+        return false;
+    banner_print_as(u, "!", WIDTH, out);
+    fprintf(out,
+            "module %s\n"
+            "  use, intrinsic :: iso_fortran_env, only: %s\n"
+            "  implicit none\n"
+            "  private\n",
+            prefix, u->options.precision == PRECISION_FLOAT ? "wp => real32, real64" : "wp => real64");
+    for (size_t i = 0; i < f->genomes; i++)
+        fprintf(out, "  public :: %s%s\n", u->function[i].name, f->segment ? "_at" : "");
+    fputs("contains\n", out);
+    for (size_t i = 0; i < f->genomes; i++) {
+        struct target t = {.file = f};
+        print_subroutine(u, &u->function[i], &t, out);
+        if (t.too_long)
+            return diag_at(d, f->path, f->genome[i].line, 1,
+                           "genome '%s' needs a statement of more than %d continuation lines in Fortran",
+                           f->genome[i].name, MOST_CONTINUATIONS);
+    }
+    fprintf(out, "end module %s\n", prefix);
+    return true;
+}

@@ -1,0 +1,13 @@
+/* The search over a segment in C: the functions of a genome. */
+#ifndef FOOTPOINT_HEADER_SEGMENT_H
+#define FOOTPOINT_HEADER_SEGMENT_H
+
+#include "../compile/compiled_file.h"
+
+/** False if every zero of a denominator makes xi or eta infinite or NaN, which NAME notices by itself. */
+bool search_hides_poles(const struct function *f);
+
+/** NAME_at, NAME and NAME_n; in float, where there were samples, NAME_sure. */
+void search_print(const struct unit *u, const struct function *f, FILE *out);
+
+#endif

@@ -1,0 +1,67 @@
+/* The emitted statements, read back: a straight-line program of rounded operations, in the order and association that
+ * the C text prescribes.  Everything that speaks about the emitted code (proof, error bound, poles, other languages)
+ * works on this program, never on the graph that it was printed from. */
+#ifndef FOOTPOINT_PROGRAM_H
+#define FOOTPOINT_PROGRAM_H
+
+#include "../genome/genome.h"
+
+#include <flint/fmpq.h>
+
+enum op_kind {
+    OP_CONSTANT, /* constant[input]; written as a decimal, or as a quotient of two such when `quotient` */
+    OP_INPUT,    /* input number `input` of the genome file */
+    OP_NEG,      /* -a */
+    OP_ADD,      /* a + b */
+    OP_SUB,      /* a - b */
+    OP_MUL,      /* a * b */
+    OP_DIV,      /* a / b */
+    OP_SQRT,     /* sqrt(a) */
+    OP_ABS,      /* fabs(a) */
+    OP_MIN,      /* a < b ? a : b */
+    OP_MAX,      /* a > b ? a : b */
+    OP_PDIV      /* b == 0.0 ? 1.0 : a / b */
+};
+
+/** One operation; operands are numbers of earlier operations. */
+struct op {
+    enum op_kind kind;
+    int a, b;       /* -1 where there is none */
+    int input;      /* OP_INPUT: which input; OP_CONSTANT: which constant */
+    bool quotient;  /* OP_CONSTANT: written (n.0 / d.0) */
+    bool squared;   /* OP_MUL: both operands are the same operation */
+};
+
+/** A statement: names the value of one operation (the last one that it computes). */
+struct statement {
+    char *name;   /* owned: "t1", "u2"; of an output, the output's name */
+    int op;
+    int first;    /* the operations first..op belong to this statement, in postorder; names and inputs that it reads
+                   * are operations of earlier statements or OP_INPUT */
+    long output;  /* index among the genome's outputs, or -1 */
+};
+
+struct program {
+    struct op *op; /* owned; inputs first: op[k] is OP_INPUT k for k < inputs */
+    size_t ops, op_room;
+    fmpq *constant; /* owned: exact values as written */
+    size_t constants, constant_room;
+    struct statement *statement; /* owned, in order */
+    size_t statements, statement_room;
+    size_t inputs, outputs;
+    int *output; /* owned: by output of the genome, its operation */
+};
+
+/** Reads the statements that emit_statements wrote for `genome` of file f.  NULL with *d filled if they are not such. */
+struct program *program_read(const struct genome_file *f, const struct genome *genome, const char *statements,
+                             struct diag *d);
+void program_free(struct program *p);
+
+/** Append an operation; its number. */
+int program_add(struct program *p, enum op_kind kind, int a, int b);
+int program_add_constant(struct program *p, const fmpq *q, bool quotient);
+
+/** Exact value of a decimal without sign, such as 0.05 or 1.25e-3; returns its end, or NULL if there is none. */
+const char *decimal_read(fmpq *q, const char *text);
+
+#endif

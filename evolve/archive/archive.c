@@ -1,0 +1,374 @@
+/* Champions, seeds and fronts; see archive.h.  A champion of the start file keeps its expression to the digit; what is
+ * bred from it has its constants rounded. */
+#include "archive.h"
+
+#include "../common/decimal.h"
+#include "../eval/frame.h"
+#include "../genotype/twin_text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double worth = 0.99; /* what is not better by one in a hundred changes no header */
+
+const char *const origin_name[ORIGINS] = {"start file", "seed", "seeded island", "random island"};
+
+const struct genome *archive_start_genome(const struct archive *a, size_t tier)
+{
+    for (size_t i = 0; a->start && i < a->start->genomes; i++)
+        if (strcmp(a->start->genome[i].name, a->scene->tier[tier].name) == 0)
+            return &a->start->genome[i];
+    return NULL;
+}
+
+const char archive_twin_note[] = "twin";
+
+/* The twin tree that a genome's note holds; false with *d where it holds none of the frame's. */
+static bool read_twin(struct archive *a, const struct genome_file *f, const struct genome *g, struct tree *t,
+                      struct diag *d)
+{
+    const char *text = genome_find_note(g->note, g->notes, archive_twin_note);
+    return !text || twin_parse(a->program, text, t) ||
+           diag_at(d, f->path, g->line, 0, "genome '%s': its note is no twin tree of the scene's frame", g->name);
+}
+
+static bool read_champion(struct archive *a, size_t tier, int output, struct diag *d)
+{
+    const struct genome *g = archive_start_genome(a, tier);
+    if (g && output == TIER_BOTH) {
+        struct champion *c = &a->champion[tier][output];
+        const bool good = read_twin(a, a->start, g, &c->tree, d);
+        c->length_before = c->tree.length;
+        return good;
+    }
+    for (size_t i = 0; g && i < g->outs; i++) {
+        const struct genome_expr *e = &g->out[i];
+        if (strcmp(e->name, frame_output[output]) != 0)
+            continue;
+        struct champion *c = &a->champion[tier][output];
+        c->tree = (struct tree){new_array(e->length, sizeof *e->gene), e->length};
+        c->length_before = e->length;
+        return frame_rebind(a->start, e, a->program, c->tree.gene, d);
+    }
+    return true;
+}
+
+/* Constants of the program become decimal numbers. */
+static void round_constants(const struct genome_file *program, struct tree *t)
+{
+    for (size_t i = 0; i < t->length; i++)
+        if (t->gene[i] < 0)
+            t->gene[i] = decimal_gene(program->constant[-1 - t->gene[i]].value);
+}
+
+/* The champion becomes its own tier's seed. */
+static void seed_champion(struct archive *a, size_t tier, int output)
+{
+    const struct tree *t = &a->champion[tier][output].tree;
+    if (t->length == 0)
+        return;
+    archive_add_seed(a, (long)tier, output, t);
+    if (output != TIER_BOTH)
+        round_constants(a->program, &a->seed[a->seeds - 1].tree);
+}
+
+static char *text_of(const struct genome_file *program)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    if (!f)
+        return NULL;
+    genome_print(program, f);
+    fclose(f);
+    return text;
+}
+
+struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, struct diag *d)
+{
+    struct archive *a = new_array(1, sizeof *a);
+    *a = (struct archive){.scene = s, .program = program, .champion = new_array(s->tiers, sizeof *a->champion)};
+    a->twins = twins_new(program);
+    a->twin = twin_counter_new(a->twins);
+    a->bare = text_of(program);
+    a->start = start ? genome_read(start, d) : NULL;
+    bool good = a->bare || diag_system(d, program->path, "cannot keep the program");
+    good = good && (a->start || !start);
+    for (size_t i = 0; good && i < s->tiers; i++)
+        for (int k = tier_first(&s->tier[i]); good && k <= tier_last(&s->tier[i]); k++) {
+            good = read_champion(a, i, k, d);
+            if (good)
+                seed_champion(a, i, k);
+        }
+    if (good)
+        return a;
+    archive_free(a);
+    return NULL;
+}
+
+void archive_free(struct archive *a)
+{
+    if (!a)
+        return;
+    for (size_t i = 0; i < a->scene->tiers; i++)
+        for (int k = 0; k < TIER_OUTPUTS; k++) {
+            free(a->champion[i][k].tree.gene);
+            front_free(a->front ? a->front[i][k] : NULL);
+            front_free(a->old ? a->old[i][k] : NULL);
+        }
+    for (size_t i = 0; i < a->seeds; i++)
+        free(a->seed[i].tree.gene);
+    free(a->seed);
+    free(a->champion);
+    free(a->front);
+    free(a->old);
+    free(a->bare);
+    frame_cost_free(a->frame);
+    twin_counter_free(a->twin);
+    twins_free(a->twins);
+    genome_file_free(a->start);
+    genome_file_free(a->program);
+    free(a);
+}
+
+void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t)
+{
+    grow_array(&a->seed, a->seeds, &a->seed_room, sizeof *a->seed);
+    struct seedling *s = &a->seed[a->seeds++];
+    *s = (struct seedling){tier, output, {new_array(t->length, sizeof *t->gene), 0}};
+    tree_copy(t, &s->tree);
+}
+
+static long tier_of_name(const struct scene *s, const char *name)
+{
+    for (size_t i = 0; i < s->tiers; i++)
+        if (strcmp(s->tier[i].name, name) == 0)
+            return (long)i;
+    return -1;
+}
+
+static bool read_seed(struct archive *a, const struct genome_file *f, const struct genome *g,
+                      const struct genome_expr *e, struct diag *d)
+{
+    for (int k = 0; k < 2; k++) {
+        if (strcmp(e->name, frame_output[k]) != 0)
+            continue;
+        struct tree t = {new_array(e->length, sizeof *e->gene), e->length};
+        const bool good = frame_rebind(f, e, a->program, t.gene, d);
+        if (good) {
+            round_constants(a->program, &t);
+            archive_add_seed(a, tier_of_name(a->scene, g->name), k, &t);
+        }
+        free(t.gene);
+        return good;
+    }
+    return true;
+}
+
+/* A genome's outputs, and the twin tree that it may have been written from. */
+static bool read_seeds(struct archive *a, const struct genome_file *f, const struct genome *g, struct diag *d)
+{
+    struct tree twin = {NULL, 0};
+    if (!read_twin(a, f, g, &twin, d))
+        return false;
+    if (twin.length > 0) {
+        archive_add_seed(a, tier_of_name(a->scene, g->name), TIER_BOTH, &twin);
+        free(twin.gene);
+        return true;
+    }
+    for (size_t k = 0; k < g->outs; k++)
+        if (!read_seed(a, f, g, &g->out[k], d))
+            return false;
+    return true;
+}
+
+bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
+{
+    struct genome_file *f = genome_read(path, d);
+    const size_t before = a->seeds;
+    bool good = f != NULL;
+    for (size_t i = 0; good && i < f->genomes; i++)
+        good = read_seeds(a, f, &f->genome[i], d);
+    if (good && a->seeds == before)
+        good = diag_at(d, path, 0, 0, "no genome with an output xi or eta");
+    genome_file_free(f);
+    return good;
+}
+
+/* The tier can breed from it. */
+static bool fits_tier(const struct archive *a, size_t tier, int output, size_t max_length, const struct seedling *s)
+{
+    const struct tier *t = &a->scene->tier[tier];
+    bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= max_length;
+    for (size_t i = 0; known && i < s->tree.length; i++) {
+        known = s->tree.gene[i] < GENE_OPERATORS;
+        for (size_t k = 0; !known && s->tree.gene[i] < GENE_SYMBOL && k < t->functions; k++)
+            known = twin_gene(a->program, t->function[k]) == s->tree.gene[i];
+        for (size_t k = 0; !known && k < t->terminals; k++)
+            known = genome_find_symbol(a->program, t->terminal[k]) == s->tree.gene[i] - GENE_SYMBOL;
+    }
+    return known;
+}
+
+size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed)
+{
+    size_t n = 0;
+    *seed = new_array(a->seeds + 1, sizeof **seed);
+    for (size_t i = 0; i < a->seeds; i++)
+        if (fits_tier(a, tier, output, max_length, &a->seed[i]))
+            (*seed)[n++] = a->seed[i].tree;
+    return n;
+}
+
+struct operations archive_operations(const struct archive *a, int output, const struct tree *t,
+                                     const struct genome_constant *constant)
+{
+    if (output == TIER_BOTH)
+        return twin_count(a->twin, t);
+    struct counter *c = counter_new(t->length);
+    const struct operations o = operations_count(c, t, constant);
+    counter_free(c);
+    return o;
+}
+
+static double cost_of(const struct archive *a, const struct plan *plan, int output, const struct tree *t,
+                      const struct genome_constant *constant)
+{
+    const struct operations o = archive_operations(a, output, t, constant);
+    return operations_price(&o, &plan->prices) + (output == TIER_BOTH ? 0 : frame_cost_of(a->frame, t));
+}
+
+static void judge_champion(struct archive *a, const struct plan *plan, struct judge *exact, size_t tier, int output)
+{
+    struct champion *c = &a->champion[tier][output];
+    if (c->tree.length > 0) {
+        c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
+        c->cost = cost_of(a, plan, output, &c->tree, a->program->constant);
+    }
+    c->error_before = c->error;
+}
+
+/* A value of the frame that is right to rounding takes the champion's place. */
+static void take_exact(struct archive *a, struct judge *exact, size_t tier, int output)
+{
+    struct champion *c = &a->champion[tier][output];
+    const struct tree value = {&c->exact, 1};
+    if (c->exact == 0 || tree_equal(&c->tree, &value))
+        return;
+    free(c->tree.gene);
+    c->tree.gene = new_array(1, sizeof *c->tree.gene);
+    tree_copy(&value, &c->tree);
+    c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
+    c->cost = frame_cost_of(a->frame, &c->tree);
+    c->bred = true;
+}
+
+/* The first seed of a tier that has a champion is that champion. */
+static void found_fronts(struct archive *a, const struct plan *plan, struct judge *j, size_t tier, int output,
+                         size_t max_length)
+{
+    struct tree *seed;
+    a->front[tier][output] = front_new(plan->front_limit, max_length);
+    a->old[tier][output] = front_new(plan->front_limit, max_length);
+    const size_t n = archive_seeds(a, tier, output, max_length, &seed);
+    for (size_t i = 0; i < n; i++) {
+        const double error = judge_error(j, &seed[i], frame_target(a->program, output), INFINITY);
+        const bool start = i == 0 && a->champion[tier][output].length_before > 0;
+        archive_offer(a, plan, tier, output, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
+    }
+    front_copy(a->front[tier][output], a->old[tier][output]);
+    free(seed);
+}
+
+void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length)
+{
+    struct judge *exact = judge_new(a->program, j->table, j->norm);
+    if (!a->frame)
+        a->frame = frame_cost_new(a->program, &plan->prices);
+    a->front = new_array(a->scene->tiers, sizeof *a->front);
+    a->old = new_array(a->scene->tiers, sizeof *a->old);
+    for (size_t i = 0; i < a->scene->tiers; i++)
+        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
+            judge_champion(a, plan, exact, i, k);
+            take_exact(a, exact, i, k);
+            found_fronts(a, plan, j, i, k, max_length ? max_length : a->scene->tier[i].max_length);
+        }
+    judge_free(exact);
+}
+
+void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
+                   double error, enum origin origin)
+{
+    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, output, t, NULL));
+    if (m)
+        m->origin = (int)origin;
+}
+
+void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound)
+{
+    tree_copy(t, bound);
+    for (size_t i = 0; i < t->length; i++)
+        if (t->gene[i] < 0) {
+            char text[DECIMAL_TEXT];
+            decimal_text(t->gene[i], text);
+            bound->gene[i] = -1 - (int)genome_add_constant(program, text);
+        }
+}
+
+static void crown(struct archive *a, int output, struct champion *c, const struct member *m)
+{
+    free(c->tree.gene);
+    c->tree.gene = new_array(m->tree.length, sizeof *m->tree.gene);
+    if (output == TIER_BOTH)
+        tree_copy(&m->tree, &c->tree);
+    else
+        archive_bind(a->program, &m->tree, &c->tree);
+    c->error = m->error;
+    c->cost = m->cost;
+    c->bred = true;
+}
+
+/* What the choice among a tier's expressions minimises; INFINITY: out of the question. */
+static double merit(const struct plan *plan, double budget, double error, double cost)
+{
+    return budget > 0 ? cost <= budget ? error : INFINITY : plan_demerit(plan, error, cost);
+}
+
+static bool outdoes(const struct plan *plan, double budget, const struct member *m, const struct champion *c)
+{
+    const double now = c->tree.length > 0 ? merit(plan, budget, c->error, c->cost) : INFINITY;
+    return (budget > 0 || c->tree.length == 0 || m->error <= c->error) &&
+           merit(plan, budget, m->error, m->cost) < worth * now;
+}
+
+static bool ends_well(const struct archive *a, const struct tier *t, const struct tree *tree)
+{
+    return !t->last || tree->gene[0] == twin_gene(a->program, t->last);
+}
+
+static void crown_best(struct archive *a, const struct plan *plan, size_t tier, int output)
+{
+    const struct front *f = a->front[tier][output];
+    const double budget = a->scene->tier[tier].budget;
+    const struct member *best = NULL;
+    for (size_t c = 0; c <= f->limit; c++) {
+        const struct member *m = &f->member[c];
+        if (m->tree.length > 0 && m->origin != ORIGIN_START && ends_well(a, &a->scene->tier[tier], &m->tree) &&
+            outdoes(plan, budget, m, &a->champion[tier][output]) &&
+            (!best || merit(plan, budget, m->error, m->cost) < merit(plan, budget, best->error, best->cost)))
+            best = m;
+    }
+    if (!best && a->champion[tier][output].tree.length == 0)
+        best = front_member(f, 0); /* the cheapest, where none is within the budget */
+    if (best)
+        crown(a, output, &a->champion[tier][output], best);
+}
+
+void archive_crown(struct archive *a, const struct plan *plan)
+{
+    for (size_t i = 0; i < a->scene->tiers; i++)
+        for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
+            if (a->champion[i][k].exact == 0)
+                crown_best(a, plan, i, k);
+}

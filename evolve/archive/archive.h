@@ -1,0 +1,134 @@
+/* The best expressions known for each output of each tier: one champion, and the front of error against cost.  Read
+ * from the start file, challenged by what the islands find, written with provenance. */
+#ifndef FOOTPOINT_ARCHIVE_H
+#define FOOTPOINT_ARCHIVE_H
+
+#include "../eval/errors.h"
+#include "../eval/frame_cost.h"
+#include "../genotype/front.h"
+#include "../eval/objective.h"
+#include "../island/plan.h"
+#include "../input/scene.h"
+
+/** One output of one tier. */
+struct champion {
+    struct tree tree; /* genes owned, constants are the program's, or decimals of a twin tree; length 0: none yet */
+    double error;     /* on the training samples, in the scene's norm */
+    double cost;      /* by the plan's model, with the values of the frame that it needs */
+    bool bred;        /* found by this run */
+    int exact;        /* gene of a value of the frame that is right to rounding: nothing to evolve; 0: none */
+    bool chosen;      /* an expression of one gene, chosen among the terminals: nothing to evolve */
+    double error_before;
+    size_t length_before; /* 0: there was none */
+};
+
+/** An expression to breed from. */
+struct seedling {
+    long tier;        /* -1: every tier that has its symbols */
+    int output;       /* 0: xi, 1: eta, 2: both, a twin tree */
+    struct tree tree; /* genes owned; constants are decimal numbers */
+};
+
+/** Where a member of a front comes from. */
+enum origin { ORIGIN_START, ORIGIN_SEED, ORIGIN_SEEDED, ORIGIN_RANDOM, ORIGINS };
+/** "start file", "seed", "seeded island", "random island". */
+extern const char *const origin_name[ORIGINS];
+
+/** Key of the note that holds the twin tree which a genome was written from. */
+extern const char archive_twin_note[];
+
+/** What this run is, for the provenance of what it finds. */
+struct run_facts {
+    uint64_t seed;
+    size_t generations, islands;
+};
+
+struct archive {
+    const struct scene *scene;                 /* not owned */
+    struct genome_file *program;               /* owned: what the genes mean; the genomes are added on writing */
+    char *bare;                                /* owned: the program's text before that */
+    struct genome_file *start;                 /* owned; NULL: none */
+    struct champion (*champion)[TIER_OUTPUTS]; /* owned: for each tier its outputs */
+    struct seedling *seed;                     /* owned */
+    size_t seeds, seed_room;
+    struct twins *twins;                  /* owned: of the program */
+    struct twin_counter *twin;            /* owned */
+    struct frame_cost *frame;             /* owned; NULL before archive_judge */
+    struct front *(*front)[TIER_OUTPUTS]; /* owned: for each tier its outputs; NULL before archive_judge */
+    struct front *(*old)[TIER_OUTPUTS];   /* owned: the start file and the seeds alone */
+};
+
+/** Champions of the file `start`; none where it is NULL or has no genome of a tier's name.  Takes the program over (and
+ *  adds constants to it) even when it returns NULL, with *d filled: the file cannot be read or uses a symbol that the
+ *  program lacks. */
+struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, struct diag *d);
+void archive_free(struct archive *a);
+/** The start file's genome of a tier, or NULL. */
+const struct genome *archive_start_genome(const struct archive *a, size_t tier);
+
+/** Add a copy of an expression to breed from; its constants are decimal numbers. */
+void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t);
+/** Add every output xi and eta of a genome file as a seed, with constants rounded to decimal numbers, for the tier that
+ *  has the genome's name, or else for all.  False with *d filled if the file cannot be read, has no such output, or
+ *  uses a symbol that the program lacks. */
+bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
+/** The seeds of an output that may breed: the champion (its constants rounded) and those added, as far as they use the
+ *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
+ *  that the archive owns. */
+size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed);
+
+/** Expressions of a tier are of one gene: its terminals become seeds, so that archive_crown chooses among them.
+ *  @param[in] anew  also where there is a champion */
+void archive_choose_values(struct archive *a, size_t tier, bool anew);
+
+/** Both outputs of a tier are values of the frame that are right to rounding. */
+bool archive_is_exact(const struct archive *a, size_t tier);
+
+/** Look for terminals that are right to `tolerance` on every training sample and within their tier's budget.  The
+ *  cheapest becomes a seed, and archive_judge will make it the champion.
+ *  @param[in] table  columns of the training samples */
+void archive_find_exact(struct archive *a, const struct plan *plan, const struct columns *table, double tolerance);
+/** The end of a line: which tiers need nothing evolved. */
+void archive_print_exact(const struct archive *a, FILE *stream);
+
+/** Measure the champions that were read, and found the fronts with champions and seeds.
+ *  @param[in] j           judge of decimal numbers
+ *  @param[in] max_length  genes of the longest members of a front; 0: as each tier says */
+void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length);
+
+/** The genes of a tier: its terminals and functions, the paper's 201 constants -5.00..5.00 in steps of 0.05 and,
+ * rounded, those of the tier's champions.
+ *  @param[in] rational  % beside + - *, where the tier lists no functions */
+struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational);
+
+/** Operations of a tree, with the values of the frame that it needs where it is a twin tree. */
+struct operations archive_operations(const struct archive *a, int output, const struct tree *t,
+                                     const struct genome_constant *constant);
+
+/** Offer a tree of decimal constants to a front. */
+void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
+                   double error, enum origin origin);
+/** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
+ *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest demerit by the plan, if it is
+ *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header.
+ *  Where the tier says what trees end in, those alone. */
+void archive_crown(struct archive *a, const struct plan *plan);
+
+/** Copy of a tree whose decimal numbers become constants of a program. */
+void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound);
+
+/** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
+ *  for nothing else. */
+bool archive_write(struct archive *a, const char *path, const struct run_facts *run,
+                   const struct sample_set heldout[HELDOUT_PARTS], struct diag *d);
+/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors; of twin trees
+ *  there are none.  Where the path ends in .csv: a line for each member of all fronts. */
+bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
+/** The lines. */
+bool archive_write_csv(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
+/** Table of tier, output, error and genes, before and after. */
+void archive_table(const struct archive *a, FILE *stream);
+/** Table of the fronts, old against new, with where each member comes from. */
+void archive_front_table(const struct archive *a, FILE *stream);
+
+#endif

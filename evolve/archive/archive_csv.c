@@ -1,0 +1,81 @@
+/* The fronts as a table; see archive.h.  Errors held out are those of SAMPLES of the samples at most, evenly chosen, so
+ * that all values of the frame can be there at once; of both outputs of a twin tree together. */
+#include "archive.h"
+
+#include "../../codegen/genome/outfile.h"
+#include "../eval/frame.h"
+#include "../genotype/twin_text.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { SAMPLES = 65536, PARTS = 2 };
+
+/* A held-out part, ready to be measured on. */
+struct part {
+    struct columns table;
+    struct judge *judge;
+};
+
+static struct part part_new(const struct archive *a, const struct sample_set *set)
+{
+    const size_t stride = (set->n + SAMPLES - 1) / SAMPLES, n = stride > 0 ? set->n / stride : 0;
+    struct sample *chosen = new_array(n, sizeof *chosen);
+    struct kernel *kernel = kernel_new_widest();
+    for (size_t i = 0; i < n; i++)
+        chosen[i] = set->s[i * stride];
+    const struct columns table = frame_columns(kernel, a->program, chosen, n);
+    kernel_free(kernel);
+    free(chosen);
+    return (struct part){table, NULL};
+}
+
+static void print_errors(const struct archive *a, struct part *p, const struct member *m, int output, FILE *stream)
+{
+    static const enum scene_norm norm[] = {NORM_MEAN, NORM_P99, NORM_MAX};
+    fprintf(stream, ",%zu", p->table.n);
+    for (int i = 0; i < 3; i++) {
+        p->judge->norm = norm[i];
+        fprintf(stream, ",%.3e", judge_error(p->judge, &m->tree, frame_target(a->program, output), INFINITY));
+    }
+}
+
+static void print_member(const struct archive *a, struct part part[PARTS], size_t tier, int output,
+                         const struct member *m, FILE *stream)
+{
+    const struct operations o = archive_operations(a, output, &m->tree, NULL);
+    char *text = twin_print(a->program, &m->tree);
+    fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", a->scene->tier[tier].name, frame_output[output], m->cost, o.mul,
+            o.add, o.div, o.other, origin_name[m->origin], m->error);
+    for (int k = 0; k < PARTS; k++)
+        print_errors(a, &part[k], m, output, stream);
+    fprintf(stream, ",%s\n", text);
+    free(text);
+}
+
+bool archive_write_csv(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d)
+{
+    struct outfile out;
+    struct part part[PARTS];
+    if (!outfile_open(&out, path, d))
+        return false;
+    fputs(
+        "tier,output,cost,mul,add,div,other,origin,training,n,mean,p99,max,n_random,mean_random,p99_random,max_random,"
+        "tree\n",
+        out.stream);
+    for (int k = 0; k < PARTS; k++) {
+        part[k] = part_new(a, &heldout[k]);
+        part[k].judge = judge_new(a->program, &part[k].table, NORM_MAX);
+        part[k].judge->decimal = true;
+    }
+    for (size_t i = 0; i < a->scene->tiers; i++)
+        for (int output = tier_first(&a->scene->tier[i]); output <= tier_last(&a->scene->tier[i]); output++)
+            for (size_t c = 0; c <= a->front[i][output]->limit; c++)
+                if (a->front[i][output]->member[c].tree.length > 0)
+                    print_member(a, part, i, output, &a->front[i][output]->member[c], out.stream);
+    for (int k = 0; k < PARTS; k++) {
+        judge_free(part[k].judge);
+        columns_free(&part[k].table);
+    }
+    return outfile_commit(&out, d);
+}

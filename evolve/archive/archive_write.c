@@ -1,0 +1,238 @@
+/* Files of an archive; see archive.h.  Measured notes are measured anew on every writing, and provenance is carried
+ * over with the expression it belongs to, so that a run that finds nothing better writes the same bytes again. */
+#include "archive.h"
+
+#include "../../codegen/genome/outfile.h"
+#include "../eval/frame.h"
+#include "../eval/sampled_region.h"
+#include "../genotype/twin_text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const norm_name[] = {[NORM_MEAN] = "mean", [NORM_P99] = "p99", [NORM_MAX] = "max"};
+
+/* "aspect <= 5, ..." */
+static void note_shapes(struct genome_file *f, const struct scene *s)
+{
+    const double degree = acos(-1) / 180;
+    const struct shapes *p = &s->shapes;
+    char warps[60] = "", curves[60] = "";
+    if (*s->segment->normals) {
+        genome_add_note(&f->note, &f->notes, &f->note_room, "range",
+                        "segments of smooth bodies, with the normals of their meshes, |gap| <= %g of the shortest edge",
+                        p->gap);
+        return;
+    }
+    if (!s->segment->triangle)
+        snprintf(warps, sizeof warps, ", taper <= %g, warp <= %g deg", p->taper, p->warp / degree);
+    if (strlen(s->segment->nodes) > s->segment->corners)
+        snprintf(curves, sizeof curves, ", curve <= %g, shift <= %g", p->curve, p->shift);
+    genome_add_note(&f->note, &f->notes, &f->note_room, "range",
+                    "aspect <= %g, skew <= %g deg%s%s, |gap| <= %g of the shortest edge", p->aspect, p->skew / degree,
+                    warps, curves, p->gap);
+}
+
+/* What the error tables hold for. */
+static void note_range(struct genome_file *f, const struct scene *s)
+{
+    const char *slash = s->source == SOURCE_MESH ? strrchr(s->mesh.file, '/') : NULL;
+    double lo[2], hi[2];
+    scene_box(s, lo, hi);
+#define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, "range", __VA_ARGS__)
+    if (s->source == SOURCE_RANDOM)
+        note_shapes(f, s);
+    else if (s->source == SOURCE_MESH)
+        NOTE("contact pairs of %s within %g mesh lengths", slash ? slash + 1 : s->mesh.file, s->mesh.distance);
+    else
+        NOTE("A = (0,0,0), B = (1,0,0); |x|, |y| <= %g, |z| <= %g", s->lattice.xy_max, s->lattice.z_max);
+    if (s->source == SOURCE_LATTICE && *s->segment->normals)
+        NOTE("tangent of the angle between a normal and the facet's own <= %g", s->lattice.tilt);
+    if (s->segment->triangle)
+        NOTE("xi > %g, eta > %g, xi + eta <= %g", lo[0], lo[1], hi[0]);
+    else
+        NOTE("%g < xi <= %g, %g < eta <= %g", lo[0], hi[0], lo[1], hi[1]);
+#undef NOTE
+}
+
+static void add_file_notes(struct genome_file *f, const struct scene *s)
+{
+    char frames[512] = "", reference[2][32], drawn[DRAWN_LINES][DRAWN_LENGTH];
+    for (size_t i = 0; i < s->tiers; i++) {
+        bool seen = false;
+        for (size_t j = 0; j < i; j++)
+            seen = seen || strcmp(s->tier[j].frame, s->tier[i].frame) == 0;
+        const size_t used = strlen(frames);
+        if (!seen)
+            snprintf(frames + used, sizeof frames - used, "%s%s", used ? " " : "", s->tier[i].frame);
+    }
+    for (int k = 0; k < 2; k++)
+        frame_number(s->reference[k], reference[k]);
+#define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, __VA_ARGS__)
+    NOTE("footpoint", "%s", FOOTPOINT_VERSION);
+    NOTE("scene", "%s", s->name);
+    NOTE("scene_sha256", "%s", s->sha256);
+    if (strcmp(s->precision, "double") != 0)
+        NOTE("precision", "%s", s->precision);
+    note_range(f, s);
+    const size_t lines = scene_drawn(s, drawn);
+    for (size_t i = 0; i < lines; i++)
+        NOTE("drawn", "%s", drawn[i]);
+    NOTE("frames", "%s", frames);
+    NOTE("reference", "xi %s eta %s", reference[0], reference[1]);
+#undef NOTE
+}
+
+/* Notes that this program writes are "<what>_xi" and "<what>_eta"; others are somebody's remarks. */
+static const char *const measured[] = {"found", "exact", "training", "heldout", "heldout_random", "heldout_even"};
+
+static void note_key(const char *what, int output, char key[40])
+{
+    snprintf(key, 40, "%s_%s", what, frame_output[output]);
+}
+
+static bool is_remark(const char *key)
+{
+    char own[40];
+    for (size_t i = 0; i < sizeof measured / sizeof *measured; i++)
+        for (int k = 0; k < TIER_OUTPUTS; k++) {
+            note_key(measured[i], k, own);
+            if (strcmp(key, own) == 0)
+                return false;
+        }
+    return strcmp(key, archive_twin_note) != 0;
+}
+
+#define NOTE(...) genome_add_note(&g->note, &g->notes, &g->note_room, __VA_ARGS__)
+
+/* Provenance: carried over with an expression of the start file, new for one that this run found.  Remarks are about
+ * the whole genome and stay as long as it stays. */
+static void add_provenance(struct genome *g, const struct tier *t, const struct champion *champion,
+                           const struct genome *before, const struct run_facts *run)
+{
+    const bool bred = champion[tier_first(t)].bred || champion[tier_last(t)].bred;
+    for (size_t i = 0; before && !bred && i < before->notes; i++)
+        if (is_remark(before->note[i].key))
+            NOTE(before->note[i].key, "%s", before->note[i].text);
+    for (int k = tier_first(t); k <= tier_last(t); k++) {
+        char key[40];
+        note_key("found", k, key);
+        const char *old = before ? genome_find_note(before->note, before->notes, key) : NULL;
+        if (champion[k].exact) {
+            note_key("exact", k, key);
+            NOTE(key, "nothing evolved, the frame's value is right to rounding");
+        } else if (champion[k].bred && champion[k].chosen)
+            NOTE(key, "nothing to evolve, chosen among the frame's values");
+        else if (champion[k].bred)
+            NOTE(key, "seed %llu generations %zu islands %zu", (unsigned long long)run->seed, run->generations,
+                 run->islands);
+        else if (old)
+            NOTE(key, "%s", old);
+    }
+}
+
+/* Training errors are the champions'; those held out are measured on what is written. */
+static void add_errors(struct genome *g, struct kernel *kernel, const struct archive *a, size_t tier,
+                       const struct tree out[2], const struct sample_set heldout[HELDOUT_PARTS])
+{
+    const struct tier *t = &a->scene->tier[tier];
+    char key[40];
+    for (int k = tier_first(t); k <= tier_last(t); k++) {
+        const struct champion *c = &a->champion[tier][k];
+        note_key("training", k, key);
+        NOTE(key, "genes %zu %s %.3e", c->tree.length, norm_name[a->scene->norm], c->error);
+    }
+    for (int part = 0; part < HELDOUT_PARTS; part++)
+        for (int k = 0; k < 2 && heldout[part].n > 0; k++) {
+            const struct errors e = errors_measure(kernel, a->program, &out[k], k, &heldout[part]);
+            note_key(heldout_part[part].name, k, key);
+            NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+        }
+}
+
+static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, const struct run_facts *run,
+                     const struct sample_set heldout[HELDOUT_PARTS])
+{
+    const struct tier *t = &a->scene->tier[tier];
+    const struct champion *c = a->champion[tier];
+    struct tree out[2] = {c[0].tree, c[1].tree};
+    if (t->twin)
+        twin_expand(a->twins, &c[TIER_BOTH].tree, a->program, t->name, out);
+    struct genome *g = genome_add(a->program, t->name);
+    add_provenance(g, t, c, archive_start_genome(a, tier), run);
+    if (t->twin) {
+        char *text = twin_print(a->program, &c[TIER_BOTH].tree);
+        NOTE(archive_twin_note, "%s", text);
+        free(text);
+    }
+    add_errors(g, kernel, a, tier, out, heldout);
+    for (int k = 0; k < 2; k++) {
+        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
+        if (t->twin)
+            free(out[k].gene);
+    }
+}
+
+bool archive_write(struct archive *a, const char *path, const struct run_facts *run,
+                   const struct sample_set heldout[HELDOUT_PARTS], struct diag *d)
+{
+    struct outfile f;
+    if (!outfile_open(&f, path, d))
+        return false;
+    struct kernel *kernel = kernel_new_widest();
+    add_file_notes(a->program, a->scene);
+    for (size_t i = 0; i < a->scene->tiers; i++)
+        add_tier(a, kernel, i, run, heldout);
+    kernel_free(kernel);
+    scene_region_add(a->program, heldout, 2);
+    genome_print(a->program, f.stream);
+    return outfile_commit(&f, d);
+}
+
+/* The genome of one member, with its cost, where it comes from, and its errors. */
+static void add_member(const struct archive *a, struct kernel *kernel, const struct member *m, size_t tier, int output,
+                       const struct sample_set heldout[2], struct genome_file *f)
+{
+    char name[300];
+    snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
+    struct tree t = {new_array(m->tree.length, sizeof *t.gene), 0};
+    archive_bind(f, &m->tree, &t);
+    struct genome *g = genome_add(f, name);
+    NOTE("cost", "%g", m->cost);
+    NOTE("origin", "%s", origin_name[m->origin]);
+    NOTE("training", "genes %zu %s %.3e", t.length, norm_name[a->scene->norm], m->error);
+    for (int part = 0; part < 2; part++) {
+        const struct errors e = errors_measure(kernel, f, &t, output, &heldout[part]);
+        NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+    }
+    genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[output], t.gene, t.length);
+    free(t.gene);
+}
+
+#undef NOTE
+
+bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d)
+{
+    struct outfile out;
+    const size_t length = strlen(path);
+    if (length > 4 && strcmp(path + length - 4, ".csv") == 0)
+        return archive_write_csv(a, path, heldout, d);
+    struct genome_file *f = genome_parse(path, a->bare, strlen(a->bare), d);
+    if (!f || !outfile_open(&out, path, d)) {
+        genome_file_free(f);
+        return false;
+    }
+    struct kernel *kernel = kernel_new_widest();
+    add_file_notes(f, a->scene);
+    for (size_t i = 0; i < a->scene->tiers; i++)
+        for (int k = 0; k < 2; k++)
+            for (size_t c = 0; a->front[i][k] && c <= a->front[i][k]->limit; c++)
+                if (a->front[i][k]->member[c].tree.length > 0)
+                    add_member(a, kernel, &a->front[i][k]->member[c], i, k, heldout, f);
+    kernel_free(kernel);
+    scene_region_add(f, heldout, 2);
+    genome_print(f, out.stream);
+    genome_file_free(f);
+    return outfile_commit(&out, d);
+}

@@ -1,0 +1,66 @@
+/* What the trees of a tier are made of; see archive.h. */
+#include "archive.h"
+
+#include "../common/decimal.h"
+#include "../genotype/twin_text.h"
+
+#include <string.h>
+
+enum { GRID = 100 }; /* constants -GRID..GRID times 0.05 */
+
+/* Insert by value; each value once. */
+static void add_constant(struct gene_set *s, int gene)
+{
+    const double value = decimal_value(gene);
+    size_t at = s->constants;
+    while (at > 0 && decimal_value(s->constant[at - 1]) > value)
+        at--;
+    if (at > 0 && s->constant[at - 1] == gene)
+        return;
+    memmove(s->constant + at + 1, s->constant + at, (s->constants - at) * sizeof *s->constant);
+    s->constant[at] = gene;
+    s->constants++;
+}
+
+/* Those of two operands, then those of one. */
+static void add_operations(const struct archive *a, const struct tier *t, struct gene_set *s)
+{
+    s->operation = new_array(t->functions, sizeof *s->operation);
+    for (int arity = 2; arity > 0; arity--)
+        for (size_t i = 0; i < t->functions; i++) {
+            const int gene = twin_gene(a->program, t->function[i]);
+            if (gene_arity(gene) == arity)
+                s->operation[s->operations + s->functions] = gene;
+            s->operations += gene_arity(gene) == arity && arity == 2;
+            s->functions += gene_arity(gene) == arity && arity == 1;
+        }
+}
+
+struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational)
+{
+    static const int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
+    const struct tier *t = &a->scene->tier[tier];
+    const struct champion *c = a->champion[tier];
+    struct gene_set s = {.symbols = t->terminals};
+    if (t->functions > 0) {
+        add_operations(a, t, &s);
+    } else {
+        s.operations = rational ? 4 : 3;
+        s.operation = new_array(s.operations, sizeof *s.operation);
+        memcpy(s.operation, operation, s.operations * sizeof *operation);
+    }
+    s.symbol = new_array(t->terminals, sizeof *s.symbol);
+    for (size_t i = 0; i < t->terminals; i++)
+        s.symbol[i] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
+    const size_t own = c[0].tree.length + c[1].tree.length + c[TIER_BOTH].tree.length;
+    s.constant = new_array(2 * GRID + 1 + own, sizeof *s.constant);
+    for (int k = -GRID; k <= GRID; k++)
+        add_constant(&s, decimal_gene(k * 5 / 100.0));
+    for (int k = tier_first(t); k <= tier_last(t); k++)
+        for (size_t i = 0; i < c[k].tree.length; i++) {
+            const int gene = c[k].tree.gene[i];
+            if (gene < 0)
+                add_constant(&s, k == TIER_BOTH ? gene : decimal_gene(a->program->constant[-1 - gene].value));
+        }
+    return s;
+}

@@ -1,0 +1,262 @@
+/* Frames; see frame.h.  Lets are evaluated by the same kernel as genomes, one column after the other. */
+#include "frame.h"
+
+#include "../genotype/twin_text.h"
+
+#include <glob.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { NAME = 300 };
+
+const char *const frame_output[TIER_OUTPUTS] = {"xi", "eta", "both"};
+
+/* Lets whose value is the scene's: the reference point and the box that its contact points lie in. */
+enum { FROM_SCENE = 6 };
+static const char *const scene_let[FROM_SCENE] = {"xi0", "eta0", "xi_lo", "xi_hi", "eta_lo", "eta_hi"};
+
+static void scene_values(const struct scene *s, const struct tier *t, double value[FROM_SCENE])
+{
+    double lo[2], hi[2];
+    scene_box(s, lo, hi);
+    for (int k = 0; k < 2; k++) {
+        value[k] = t->at ? t->reference[k] : s->reference[k];
+        value[2 + 2 * k] = lo[k];
+        value[3 + 2 * k] = hi[k];
+    }
+}
+
+void frame_number(double v, char text[32])
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, 32, "%.*g", digits, v);
+        if (strtod(text, NULL) == v)
+            break;
+    }
+}
+
+static void suffixed(const char *name, const char *suffix, char text[NAME])
+{
+    snprintf(text, NAME, "%.250s%s", name, suffix);
+}
+
+/* `suffix` is what names of lets end in there. */
+static bool rebind(const struct genome_file *from, const struct genome_expr *e, const char *suffix,
+                   struct genome_file *to, int *gene, struct diag *d)
+{
+    for (size_t i = 0; i < e->length; i++) {
+        gene[i] = e->gene[i];
+        if (gene[i] < 0) {
+            gene[i] = -1 - (int)genome_add_constant(to, from->constant[-1 - gene[i]].text);
+        } else if (gene[i] >= GENE_SYMBOL) {
+            char name[NAME];
+            const size_t symbol = (size_t)(gene[i] - GENE_SYMBOL);
+            suffixed(genome_symbol_name(from, symbol), symbol < from->inputs ? "" : suffix, name);
+            const long k = genome_find_symbol(to, name);
+            if (k < 0)
+                return diag_at(d, from->path, e->line, 0, "'%s' uses '%s', which no frame of the scene defines",
+                               e->name, name);
+            gene[i] = GENE_SYMBOL + (int)k;
+        }
+    }
+    return true;
+}
+
+bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, struct genome_file *to, int *gene,
+                  struct diag *d)
+{
+    return rebind(from, e, "", to, gene, d);
+}
+
+/* A value of the program, unless another frame of the scene has defined the same one under that name. */
+static bool add_value(const struct genome_file *frame, const struct genome_expr *let, const char *name, const int *gene,
+                      size_t length, struct genome_file *program, struct diag *d)
+{
+    const long k = genome_find_symbol(program, name);
+    if (k < 0) {
+        genome_add_let(program, name, gene, length);
+        return true;
+    }
+    const struct genome_expr *known = (size_t)k < program->inputs ? NULL : &program->let[(size_t)k - program->inputs];
+    if (known && known->length == length && memcmp(known->gene, gene, length * sizeof *gene) == 0)
+        return true;
+    return diag_at(d, frame->path, let->line, 0, "'%s' is another value in another frame of the scene", name);
+}
+
+static bool add_let(const struct genome_file *frame, const struct genome_expr *let, const struct scene *s,
+                    const struct tier *t, struct genome_file *program, struct diag *d)
+{
+    char name[NAME], suffix[16];
+    tier_suffix(t, suffix);
+    suffixed(let->name, suffix, name);
+    double value[FROM_SCENE];
+    scene_values(s, t, value);
+    for (int k = 0; k < FROM_SCENE; k++)
+        if (strcmp(let->name, scene_let[k]) == 0) {
+            char text[32];
+            frame_number(value[k], text);
+            const int gene = -1 - (int)genome_add_constant(program, text);
+            return add_value(frame, let, name, &gene, 1, program, d);
+        }
+    int *gene = new_array(let->length, sizeof *gene);
+    const bool good =
+        rebind(frame, let, suffix, program, gene, d) && add_value(frame, let, name, gene, let->length, program, d);
+    free(gene);
+    return good;
+}
+
+static size_t same_symbol(const struct genome_file *frame, size_t symbol, const struct genome_file *program)
+{
+    return (size_t)genome_find_symbol(program, genome_symbol_name(frame, symbol));
+}
+
+/* Inputs may be exchanged in several frames, but alike. */
+static bool add_exchange(const struct genome_file *frame, const size_t pair[2], struct genome_file *program,
+                         struct diag *d)
+{
+    const size_t a = same_symbol(frame, pair[0], program), b = same_symbol(frame, pair[1], program);
+    for (size_t i = 0; i < program->exchanges; i++) {
+        const size_t *other = program->exchange[i];
+        if ((other[0] == a && other[1] == b) || (other[0] == b && other[1] == a))
+            return true;
+        if (other[0] == a || other[1] == a || other[0] == b || other[1] == b)
+            return diag_at(d, frame->path, 0, 0, "another frame of the scene exchanges '%s' or '%s' otherwise",
+                           genome_symbol_name(frame, pair[0]), genome_symbol_name(frame, pair[1]));
+    }
+    genome_add_exchange(program, a, b);
+    return true;
+}
+
+/* The frame's exchange and function lines. */
+static bool add_functions(const struct genome_file *frame, struct genome_file *program, struct diag *d)
+{
+    for (size_t i = 0; i < frame->exchanges; i++)
+        if (!add_exchange(frame, frame->exchange[i], program, d))
+            return false;
+    for (size_t i = 0; i < frame->functions; i++) {
+        const struct genome_function *f = &frame->function[i];
+        size_t from[2], to[2];
+        if (genome_find_function(program, f->name) >= 0 || program->functions == GENOME_FUNCTIONS)
+            return diag_at(d, frame->path, 0, 0, "function '%s' is one of another frame already, or one too many",
+                           f->name);
+        for (int k = 0; k < 2; k++) {
+            from[k] = same_symbol(frame, f->from[k], program);
+            to[k] = same_symbol(frame, f->to[k], program);
+        }
+        genome_add_function(program, f->name, from, to);
+    }
+    return true;
+}
+
+/* Names in a tier's list that are no operators. */
+static bool check_functions(const struct genome_file *frame, const struct scene *s, const struct tier *t,
+                            struct diag *d)
+{
+    for (size_t i = 0; i < t->functions; i++)
+        if (twin_gene(frame, t->function[i]) < 0)
+            return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name,
+                           t->function[i], t->frame);
+    return true;
+}
+
+static bool frame_is_new(const struct scene *s, size_t tier)
+{
+    for (size_t i = 0; i < tier; i++)
+        if (strcmp(s->tier[i].frame, s->tier[tier].frame) == 0 && s->tier[i].at == s->tier[tier].at)
+            return false;
+    return true;
+}
+
+void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH])
+{
+    snprintf(path, FRAME_PATH, "%s/evolve/frames/%s.gen", root, t->frame);
+}
+
+/* "affine, bezier, ..." */
+static void list_frames(const char *root, char *text, size_t size)
+{
+    char pattern[1024];
+    glob_t found;
+    size_t n = 0;
+    snprintf(pattern, sizeof pattern, "%s/evolve/frames/*.gen", root);
+    snprintf(text, size, "none in %.200s/evolve/frames", root);
+    if (glob(pattern, 0, NULL, &found) != 0)
+        return;
+    for (size_t i = 0; i < found.gl_pathc && n < size; i++) {
+        const char *name = strrchr(found.gl_pathv[i], '/') + 1;
+        n += (size_t)snprintf(text + n, size - n, "%s%.*s", i ? ", " : "", (int)(strlen(name) - strlen(".gen")), name);
+    }
+    globfree(&found);
+}
+
+static bool add_frame(const char *root, const struct scene *s, size_t tier, struct genome_file *program, struct diag *d)
+{
+    char path[FRAME_PATH];
+    const struct tier *t = &s->tier[tier];
+    frame_path(root, t, path);
+    if (access(path, R_OK) != 0) {
+        char known[300];
+        list_frames(root, known, sizeof known);
+        return diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': no frame '%s'; there are %s", t->name,
+                       t->frame, known);
+    }
+    struct genome_file *frame = genome_read(path, d);
+    if (!frame)
+        return false;
+    bool good = frame->genomes == 0 || diag_at(d, path, frame->genome[0].line, 0, "a frame holds no genomes");
+    if (good && frame->segment && frame->segment != s->segment)
+        good = diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': frame '%s' is of segments %s", t->name,
+                       t->frame, frame->segment->name);
+    for (size_t i = 0; good && i < frame->lets && frame_is_new(s, tier); i++)
+        good = add_let(frame, &frame->let[i], s, t, program, d);
+    good = good && (!frame_is_new(s, tier) || t->at || add_functions(frame, program, d)) &&
+           check_functions(frame, s, t, d);
+    for (size_t i = 0; good && i < t->terminals; i++)
+        if (genome_find_symbol(program, t->terminal[i]) < 0)
+            good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],
+                           t->frame);
+    genome_file_free(frame);
+    return good;
+}
+
+struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d)
+{
+    struct genome_file *program = genome_file_new(path);
+    for (size_t i = 0; i < segment_inputs(s->segment); i++) {
+        char name[5];
+        segment_input_name(s->segment, i, name);
+        genome_add_input(program, name);
+    }
+    program->segment = s->segment;
+    program->order = s->order;
+    for (size_t i = 0; i < s->tiers; i++)
+        if (!add_frame(root, s, i, program, d)) {
+            genome_file_free(program);
+            return NULL;
+        }
+    return program;
+}
+
+size_t frame_target(const struct genome_file *program, int output)
+{
+    return program->inputs + program->lets + (size_t)output;
+}
+
+struct columns frame_columns(struct kernel *k, const struct genome_file *program, const struct sample *s, size_t n)
+{
+    struct columns c = columns_new(n, frame_target(program, 2));
+    const size_t inputs = program->inputs, slave = inputs - 3;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < inputs; j++)
+            columns_at(&c, j)[i] = j < slave ? s[i].x[j / 3][j % 3] : s[i].xs[j - slave];
+        columns_at(&c, frame_target(program, 0))[i] = s[i].xi;
+        columns_at(&c, frame_target(program, 1))[i] = s[i].eta;
+    }
+    for (size_t j = 0; j < program->lets; j++) {
+        const struct genome_expr *let = &program->let[j];
+        const struct kernel_task task = {let->gene, let->length, program->constant, &c};
+        kernel_values(k, &task, columns_at(&c, program->inputs + j));
+    }
+    return c;
+}

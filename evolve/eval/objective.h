@@ -1,0 +1,38 @@
+/* The error that evolution minimises: in the scene's norm, over the training samples. */
+#ifndef FOOTPOINT_OBJECTIVE_H
+#define FOOTPOINT_OBJECTIVE_H
+
+#include "kernel.h"
+#include "../input/scene.h"
+#include "../genotype/tree.h"
+#include "twin_tape.h"
+
+/** Measures trees against columns of a table; one for each process. */
+struct judge {
+    const struct columns *table;       /* not owned */
+    const struct genome_file *program; /* not owned: what the genes mean */
+    enum scene_norm norm;
+    bool decimal; /* constants of trees are coded in their genes (decimal.h), not the program's; false at first */
+    struct kernel *kernel;       /* owned */
+    double *scratch;             /* owned: two values for each sample */
+    struct twins *twins;         /* owned: of the program; NULL where there is none */
+    struct twin_run *twin;       /* owned: for trees of both outputs */
+    struct columns_float single; /* owned: the table in float; empty unless the norm is the mean */
+};
+struct judge *judge_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm);
+void judge_free(struct judge *j);
+
+/** True of the target of twin trees: not a column, but the true xi and eta, the last two of the table. */
+bool judge_takes_both(const struct judge *j, size_t target);
+
+/** Error of a tree against table column `target`, or of a twin tree against both: mean, 99 % or maximum of
+ *  |value - target|.  INFINITY where a value is not finite, or where the mean is sure to exceed `bound`. */
+double judge_error(struct judge *j, const struct tree *t, size_t target, double bound);
+
+/** The same for ranking: the mean is computed in float, with about six digits and in half the time; not of twin trees. */
+double judge_rank(struct judge *j, const struct tree *t, size_t target, double bound);
+
+/** Genes times samples evaluated so far; of twin trees, lines times samples. */
+double judge_work(const struct judge *j);
+
+#endif

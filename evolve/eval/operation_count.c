@@ -1,0 +1,260 @@
+/* Counts operations by hash-consing: a prefix genome is read from the back with a stack, and each value becomes a node
+ * that is looked up by its hash among those that are there.  A node stands for a value up to its sign, which its user
+ * carries.  What the root needs is marked in the end. */
+#include "operation_count.h"
+
+#include "../common/decimal.h"
+#include "kernel_code.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum kind { LEAF, CONSTANT, SUM, PRODUCT, QUOTIENT, OTHER };
+
+struct node {
+    uint64_t hash;
+    double value; /* CONSTANT: >= 0, or not a number */
+    int a, b;     /* operands; -1: none */
+    enum kind kind;
+    bool needed;
+};
+
+struct slot {
+    uint64_t round; /* the count in which it was filled */
+    int node;
+};
+
+struct counter {
+    struct node *node; /* owned, operands before those that use them */
+    int nodes;
+    struct operand *stack; /* owned */
+    struct slot *slot;     /* owned: hash table of the nodes */
+    size_t slots;          /* power of 2 */
+    uint64_t round;
+};
+
+double operations_price(const struct operations *o, const struct prices *m)
+{
+    return o->mul + m->add * (o->add + o->other) + m->div * o->div;
+}
+
+struct counter *counter_new(size_t max_length)
+{
+    struct counter *c = new_array(1, sizeof *c);
+    c->slots = 4;
+    while (c->slots < 2 * max_length)
+        c->slots *= 2;
+    c->node = new_array(max_length, sizeof *c->node);
+    c->stack = new_array(max_length, sizeof *c->stack);
+    c->slot = new_array(c->slots, sizeof *c->slot);
+    return c;
+}
+
+void counter_free(struct counter *c)
+{
+    if (!c)
+        return;
+    free(c->node);
+    free(c->stack);
+    free(c->slot);
+    free(c);
+}
+
+static uint64_t mix(uint64_t a, uint64_t b)
+{
+    uint64_t h = (a ^ (b + 0x9e3779b97f4a7c15u + (a << 6) + (a >> 2))) * 0xbf58476d1ce4e5b9u;
+    h ^= h >> 29;
+    h *= 0x94d049bb133111ebu;
+    return h ^ (h >> 32);
+}
+
+/* The node of that hash, which is added if it is new. */
+static int node_of(struct counter *c, struct node n)
+{
+    size_t at = n.hash & (c->slots - 1);
+    while (c->slot[at].round == c->round) {
+        if (c->node[c->slot[at].node].hash == n.hash)
+            return c->slot[at].node;
+        at = (at + 1) & (c->slots - 1);
+    }
+    c->slot[at] = (struct slot){c->round, c->nodes};
+    c->node[c->nodes] = n;
+    return c->nodes++;
+}
+
+static struct operand constant_of(struct counter *c, double value)
+{
+    const double size = fabs(value);
+    uint64_t bits;
+    memcpy(&bits, &size, sizeof bits);
+    return (struct operand){node_of(c, (struct node){mix(CONSTANT, bits), size, -1, -1, CONSTANT, false}), value < 0};
+}
+
+static bool is_constant(const struct counter *c, struct operand x)
+{
+    return c->node[x.node].kind == CONSTANT;
+}
+
+static bool is_size(const struct counter *c, struct operand x, double size)
+{
+    return is_constant(c, x) && c->node[x.node].value == size;
+}
+
+static double signed_value(const struct counter *c, struct operand x)
+{
+    return x.negative ? -c->node[x.node].value : c->node[x.node].value;
+}
+
+static void sort_operands(const struct counter *c, struct operand *a, struct operand *b)
+{
+    if (c->node[a->node].hash > c->node[b->node].hash) {
+        const struct operand first = *b;
+        *b = *a;
+        *a = first;
+    }
+}
+
+static struct operand sum(struct counter *c, struct operand a, struct operand b)
+{
+    if (is_size(c, a, 0))
+        return b;
+    if (is_size(c, b, 0))
+        return a;
+    if (a.node == b.node && a.negative != b.negative)
+        return constant_of(c, 0);
+    sort_operands(c, &a, &b);
+    const uint64_t hash =
+        mix(mix(SUM + (a.negative != b.negative ? 16u : 0u), c->node[a.node].hash), c->node[b.node].hash);
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, SUM, false}), a.negative};
+}
+
+static struct operand product(struct counter *c, struct operand a, struct operand b)
+{
+    const bool negative = a.negative != b.negative;
+    if (is_size(c, a, 0) || is_size(c, b, 0))
+        return constant_of(c, 0);
+    if (is_size(c, a, 1))
+        return (struct operand){b.node, negative};
+    if (is_size(c, b, 1))
+        return (struct operand){a.node, negative};
+    sort_operands(c, &a, &b);
+    const uint64_t hash = mix(mix(PRODUCT, c->node[a.node].hash), c->node[b.node].hash);
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, PRODUCT, false}), negative};
+}
+
+/* A protected quotient is 1 where its divisor is 0, so that its sign cannot be carried outwards. */
+static struct operand quotient(struct counter *c, int gene, struct operand a, struct operand b)
+{
+    const bool plain = gene == GENE_DIV || (is_constant(c, b) && !is_size(c, b, 0));
+    if (gene == GENE_PDIV && ((a.node == b.node && a.negative == b.negative) || is_size(c, b, 0)))
+        return constant_of(c, 1);
+    const bool negative = plain && a.negative != b.negative;
+    if (plain && is_size(c, b, 1))
+        return (struct operand){a.node, negative};
+    const unsigned sign = plain ? 0u : (a.negative ? 16u : 0u) + (b.negative ? 32u : 0u) + 64u;
+    const uint64_t hash = mix(mix(QUOTIENT + sign, c->node[a.node].hash), c->node[b.node].hash);
+    const enum kind kind = is_constant(c, b) ? PRODUCT : QUOTIENT;
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, kind, false}), negative};
+}
+
+static struct operand other(struct counter *c, int gene, struct operand a, struct operand b)
+{
+    const bool single = gene_arity(gene) == 1;
+    if (gene == GENE_ABS)
+        a.negative = false;
+    if (single)
+        b = a;
+    else
+        sort_operands(c, &a, &b);
+    const unsigned sign = (a.negative ? 64u : 0u) + (b.negative ? 128u : 0u);
+    const uint64_t hash = mix(mix(OTHER + sign + 256u * (unsigned)gene, c->node[a.node].hash), c->node[b.node].hash);
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, OTHER, false}), false};
+}
+
+struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b)
+{
+    if (is_constant(c, a) && is_constant(c, b))
+        return constant_of(c, kernel_apply(gene, signed_value(c, a), signed_value(c, b)));
+    switch (gene) {
+    case GENE_NEG:
+        return (struct operand){a.node, !a.negative};
+    case GENE_ADD:
+        return sum(c, a, b);
+    case GENE_SUB:
+        return sum(c, a, (struct operand){b.node, !b.negative});
+    case GENE_MUL:
+        return product(c, a, b);
+    case GENE_DIV:
+    case GENE_PDIV:
+        return quotient(c, gene, a, b);
+    default:
+        return other(c, gene, a, b);
+    }
+}
+
+void counter_begin(struct counter *c)
+{
+    c->nodes = 0;
+    c->round++;
+}
+
+struct operand counter_number(struct counter *c, double value)
+{
+    return constant_of(c, value);
+}
+
+struct operand counter_leaf(struct counter *c, int gene)
+{
+    return (struct operand){
+        node_of(c, (struct node){mix(LEAF, (uint64_t)gene), 0, -1, -1, LEAF, false}),
+        false,
+    };
+}
+
+/* Count what the roots need: users stand behind their operands. */
+struct operations counter_end(struct counter *c, const struct operand *root, size_t roots)
+{
+    struct operations o = {.hash = 0};
+    for (size_t i = 0; i < roots; i++) {
+        const uint64_t hash = mix(c->node[root[i].node].hash, root[i].negative);
+        o.hash = i == 0 ? hash : mix(o.hash, hash);
+        c->node[root[i].node].needed = true;
+    }
+    for (int i = c->nodes - 1; i >= 0; i--) {
+        const struct node *n = &c->node[i];
+        if (!n->needed)
+            continue;
+        if (n->a >= 0)
+            c->node[n->a].needed = c->node[n->b].needed = true;
+        o.mul += n->kind == PRODUCT;
+        o.add += n->kind == SUM;
+        o.div += n->kind == QUOTIENT;
+        o.other += n->kind == OTHER;
+    }
+    return o;
+}
+
+static struct operand leaf(struct counter *c, int gene, const struct genome_constant *constant)
+{
+    if (gene < 0)
+        return constant_of(c, constant ? constant[-1 - gene].value : decimal_value(gene));
+    return counter_leaf(c, gene);
+}
+
+struct operations operations_count(struct counter *c, const struct tree *t, const struct genome_constant *constant)
+{
+    struct operand *top = c->stack; /* one past the top */
+    counter_begin(c);
+    for (size_t i = t->length; i-- > 0;) {
+        const int arity = gene_arity(t->gene[i]);
+        if (arity == 0) {
+            *top++ = leaf(c, t->gene[i], constant);
+        } else {
+            const struct operand a = *--top, b = arity == 2 ? *--top : a;
+            *top++ = counter_operation(c, t->gene[i], a, b);
+        }
+    }
+    const struct operand root = *--top;
+    return counter_end(c, &root, 1);
+}

@@ -1,0 +1,44 @@
+/* What a tree costs: its operations, each value computed once. */
+#ifndef FOOTPOINT_OPERATION_COUNT_H
+#define FOOTPOINT_OPERATION_COUNT_H
+
+#include "../genotype/tree.h"
+
+/** Operations of a tree, equal values counted once: operands of + and * in any order, and values that differ in sign
+ *  alone, are equal.  Factors 1 and -1, terms 0 and changes of sign are free, what is multiplied by 0 is not computed,
+ *  operations on constants are folded, and a quotient by a constant is a product. */
+struct operations {
+    unsigned mul, add, div;
+    unsigned other; /* square roots, absolute values, minima, maxima */
+    uint64_t hash;  /* equal for trees whose values are equal by these rules, and so for trees of equal error */
+};
+
+/** Prices of operations in multiplications.  An operation of another kind costs as much as a sum. */
+struct prices {
+    double add, div;
+};
+double operations_price(const struct operations *o, const struct prices *m);
+
+/** Workspace for trees of at most max_length genes, or for so many leaves and operations. */
+struct counter;
+struct counter *counter_new(size_t max_length);
+void counter_free(struct counter *c);
+
+/** Count in time proportional to the genes, without allocation.
+ *  @param[in] constant  what constants mean; NULL: decimal numbers (decimal.h) */
+struct operations operations_count(struct counter *c, const struct tree *t, const struct genome_constant *constant);
+
+/* The same step by step, for what is no tree: values up to their sign, from leaves and operations on them. */
+struct operand {
+    int node;
+    bool negative;
+};
+void counter_begin(struct counter *c);
+struct operand counter_leaf(struct counter *c, int gene);
+struct operand counter_number(struct counter *c, double value);
+/** b is a where the gene has one operand. */
+struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b);
+/** Operations of all that the roots need. */
+struct operations counter_end(struct counter *c, const struct operand *root, size_t roots);
+
+#endif

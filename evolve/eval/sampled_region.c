@@ -1,0 +1,149 @@
+/* Extremes of the samples' coordinates, widened to two decimals, and of what frames measure; see sampled_region.h. */
+#include "sampled_region.h"
+
+#include "frame.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PIECE = 4096 };
+
+/* The vectors in the frame of A, B and the last corner; normals only turn. */
+static void similar(const struct segment_kind *kind, const struct sample *s, struct sample *to)
+{
+    const size_t vectors = segment_vectors(kind), nodes = strlen(kind->nodes);
+    const double *third = s->x[kind->corners - 1];
+    double e[3][3], length = 0, along = 0, height = 0;
+    for (int i = 0; i < 3; i++) {
+        e[0][i] = s->x[1][i] - s->x[0][i];
+        e[1][i] = third[i] - s->x[0][i];
+        length += e[0][i] * e[0][i];
+        along += e[0][i] * e[1][i];
+    }
+    length = sqrt(length);
+    for (int i = 0; i < 3; i++) {
+        e[1][i] -= along / (length * length) * e[0][i];
+        height += e[1][i] * e[1][i];
+        e[0][i] /= length;
+    }
+    for (int i = 0; i < 3; i++)
+        e[1][i] /= sqrt(height);
+    for (int i = 0; i < 3; i++)
+        e[2][i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
+    *to = (struct sample){.xi = s->xi, .eta = s->eta};
+    for (size_t n = 0; n <= vectors; n++)
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < 3; i++)
+                *(n < vectors ? &to->x[n][k] : &to->xs[k]) +=
+                    n < nodes || n == vectors ? ((n < vectors ? s->x[n][i] : s->xs[i]) - s->x[0][i]) * e[k][i] / length
+                                              : s->x[n][i] * e[k][i];
+}
+
+/* ---- extremes ---- */
+
+/* Of the columns of a table: inputs and lets. */
+struct extremes {
+    double *lo, *hi; /* owned */
+};
+
+static void take_in(struct extremes *e, const struct columns *table)
+{
+    for (size_t j = 0; j < table->count; j++)
+        for (size_t i = 0; i < table->n; i++) {
+            const double x = columns_at(table, j)[i];
+            e->lo[j] = x < e->lo[j] ? x : e->lo[j];
+            e->hi[j] = x > e->hi[j] ? x : e->hi[j];
+        }
+}
+
+static struct extremes measure(const struct genome_file *f, const struct sample_set *set, size_t sets)
+{
+    const size_t count = f->inputs + f->lets + 2;
+    struct extremes e = {new_array(count, sizeof *e.lo), new_array(count, sizeof *e.hi)};
+    struct sample *moved = new_array(PIECE, sizeof *moved);
+    struct kernel *kernel = kernel_new_widest();
+    for (size_t j = 0; j < count; j++)
+        e.hi[j] = -(e.lo[j] = INFINITY);
+    for (size_t k = 0; k < sets; k++)
+        for (size_t first = 0; first < set[k].n; first += PIECE) {
+            const size_t left = set[k].n - first, n = left < PIECE ? left : PIECE;
+            for (size_t i = 0; i < n; i++)
+                similar(f->segment, &set[k].s[first + i], &moved[i]);
+            struct columns table = frame_columns(kernel, f, moved, n);
+            take_in(&e, &table);
+            columns_free(&table);
+        }
+    kernel_free(kernel);
+    free(moved);
+    return e;
+}
+
+/* ---- what is written ---- */
+
+static void add_range(struct genome_file *f, size_t input, double lo, double hi)
+{
+    char text[2][32];
+    snprintf(text[0], sizeof text[0], "%.2f", floor(lo * 100) / 100);
+    snprintf(text[1], sizeof text[1], "%.2f", ceil(hi * 100) / 100);
+    genome_add_range(f, input, text[0], text[1]);
+}
+
+/* let > half of the least it is on the samples, in two digits */
+static void require_above(struct genome_file *f, size_t let, double least)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.2g", 0.5 * least);
+    const int gene[] = {GENE_SUB, GENE_SYMBOL + (int)(f->inputs + let), -1 - (int)genome_add_constant(f, text)};
+    genome_add_require(f, gene, sizeof gene / sizeof *gene);
+}
+
+static void use_symbols(const struct genome_file *f, const struct genome_expr *e, bool *used)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] >= GENE_SYMBOL + (int)f->inputs)
+            used[e->gene[i] - GENE_SYMBOL - (int)f->inputs] = true;
+}
+
+/* By let: the genomes depend on it. */
+static bool *used_lets(const struct genome_file *f)
+{
+    bool *used = new_array(f->lets, sizeof *used);
+    for (size_t i = 0; i < f->genomes; i++)
+        for (size_t k = 0; k < f->genome[i].outs; k++)
+            use_symbols(f, &f->genome[i].out[k], used);
+    for (size_t i = f->lets; i-- > 0;)
+        if (used[i])
+            use_symbols(f, &f->let[i], used);
+    return used;
+}
+
+/* A let that frames measure, of lets that the genomes depend on. */
+static bool is_measured(const struct genome_file *f, size_t let, const bool *used)
+{
+    const struct genome_expr *e = &f->let[let];
+    bool measured = strncmp(e->name, "least_", 6) == 0;
+    for (size_t i = 0; i < e->length && measured; i++)
+        measured = e->gene[i] < GENE_SYMBOL + (int)f->inputs || used[e->gene[i] - GENE_SYMBOL - (int)f->inputs];
+    return measured;
+}
+
+void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
+{
+    if (!f->segment)
+        return;
+    const size_t inputs = f->inputs, flat = 3 * f->segment->corners - 1;
+    struct extremes e = measure(f, set, sets);
+    bool *used = used_lets(f);
+    for (size_t j = 0; j < inputs && e.lo[j] <= e.hi[j]; j++) {
+        const bool fixed = j < 6 || j == flat; /* A, B, and z of the last corner, but for rounding */
+        const double at = j == 3 ? 1 : 0;
+        add_range(f, j, fixed ? at : e.lo[j], fixed ? at : e.hi[j]);
+    }
+    for (size_t i = 0; i < f->lets; i++)
+        if (e.lo[inputs + i] > 0 && isfinite(e.lo[inputs + i]) && is_measured(f, i, used))
+            require_above(f, i, e.lo[inputs + i]);
+    free(used);
+    free(e.lo);
+    free(e.hi);
+}

@@ -1,0 +1,14 @@
+/* The region that a genome file's ranges speak of: where the inputs of the scene lie, in the frame of section 3.1. */
+#ifndef FOOTPOINT_SAMPLED_REGION_H
+#define FOOTPOINT_SAMPLED_REGION_H
+
+#include "../../codegen/genome/genome.h"
+#include "../surface/sample.h"
+
+/** Adds ranges of all inputs from samples, moved to A at the origin, B = (1,0,0), the last corner in the x-y plane, y >
+ *  0; and for each let of a frame that is named least_... and made of what the genomes need, where it is > 0 on all
+ *  samples, the require that it is at least half of the least it is there.  The genome's expressions do not change under
+ *  translation, rotation and scaling, so this covers every segment that is similar to one in that region. */
+void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets);
+
+#endif

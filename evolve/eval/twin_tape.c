@@ -1,0 +1,252 @@
+/* The evaluator of twin trees; see twin_tape.h.  Lines run over blocks of samples, one after the other.  Where values
+ * alone are wanted a block is used again once no later line needs it, so that those in use stay in the first-level
+ * cache.  All widths of registers give the same bits: values, because every sample goes through the same rounded
+ * operations; sums, because they run in WIDE_LANES lanes, sample i of a block in lane i mod WIDE_LANES. */
+#include "twin_tape.h"
+
+#include "tape_blocks.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct twin_run *twin_run_new(const struct twins *t, const struct columns *table)
+{
+    struct twin_run *r = new_array(1, sizeof *r);
+    *r = (struct twin_run){.table = table, .code = twin_code_new(t)};
+    return r;
+}
+
+void twin_run_free(struct twin_run *r)
+{
+    if (!r)
+        return;
+    twin_code_free(r->code);
+    free(r->value);
+    free(r->slope);
+    free(r->block);
+    free(r->slopes);
+    free(r->place);
+    free(r->varies);
+    free(r);
+}
+
+static bool is_operation(const struct twin_line *x)
+{
+    return x->a >= 0;
+}
+
+static void reserve_blocks(double **block, size_t *room, size_t blocks)
+{
+    if (blocks <= *room)
+        return;
+    free(*block);
+    *room = blocks + blocks / 2;
+    *block = new_array(*room * TAPE_BLOCK, sizeof **block);
+}
+
+/* last[i]: the last line that needs line i; roots are needed to the end. */
+static void find_last_uses(const struct twin_code *c, int *last)
+{
+    for (size_t i = 0; i < c->lines; i++) {
+        const struct twin_line *x = &c->line[i];
+        last[i] = -1;
+        if (!c->needed[i] || !is_operation(x))
+            continue;
+        last[x->a] = (int)i;
+        if (x->b >= 0)
+            last[x->b] = (int)i;
+    }
+    last[c->root[0]] = last[c->root[1]] = (int)c->lines;
+}
+
+/* A block for each line that is no symbol; returns how many there are. */
+static size_t share_blocks(struct twin_run *r)
+{
+    const struct twin_code *c = r->code;
+    int *last = new_array(c->lines, sizeof *last);
+    size_t *idle = new_array(c->lines, sizeof *idle), n = 0, blocks = 0;
+    find_last_uses(c, last);
+    for (size_t i = 0; i < c->lines; i++) {
+        const struct twin_line *x = &c->line[i];
+        if (!c->needed[i] || x->gene >= GENE_SYMBOL)
+            continue;
+        r->place[i] = n > 0 && !r->all && is_operation(x) ? idle[--n] : blocks++;
+        for (int k = 0; k < 2 && is_operation(x); k++) { /* a line never writes where it reads */
+            const int from = k ? x->b : x->a;
+            if (from < 0 || (k && x->b == x->a) || last[from] != (int)i || !is_operation(&c->line[from]))
+                continue;
+            idle[n++] = r->place[from];
+        }
+    }
+    free(last);
+    free(idle);
+    return blocks;
+}
+
+static void translate(struct twin_run *r, const struct tree *t, bool apart)
+{
+    struct twin_code *c = r->code;
+    r->all = apart;
+    twin_translate(c, t, apart);
+    if (c->lines > r->room) {
+        r->room = 2 * c->lines;
+        free(r->value);
+        free(r->slope);
+        free(r->place);
+        free(r->varies);
+        r->value = new_array(r->room, sizeof *r->value);
+        r->slope = new_array(r->room, sizeof *r->slope);
+        r->place = new_array(r->room, sizeof *r->place);
+        r->varies = new_array(r->room, sizeof *r->varies);
+    }
+    reserve_blocks(&r->block, &r->block_room, share_blocks(r));
+}
+
+WIDE static void fill_numbers(struct twin_run *r)
+{
+    for (size_t i = 0; i < r->code->lines; i++) {
+        const struct twin_line *x = &r->code->line[i];
+        if (!r->code->needed[i] || x->gene >= 0)
+            continue;
+        double *to = r->block + r->place[i] * TAPE_BLOCK;
+        EACH to[k] = x->number;
+        r->value[i] = to;
+    }
+}
+
+WIDE static void run_block(struct twin_run *r, size_t row)
+{
+    const struct twin_code *c = r->code;
+    for (size_t i = 0; i < c->lines; i++) {
+        const struct twin_line *x = &c->line[i];
+        if (!c->needed[i] || x->gene < 0)
+            continue;
+        if (x->gene >= GENE_SYMBOL) {
+            r->value[i] = columns_at(r->table, (size_t)(x->gene - GENE_SYMBOL)) + row;
+            continue;
+        }
+        double *to = r->block + r->place[i] * TAPE_BLOCK;
+        value_of(x->gene, r->value[x->a], x->b >= 0 ? r->value[x->b] : NULL, to);
+        r->value[i] = to;
+    }
+}
+
+static const double *goal_of(const struct twin_run *r, int half)
+{
+    return columns_at(r->table, r->table->count - 2 + (size_t)half);
+}
+
+WIDE static void add_errors(const double *value, const double *goal, size_t n, double lane[WIDE_LANES])
+{
+    size_t k = 0;
+    for (; k + WIDE_LANES <= n; k += WIDE_LANES)
+        for (size_t j = 0; j < WIDE_LANES; j++)
+            lane[j] += fabs(value[k + j] - goal[k + j]);
+    for (; k < n; k++)
+        lane[k % WIDE_LANES] += fabs(value[k] - goal[k]);
+}
+
+double twin_error_sum(struct twin_run *r, const struct tree *t, double bound)
+{
+    double lane[WIDE_LANES] = {0}, sum = 0;
+    translate(r, t, false);
+    fill_numbers(r);
+    for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
+        const size_t left = r->table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
+        run_block(r, row);
+        r->work += (double)r->code->lines * (double)n;
+        for (int half = 0; half < 2; half++)
+            add_errors(r->value[r->code->root[half]], goal_of(r, half) + row, n, lane);
+        sum = 0;
+        for (int j = 0; j < WIDE_LANES; j++)
+            sum += lane[j];
+        if (!(sum <= bound))
+            return INFINITY;
+    }
+    return isfinite(sum) ? sum : INFINITY;
+}
+
+void twin_errors(struct twin_run *r, const struct tree *t, double *error)
+{
+    const size_t all = r->table->n;
+    translate(r, t, false);
+    fill_numbers(r);
+    for (size_t row = 0; row < all; row += TAPE_BLOCK) {
+        const size_t left = all - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
+        run_block(r, row);
+        for (int half = 0; half < 2; half++) {
+            const double *value = r->value[r->code->root[half]], *goal = goal_of(r, half) + row;
+            double *to = error + (size_t)half * all + row;
+            for (size_t k = 0; k < n; k++) {
+                const double e = fabs(value[k] - goal[k]);
+                to[k] = isnan(e) ? INFINITY : e;
+            }
+        }
+    }
+}
+
+void twin_load(struct twin_run *r, const struct tree *t)
+{
+    translate(r, t, true);
+    memset(r->varies, 0, r->code->lines * sizeof *r->varies);
+    for (size_t i = 0; i < r->code->numbers; i++)
+        r->varies[r->code->number[i]] = true;
+    for (size_t i = 0; i < r->code->lines; i++) {
+        const struct twin_line *x = &r->code->line[i];
+        if (is_operation(x))
+            r->varies[i] = r->varies[x->a] || (x->b >= 0 && r->varies[x->b]);
+    }
+    reserve_blocks(&r->slopes, &r->slope_room, r->code->lines + 2);
+}
+
+void twin_values(struct twin_run *r, size_t row)
+{
+    fill_numbers(r);
+    run_block(r, row);
+}
+
+WIDE static void add_block(struct twin_run *r, int line, const double *more)
+{
+    double *to = r->slopes + ((size_t)line + 2) * TAPE_BLOCK;
+    if (r->slope[line])
+        EACH to[k] += more[k];
+    else
+        EACH to[k] = more[k];
+    r->slope[line] = to;
+}
+
+/* Slopes of the operands of a line, into the first two blocks. */
+WIDE static void pass_down(struct twin_run *r, size_t i)
+{
+    const struct twin_line *x = &r->code->line[i];
+    const int b = x->b >= 0 ? x->b : x->a;
+    double *sa = r->slopes, *sb = r->slopes + TAPE_BLOCK;
+    const double *s = r->slope[i];
+    if (x->gene == GENE_ADD || x->gene == GENE_SUB)
+        EACH sa[k] = s[k];
+    if (x->gene == GENE_ADD)
+        EACH sb[k] = s[k];
+    else
+        slope_of(x->gene, s, r->value[i], r->value[x->a], r->value[b], sa, sb);
+}
+
+void twin_slopes(struct twin_run *r, int half)
+{
+    const struct twin_code *c = r->code;
+    double one[TAPE_BLOCK];
+    for (size_t k = 0; k < TAPE_BLOCK; k++)
+        one[k] = 1;
+    for (size_t i = 0; i < c->lines; i++)
+        r->slope[i] = NULL;
+    add_block(r, c->root[half], one);
+    for (size_t i = c->lines; i-- > 0;) {
+        const struct twin_line *x = &c->line[i];
+        if (!r->slope[i] || !r->varies[i] || !is_operation(x))
+            continue;
+        pass_down(r, i);
+        if (r->varies[x->a])
+            add_block(r, x->a, r->slopes);
+        if (x->b >= 0 && r->varies[x->b])
+            add_block(r, x->b, r->slopes + TAPE_BLOCK);
+    }
+}

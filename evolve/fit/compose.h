@@ -1,0 +1,14 @@
+/* Hand-written methods as seeds: what the functions of a tier give, one after the other, from each of its terminals. */
+#ifndef FOOTPOINT_COMPOSE_H
+#define FOOTPOINT_COMPOSE_H
+
+#include "../genotype/front.h"
+#include "../eval/objective.h"
+
+/** Offer compositions of the set's functions to a front, by their errors on some of the judge's samples: all that begin
+ *  with the most promising ones.  Deterministic.
+ *  @param[in] judge  of decimal numbers */
+void twin_seeds(const struct gene_set *genes, const struct judge *judge, const struct prices *prices,
+                struct front *found);
+
+#endif

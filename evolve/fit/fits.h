@@ -1,0 +1,14 @@
+/* The fits of constants that islands call (fitting.h): least squares of root terms for children, Levenberg and
+ * Marquardt's method for members of the front; on some of the samples, judged on all. */
+#ifndef FOOTPOINT_FITS_H
+#define FOOTPOINT_FITS_H
+
+#include "fitting.h"
+#include "../eval/objective.h"
+
+/** The judge is not owned. */
+struct fits *fits_new(struct judge *judge);
+void fits_free(struct fits *f);
+struct fitting fits_hooks(struct fits *f);
+
+#endif

@@ -1,0 +1,29 @@
+/* Products of symbols up to a degree: their sums of products over samples, and trees of their sums. */
+#ifndef FOOTPOINT_MONOMIALS_H
+#define FOOTPOINT_MONOMIALS_H
+
+#include "../eval/kernel.h"
+#include "../genotype/tree.h"
+
+enum { MONOMIAL_DEGREE = 4 };
+
+struct monomial {
+    int symbol[MONOMIAL_DEGREE]; /* genes, ascending in the order of the given symbols */
+    size_t degree;
+};
+
+/** All monomials of at most that degree (0..MONOMIAL_DEGREE) in n symbols, 1 first; *count of them.  Free with free().
+ */
+struct monomial *monomials_new(const int *symbol, size_t n, size_t degree, size_t *count);
+
+/** Products of all monomials and, last, the target column among each other: (count + 1)^2 numbers.  Free with free().
+ */
+double *monomials_gram(const struct monomial *m, size_t count, const struct columns *table, size_t target);
+
+/** Genes that monomials_tree may need for n terms. */
+size_t monomials_room(size_t n);
+/** The sum of n different monomials, each times its coefficient, in Horner's form: what occurs most is factored out
+ *  first. */
+void monomials_tree(const struct monomial *term, const double *coefficient, size_t n, struct tree *t);
+
+#endif

@@ -1,0 +1,43 @@
+/* Sums of products of columns, which normal equations are made of, and their solution.  One pass over the samples gives
+ * the products of all pairs of columns; any choice of these columns is then fitted without the samples. */
+#ifndef FOOTPOINT_NORMAL_EQUATIONS_H
+#define FOOTPOINT_NORMAL_EQUATIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** Products under way: of each of `rows` columns with each of `columns` others. */
+struct products {
+    size_t rows, columns;
+    double *lane; /* owned: for each pair the sums of its lanes, so that the order of summation is always the same */
+};
+struct products products_new(size_t rows, size_t columns);
+void products_free(struct products *p);
+void products_clear(struct products *p);
+
+/** Columns of a block of samples: column j begins at first + j * stride. */
+struct panel {
+    const double *first;
+    size_t stride;
+};
+/** Add n samples (a multiple of 8) of a's columns, one for each row, times b's, one for each column.  `lower`: the
+ * pairs above the diagonal are not needed. */
+void products_add(struct products *p, struct panel a, struct panel b, size_t n, bool lower);
+/** The sums so far, row after row; with `lower` the upper triangle is the mirror of the lower one. */
+void products_sum(const struct products *p, bool lower, double *sum);
+
+/** Lower Cholesky factor of the n x n matrix a (rows `stride` apart) in place; the upper triangle is left alone.  False
+ *  if it is not positive definite. */
+bool cholesky_factor(double *a, size_t n, size_t stride);
+/** x = L^-1 x. */
+void cholesky_forward(const double *l, size_t n, size_t stride, double *x);
+/** x = L^-T x. */
+void cholesky_backward(const double *l, size_t n, size_t stride, double *x);
+
+/** Normal equations of the columns chosen[0..k-1] for column `goal`: `gram` holds the products of all `count` columns.
+ *  Fills coefficient[k]; returns the sum of squares that is left, or -1 where the columns are dependent.
+ *  @param work  room for k * k numbers */
+double products_fit(const double *gram, size_t count, const size_t *chosen, size_t k, size_t goal, double *coefficient,
+                    double *work);
+
+#endif

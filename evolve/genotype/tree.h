@@ -1,0 +1,76 @@
+/* Expression trees as prefix genomes, and the genetic operators on them (sections 4.1 and 4.2 of the paper). */
+#ifndef FOOTPOINT_TREE_H
+#define FOOTPOINT_TREE_H
+
+#include "../../codegen/genome/genome.h"
+
+#include <gsl/gsl_rng.h>
+#include <stdint.h>
+
+/** A genome under breeding. */
+struct tree {
+    int *gene; /* not owned; room for the longest genome of its population */
+    size_t length;
+};
+
+/** The genes that random trees are made of. */
+struct gene_set {
+    int *symbol; /* owned: variables */
+    size_t symbols;
+    int *constant; /* owned; decimal numbers (decimal.h), ascending, so that neighbours are near in value */
+    size_t constants;
+    int *operation;               /* owned; those of two operands, then those of one */
+    size_t operations, functions; /* how many of each */
+};
+void gene_set_free(struct gene_set *s);
+
+/** A random tree of at most `room` >= 1 genes and `depth` >= 0 operators from root to leaf.  `full`: leaves stand at
+ *  that depth alone (while there is room); otherwise branches end anywhere. */
+void tree_random(gsl_rng *rng, const struct gene_set *s, int depth, bool full, size_t room, struct tree *t);
+
+/** Two children that exchange a random branch of their parents.  A child that would be longer than `max` genes is a
+ *  copy of its first parent instead. */
+void tree_cross(gsl_rng *rng, const struct tree *a, const struct tree *b, size_t max, struct tree *child_a,
+                struct tree *child_b);
+
+/** Change one gene to another of its kind: operator to operator, leaf to leaf. */
+void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct tree *t);
+
+/** Copy of `t` with a random new branch; at most `max` genes. t has no more than that. */
+void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child);
+
+/* Beyond the paper, tree_edit.c.  All return false, and leave `child` undefined, where the change is impossible. */
+
+/** Copy of `a` with a branch of `b` in place of one of its own that is at least half as long; at most `max` genes. */
+bool tree_graft(gsl_rng *rng, const struct tree *a, const struct tree *b, size_t max, struct tree *child);
+/** Copy of `t` with a small new branch. */
+bool tree_mutate_twig(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child);
+/** Copy with a branch x replaced by an operation on x and a small new branch. */
+bool tree_wrap(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child);
+/** A branch of `t` alone. */
+bool tree_hoist(gsl_rng *rng, const struct tree *t, struct tree *child);
+/** Copy with an operation replaced by one of its operands. */
+bool tree_shrink(gsl_rng *rng, const struct tree *t, struct tree *child);
+/** t + c x: x a small new branch, or one of `mate`; c small. */
+bool tree_add_term(gsl_rng *rng, const struct gene_set *s, const struct tree *t, const struct tree *mate, size_t max,
+                   struct tree *child);
+/** Copy less one of the terms that its root adds. */
+bool tree_drop_term(gsl_rng *rng, const struct tree *t, struct tree *child);
+/** Copy with one of its constants, a decimal number, changed: mostly by a factor near 1. */
+bool tree_shift_constant(gsl_rng *rng, const struct tree *t, struct tree *child);
+
+/** A branch: its first gene and its length. */
+struct branch {
+    size_t at, length;
+};
+struct branch tree_branch(const struct tree *t, size_t at);
+struct branch tree_random_branch(gsl_rng *rng, const struct tree *t);
+/** child = t with its branch `out` replaced by n genes. */
+void tree_splice(const struct tree *t, struct branch out, const int *gene, size_t n, struct tree *child);
+
+void tree_copy(const struct tree *from, struct tree *to);
+bool tree_equal(const struct tree *a, const struct tree *b);
+/** 64 bits that identify a genome for all practical purposes. */
+uint64_t tree_hash(const struct tree *t);
+
+#endif

@@ -1,0 +1,135 @@
+/* A scene: the text file that says what the generated code is for; see evolve/scenes/ and evolve/README.md. */
+#ifndef FOOTPOINT_SCENE_H
+#define FOOTPOINT_SCENE_H
+
+#include "../../codegen/genome/genome.h"
+#include "../surface/sample.h"
+
+#include <stdint.h>
+
+enum scene_source { SOURCE_LATTICE, SOURCE_RANDOM, SOURCE_MESH };
+enum scene_norm { NORM_MEAN, NORM_P99, NORM_MAX };
+
+/** The paper's lattice (section 6.1): A = 0, B = (1,0,0), D in the x-y plane. */
+struct lattice {
+    double xy_max, xy_step; /* x, y of C, D, S on the closed grid -xy_max..xy_max */
+    double z_max, z_step;   /* z of C, S */
+    double xi[2], eta[2];   /* contact points kept: strictly above the lower bound, up to and with the upper one */
+    int newton;             /* > 0: kept only if so many Newton steps from (0,0) find the contact point; 0: all */
+    int normal_sets;        /* of segments with normals: random sets for each configuration */
+    double tilt;            /* tangent of the largest angle of a normal off the facet's own at the corner */
+};
+
+/** Ordinary segments: drawn at random. */
+struct shapes {
+    double aspect;   /* longest over shortest mid-line, 1..aspect */
+    double skew;     /* radians: angle of the mid-lines off 90 degrees, -skew..skew */
+    double taper;    /* |in-plane part of c3| / half mid-line, 0..taper in each direction */
+    double warp;     /* radians: angle between the normals at opposite corners, 0..warp */
+    double gap;      /* |gap| over the shortest edge, 0..gap */
+    double curve;    /* rise of an edge along a body of the largest curvature, over the longest edge, 0..curve */
+    double shift;    /* mid-side nodes off their place on it, in each direction, over the shortest edge, 0..shift */
+    double overhang; /* contact points up to this fraction of the segment outside it: -1-2*overhang.. on squares */
+    bool evenly;     /* aspect, angle of warp and curvature uniform; see PART_HELDOUT_EVEN */
+};
+
+/** How far outside the segment contact points of mesh pairs are kept: this fraction of it. */
+#define MESH_OVERHANG 0.1
+
+/** Slave-node and master-segment pairs of a mesh file. */
+struct mesh_pairs {
+    char *file;      /* owned; path as resolved from the scene's folder */
+    double distance; /* pairs nearer than this; mesh length */
+};
+
+/** One header function to make: which values its expressions may use, and how long they may be. */
+struct tier {
+    char *name;                   /* owned */
+    char *frame;                  /* owned: file evolve/frames/<frame>.gen */
+    int frame_line, frame_column; /* where the scene names it; 0: it does not */
+    char **terminal; /* owned: names of inputs or lets of the frame, with the suffix of tier_suffix() */
+    size_t terminals;
+    size_t max_length; /* genes of one expression */
+    bool rational;     /* % beside + - *, where no functions are listed */
+    char **function;   /* owned: names of operators, "exchange", "halves" and functions of the frame */
+    size_t functions;  /* 0: none are listed */
+    bool twin;         /* one tree makes xi and eta (twin.h): a function is none of the genome text's operators */
+    double budget;     /* operations of one expression, or of a twin tree, in the plan's cost model; 0: none is set */
+    char *last;        /* owned: function of the frame that a twin tree must end in; NULL: any */
+    double reference[2];
+    int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
+    int line; /* where it stands in the scene; 0: it follows */
+};
+
+/** Outputs of a tier, first..last: 0 is xi, 1 eta, and 2 both, of a tier of twin trees. */
+enum { TIER_BOTH = 2, TIER_OUTPUTS };
+static inline int tier_first(const struct tier *t)
+{
+    return t->twin ? TIER_BOTH : 0;
+}
+static inline int tier_last(const struct tier *t)
+{
+    return t->twin ? TIER_BOTH : 1;
+}
+
+struct scene {
+    char *name, *path; /* owned; name is the file's base name without .scene */
+    char sha256[65];   /* of the scene text and, after it, of its mesh's nodes and pairs */
+    const struct segment_kind *segment;
+    double reference[2]; /* NAN: left to the segments */
+    enum corner_order order;
+    enum scene_norm norm;
+    char *precision; /* owned: of the generated code, "double" or "float" */
+    size_t training, heldout;
+    uint64_t seed; /* of the samples, not of the evolution */
+    enum scene_source source;
+    struct lattice lattice;
+    struct shapes shapes;
+    struct mesh_pairs mesh;
+    struct tier *tier;
+    size_t tiers;   /* 0: left to the segments, see default_tiers.h */
+    char *warnings; /* owned: lines about what is unusual, "file:line: warning: ..."; or NULL */
+};
+
+/** A name (looked up as evolve/scenes/<name>.scene under `root`) or a path.  Returns NULL with *d filled
+ *  ("file:line: error: ..."). */
+struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
+void scene_free(struct scene *s);
+
+/** The path that a name or path stands for.  The caller frees it. */
+char *scene_path(const char *root, const char *name_or_path);
+
+/** What the names of a tier's values end in: "", or "_at1" if the frame expands about the first of the tiers' own
+ * reference points. */
+void tier_suffix(const struct tier *t, char text[16]);
+
+/** Box of the scene's contact points: lo < xi,eta <= hi, dimensionless; on triangles xi + eta <= hi[0], too. */
+void scene_box(const struct scene *s, double lo[2], double hi[2]);
+
+/** Which of a scene's samples.  No two share a configuration. */
+enum sample_part {
+    PART_TRAINING,      /* what evolution sees */
+    PART_HELDOUT,        /* lattice and mesh: the rest of the same points; random: a second stream */
+    PART_HELDOUT_RANDOM, /* off the grid: drawn at random from the same ranges */
+    PART_HELDOUT_EVEN    /* ordinary shapes: another distribution in the same limits, to which nothing is fitted */
+};
+
+enum { HELDOUT_PARTS = 3 };
+/** The parts held out, and what notes and samples call them: "heldout", "heldout_random", "heldout_even". */
+extern const struct heldout_part {
+    enum sample_part part;
+    const char *name;
+} heldout_part[HELDOUT_PARTS];
+
+/** False for PART_HELDOUT_EVEN of scenes that have none. */
+bool scene_has(const struct scene *s, enum sample_part part);
+
+/** How the parts held out are drawn, in words for banners: lines of text, as many as it returns. */
+enum { DRAWN_LINES = 3, DRAWN_LENGTH = 240 };
+size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH]);
+
+/** Append the part's samples, of a part that the scene has, to *set; their coordinates are numbers of the scene's
+ *  precision.  Deterministic in the scene alone.  False with *d filled when none is left. */
+bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
+
+#endif

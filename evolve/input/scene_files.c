@@ -1,0 +1,27 @@
+/* What a scene reads, beside what a program writes; see scene_files.h. */
+#include "scene_files.h"
+
+#include "../eval/frame.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool scene_files_apart(const char *program, const char *root, const struct scene *s, const struct file_use *file,
+                       size_t n, struct diag *d)
+{
+    enum { SCENE_AND_MESH = 2 };
+    struct file_use *all = new_array(n + SCENE_AND_MESH + s->tiers, sizeof *all);
+    char(*frame)[FRAME_PATH] = new_array(s->tiers, sizeof *frame);
+    size_t used = n;
+    memcpy(all, file, n * sizeof *all);
+    all[used++] = (struct file_use){.what = "the scene", .path = s->path};
+    all[used++] = (struct file_use){.what = "the mesh", .path = s->mesh.file};
+    for (size_t i = 0; i < s->tiers; i++) {
+        frame_path(root, &s->tier[i], frame[i]);
+        all[used++] = (struct file_use){.what = "a frame", .path = frame[i]};
+    }
+    const bool apart = files_apart(program, all, used, d);
+    free(frame);
+    free(all);
+    return apart;
+}

@@ -1,0 +1,191 @@
+/* The functions of a header that a scene asks for; see scene_parts.h. */
+#include "../samples/default_tiers.h"
+#include "scene_parts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool read_terminals(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
+{
+    if (!config_setting_is_aggregate(s) || config_setting_is_group(s) || config_setting_length(s) == 0)
+        return key_fail(r, s, "'terminals' must be names, [\"p\", \"q\"]");
+    t->terminal = new_array((size_t)config_setting_length(s), sizeof *t->terminal);
+    for (int i = 0; i < config_setting_length(s); i++) {
+        const config_setting_t *e = config_setting_get_elem(s, (unsigned)i);
+        if (!key_string(r, e, "terminals", &t->terminal[t->terminals]))
+            return false;
+        const char *name = t->terminal[t->terminals++];
+        if (!key_identifier(name))
+            return key_fail(r, e, "terminal '%s' is not a name", name);
+        for (size_t k = 0; k + 1 < t->terminals; k++)
+            if (strcmp(t->terminal[k], name) == 0)
+                return key_fail(r, e, "terminal '%s' stands twice", name);
+    }
+    return true;
+}
+
+void tier_suffix(const struct tier *t, char text[16])
+{
+    text[0] = '\0';
+    if (t->at)
+        snprintf(text, 16, "_at%d", t->at);
+}
+
+/* Tiers that expand about the same point share their values. */
+static bool read_tier_reference(const struct scene_reader *r, const config_setting_t *s, const struct scene *scene,
+                                struct tier *t)
+{
+    char suffix[16];
+    if (!key_two(r, s, "reference", -1, 1, t->reference))
+        return false;
+    int known = 0, same = 0;
+    for (const struct tier *u = scene->tier; u < t; u++) {
+        known = u->at > known ? u->at : known;
+        if (u->at && u->reference[0] == t->reference[0] && u->reference[1] == t->reference[1])
+            same = u->at;
+    }
+    t->at = same ? same : known + 1;
+    tier_suffix(t, suffix);
+    for (size_t i = 0; i < t->terminals; i++) {
+        char name[300];
+        snprintf(name, sizeof name, "%.250s%s", t->terminal[i], suffix);
+        free(t->terminal[i]);
+        t->terminal[i] = new_text(name, strlen(name));
+    }
+    return true;
+}
+
+static bool is_operator(const char *name, int arity)
+{
+    for (int gene = 0; gene < GENE_OPERATORS; gene++)
+        if (gene_arity(gene) == arity && strcmp(gene_name(gene), name) == 0)
+            return true;
+    return false;
+}
+
+/* "polynomial", "rational", or a list of operators and of functions of the frame. */
+static bool read_functions(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
+{
+    static const char *const word[] = {"polynomial", "rational"};
+    int which, sums = 0;
+    if (!config_setting_is_aggregate(s) || config_setting_is_group(s)) {
+        const bool good = key_word(r, s, "functions", word, 2, &which);
+        t->rational = good && which == 1;
+        return good;
+    }
+    t->function = new_array((size_t)config_setting_length(s), sizeof *t->function);
+    for (int i = 0; i < config_setting_length(s); i++) {
+        const config_setting_t *e = config_setting_get_elem(s, (unsigned)i);
+        const char *name = config_setting_get_string(e);
+        const bool known = name && (is_operator(name, 1) || is_operator(name, 2));
+        if (!name || !(known || key_identifier(name)))
+            return key_fail(r, e, "'functions' holds something that is neither an operator nor a name");
+        for (size_t k = 0; k < t->functions; k++)
+            if (strcmp(t->function[k], name) == 0)
+                return key_fail(r, e, "function '%s' stands twice", name);
+        t->function[t->functions++] = new_text(name, strlen(name));
+        t->twin = t->twin || !known;
+        sums += strcmp(name, "+") == 0 || strcmp(name, "*") == 0;
+    }
+    return sums == 2 || key_fail(r, s, "'functions' must hold \"+\" and \"*\", which terms are added with");
+}
+
+/* The function that a tier's trees must end in, one of its list. */
+static bool read_last(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
+{
+    bool known = false;
+    if (!key_string(r, s, "last", &t->last))
+        return false;
+    for (size_t i = 0; i < t->functions; i++)
+        known = known || strcmp(t->function[i], t->last) == 0;
+    return (known && t->twin) ||
+           key_fail(r, s, "tier '%s': '%s' is none of its functions of the frame", t->name, t->last);
+}
+
+/* The frame that the tier names, or the scene; or else that of the scene of their kind. */
+static bool read_frame(const struct scene_reader *r, const config_setting_t *s, const struct scene *scene,
+                       struct tier *t)
+{
+    if (s) {
+        t->frame_line = (int)config_setting_source_line(s);
+        t->frame_column = key_column(r, s);
+        return key_string(r, s, "frame", &t->frame) &&
+               (key_identifier(t->frame) || key_fail(r, s, "frame '%s' is not a name", t->frame));
+    }
+    struct scene *usual = scene_of_kind(r->root, scene, r->d);
+    if (usual)
+        t->frame = new_text(usual->tier[0].frame, strlen(usual->tier[0].frame));
+    scene_free(usual);
+    return t->frame != NULL;
+}
+
+bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root)
+{
+    static const struct scene_key required[] = {{"name", "\"fast\""},
+                                                {"terminals", "[\"p\", \"q\"]"},
+                                                {"max_length", "30"},
+                                                {"functions", "\"polynomial\""},
+                                                {NULL, NULL}};
+    static const char *const optional[] = {"frame", "budget", "reference", "last", NULL};
+    config_setting_t *list = config_setting_get_member(root, "tiers");
+    if (list && (!config_setting_is_list(list) || config_setting_length(list) == 0))
+        return key_fail(r, list, "'tiers' must be a list of groups, ( { name = ...; }, ... )");
+    for (int i = 0; list && i < config_setting_length(list); i++) {
+        config_setting_t *g = config_setting_get_elem(list, (unsigned)i);
+        char what[32];
+        snprintf(what, sizeof what, "tier %d", i + 1);
+        if (!config_setting_is_group(g))
+            return key_fail(r, g, "a tier must be a group, { name = ...; }");
+        if (!keys_check(r, g, what, required, optional))
+            return false;
+    }
+    return true;
+}
+
+static bool read_tier(const struct scene_reader *r, config_setting_t *g, const config_setting_t *frame,
+                      struct scene *scene)
+{
+    struct tier *t = &scene->tier[scene->tiers++];
+    const config_setting_t *own;
+    long long length;
+    t->line = (int)config_setting_source_line(g);
+    if (!key_string(r, config_setting_get_member(g, "name"), "name", &t->name))
+        return false;
+    if (!key_identifier(t->name))
+        return key_fail(r, config_setting_get_member(g, "name"), "tier name '%s' is not a C identifier", t->name);
+    for (const struct tier *u = scene->tier; u < t; u++)
+        if (strcmp(u->name, t->name) == 0)
+            return key_fail(r, config_setting_get_member(g, "name"), "tier '%s' stands twice", t->name);
+    own = config_setting_get_member(g, "frame");
+    if (!read_frame(r, own ? own : frame, scene, t) ||
+        !read_terminals(r, config_setting_get_member(g, "terminals"), t) ||
+        !key_count(r, config_setting_get_member(g, "max_length"), "max_length", 1, 100000, &length) ||
+        !read_functions(r, config_setting_get_member(g, "functions"), t))
+        return false;
+    t->max_length = (size_t)length;
+    own = config_setting_get_member(g, "reference");
+    if (own && !read_tier_reference(r, own, scene, t))
+        return false;
+    if (own && t->twin)
+        return key_fail(r, own, "tier '%s': functions of a frame are about the scene's reference point", t->name);
+    own = config_setting_get_member(g, "last");
+    if (own && !read_last(r, own, t))
+        return false;
+    const config_setting_t *budget = config_setting_get_member(g, "budget");
+    return !budget || key_number(r, budget, "budget", 1, 1e6, NULL, &t->budget);
+}
+
+bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, struct scene *scene)
+{
+    config_setting_t *list = config_setting_get_member(root, "tiers");
+    const config_setting_t *frame = config_setting_get_member(root, "frame");
+    if (!list && frame)
+        return key_fail(r, frame, "'frame' without 'tiers'; a scene names both or leaves both to its segments");
+    if (!list)
+        return true;
+    scene->tier = new_array((size_t)config_setting_length(list), sizeof *scene->tier);
+    for (int i = 0; i < config_setting_length(list); i++)
+        if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), frame, scene))
+            return false;
+    return true;
+}

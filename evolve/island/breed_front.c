@@ -1,0 +1,289 @@
+/* Breeding towards the front of error against cost.  Parents come from the population and from the front; children are
+ * made by operators that mostly change little, and those that were seen lately are made anew.  Parents and children
+ * then compete by the ratio of their error to that of the front, at their own cost, as the front was when the
+ * generation began: every size is under the same pressure, and growth must pay.  Equal errors and equal structures are
+ * kept once, and no cost may crowd out the others.  A child whose ratio is sure to exceed the parents' worst is not
+ * evaluated to the end, as it would not be let in.  Where the front has not moved for long, the population starts anew
+ * from random trees with an empty front; when that stagnates in turn, the best of all times join it. */
+#include "population.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { TRIES = 4 };                              /* to make a child that was not seen lately */
+static const double moved = 0.999;               /* progress: an error less than this part of the front's */
+static const double smallest = 1e-300;           /* an error of 0 is compared, too */
+static const double coarse = 1e-3, slack = 1e-3; /* mean errors that single precision tells apart, to this fraction */
+static const double immigrants = 0.02;           /* random trees among the children */
+
+enum edit { GRAFT, TWIG, GENE, WRAP, HOIST, SHRINK, ADD_TERM, DROP_TERM, CONSTANT, EDITS };
+static const double edit_rate[EDITS] = {
+    [GRAFT] = 0.25,  [TWIG] = 0.15,    [GENE] = 0.15,      [WRAP] = 0.10,    [HOIST] = 0.02,
+    [SHRINK] = 0.08, [ADD_TERM] = 0.1, [DROP_TERM] = 0.05, [CONSTANT] = 0.10};
+
+static double ratio(const struct island *is, const struct individual *x)
+{
+    const size_t place = front_place(is->stage, x->cost);
+    if (place > is->stage->limit || x->error == INFINITY)
+        return INFINITY;
+    return (x->error + smallest) / (is->reference[place] + smallest);
+}
+
+/* Single precision tells most of the hopeless, in half the time, where it is fine enough for errors so large. */
+static double measured(struct island *is, const struct tree *t, double bound)
+{
+    const bool rank = is->judge->norm == NORM_MEAN && !judge_takes_both(is->judge, is->goal.target) && bound > coarse &&
+                      bound < INFINITY;
+    if (rank && judge_rank(is->judge, t, is->goal.target, (1 + slack) * bound) == INFINITY)
+        return INFINITY;
+    return judge_error(is->judge, t, is->goal.target, bound);
+}
+
+/* The error of an individual that is counted already. */
+static void evaluate(struct island *is, struct individual *x)
+{
+    const size_t place = front_place(is->stage, x->cost);
+    struct remembered *r = island_memory(is, x->hash);
+    x->error = INFINITY;
+    if (place > is->stage->limit)
+        return;
+    if (r->hash != x->hash) {
+        const double bound = is->bound < INFINITY ? is->bound * is->reference[place] : INFINITY;
+        *r = (struct remembered){x->hash, measured(is, &x->tree, bound)};
+        is->evaluations++;
+    }
+    x->error = r->error;
+    if (x->error < moved * is->stage->lowest[place])
+        is->progress = is->generation;
+    island_record(is, x);
+}
+
+static void fix_reference(struct island *is)
+{
+    memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
+}
+
+/* True if the key is new to the table. */
+static bool meet(struct island *is, uint64_t key)
+{
+    const size_t slots = 8 * (2 * is->plan->population + 2);
+    size_t at = (key * 0x9e3779b97f4a7c15u >> 32) % slots;
+    key += key == 0;
+    while (is->met[at] != 0 && is->met[at] != key)
+        at = (at + 1) % slots;
+    const bool fresh = is->met[at] == 0;
+    is->met[at] = key;
+    return fresh;
+}
+
+enum fate { LIVES, CROWDED_OUT, DOUBLE, FATES };
+
+/* What becomes of an individual, all better ones being known. */
+static enum fate fate_of(struct island *is, const struct individual *x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x->error, sizeof bits);
+    if (x->demerit == INFINITY)
+        return DOUBLE;
+    const bool new_tree = meet(is, x->hash), new_error = meet(is, bits);
+    if (!new_tree || !new_error)
+        return DOUBLE;
+    return ++is->crowd[front_place(is->stage, x->cost)] > is->plan->crowd ? CROWDED_OUT : LIVES;
+}
+
+/* Of the first n in now[], let the population's number live: by ratio, none twice, at most `crowd` of one cost.  Others
+ * fill up where there are too few. */
+static void select_survivors(struct island *is, size_t n)
+{
+    const size_t met = 8 * (2 * is->plan->population + 2);
+    size_t ordered = 0;
+    memset(is->met, 0, met * sizeof *is->met);
+    memset(is->crowd, 0, (is->stage->limit + 1) * sizeof *is->crowd);
+    for (size_t i = 0; i < n; i++)
+        is->now[i].demerit = ratio(is, &is->now[i]);
+    qsort(is->now, n, sizeof *is->now, island_compare);
+    for (size_t i = 0; i < n; i++)
+        is->fate[i] = (unsigned char)fate_of(is, &is->now[i]);
+    for (int fate = LIVES; fate < FATES; fate++)
+        for (size_t i = 0; i < n; i++)
+            if (is->fate[i] == fate)
+                is->order[ordered++] = is->now[i];
+    memcpy(is->now, is->order, n * sizeof *is->now);
+}
+
+/* The generation is over: the living are ranked against the front as it is now. */
+static void rank_population(struct island *is)
+{
+    const size_t n = is->plan->population;
+    fix_reference(is);
+    for (size_t i = 0; i < n; i++)
+        is->now[i].demerit = ratio(is, &is->now[i]);
+    qsort(is->now, n, sizeof *is->now, island_compare);
+    is->bound = is->now[n - 1].demerit;
+}
+
+static void fit_constants(struct island *is, struct tree *t)
+{
+    const struct fitting *f = is->goal.fit;
+    if (!f)
+        return;
+    const bool tune = gsl_rng_uniform(is->rng) < is->plan->tune;
+    const bool root_terms = !tune && gsl_rng_uniform(is->rng) < is->plan->fit;
+    if ((tune && f->tune && f->tune(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)) ||
+        (root_terms && f->root_terms && f->root_terms(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)))
+        tree_copy(&is->scratch, t);
+}
+
+static void fill_with_random_trees(struct island *is, size_t first)
+{
+    is->bound = INFINITY;
+    for (size_t i = first; i < is->plan->population; i++) {
+        island_random_tree(is, i, &is->now[i].tree);
+        fit_constants(is, &is->now[i].tree);
+        island_count(is, &is->now[i]);
+        evaluate(is, &is->now[i]);
+    }
+    is->progress = is->generation;
+    rank_population(is);
+}
+
+void breed_front_start(struct island *is, const struct tree *seed, size_t n)
+{
+    size_t living = 0;
+    fix_reference(is);
+    for (size_t i = 0; i < n; i++) { /* more of them than live here are parents by the front */
+        struct individual *x = &is->now[living];
+        tree_copy(&seed[i], &x->tree);
+        island_count(is, x);
+        evaluate(is, x);
+        living += living + 1 < is->plan->population / 2;
+    }
+    fill_with_random_trees(is, living);
+}
+
+static const struct tree *choose(struct island *is)
+{
+    if (gsl_rng_uniform(is->rng) >= is->plan->front_parents)
+        return island_choose(is);
+    const size_t n = front_count(is->stage);
+    return n > 0 ? &front_member(is->stage, gsl_rng_uniform_int(is->rng, n))->tree : island_choose(is);
+}
+
+static bool edit(struct island *is, struct tree *child)
+{
+    gsl_rng *rng = is->rng;
+    const struct gene_set *genes = is->goal.genes;
+    const size_t max = is->goal.max_length;
+    const struct tree *t = choose(is), *mate = choose(is);
+    double at = gsl_rng_uniform(rng);
+    int which = 0;
+    while (which + 1 < EDITS && (at -= edit_rate[which]) >= 0)
+        which++;
+    switch ((enum edit)which) {
+    case GRAFT:
+        return tree_graft(rng, t, mate, max, child);
+    case TWIG:
+        return tree_mutate_twig(rng, genes, t, max, child);
+    case WRAP:
+        return tree_wrap(rng, genes, t, max, child);
+    case HOIST:
+        return tree_hoist(rng, t, child);
+    case SHRINK:
+        return tree_shrink(rng, t, child);
+    case ADD_TERM:
+        return tree_add_term(rng, genes, t, mate, max, child);
+    case DROP_TERM:
+        return tree_drop_term(rng, t, child);
+    case CONSTANT:
+        return tree_shift_constant(rng, t, child);
+    default:
+        tree_copy(t, child);
+        tree_mutate_gene(rng, genes, child);
+        return true;
+    }
+}
+
+static bool is_new(const struct island *is, const struct individual *x)
+{
+    return front_place(is->stage, x->cost) <= is->stage->limit && island_memory(is, x->hash)->hash != x->hash;
+}
+
+static void make_child(struct island *is, struct individual *x)
+{
+    bool done = false;
+    for (int tries = 0; !done && tries < TRIES; tries++) {
+        if (gsl_rng_uniform(is->rng) < immigrants || !edit(is, &x->tree))
+            island_random_tree(is, gsl_rng_uniform_int(is->rng, 1000), &x->tree);
+        island_count(is, x);
+        done = is_new(is, x);
+    }
+    fit_constants(is, &x->tree);
+    island_count(is, x);
+}
+
+/* Fit the constants of the front's new members. */
+static void polish(struct island *is)
+{
+    const struct fitting *f = is->goal.fit;
+    struct individual *x = &is->now[2 * is->plan->population];
+    for (size_t c = 0; f && f->constants && c <= is->stage->limit; c++) {
+        struct member *m = &is->stage->member[c];
+        if (m->tree.length == 0 || m->polished)
+            continue;
+        m->polished = true;
+        if (!f->constants(f->fits, &m->tree, is->goal.target, is->goal.max_length, &x->tree))
+            continue;
+        island_count(is, x);
+        evaluate(is, x);
+        if (m->tree.length > 0 && m->error == x->error)
+            m->polished = true;
+    }
+}
+
+static void start_anew(struct island *is)
+{
+    if (is->joined) {
+        front_clear(is->stage);
+        fix_reference(is);
+        memset(is->cache, 0, sizeof *is->cache << CACHE_BITS);
+        fill_with_random_trees(is, 0);
+    } else {
+        for (size_t c = 0; c <= is->all->limit; c++) {
+            const struct member *m = &is->all->member[c];
+            if (m->tree.length > 0)
+                front_offer(is->stage, &m->tree, m->error, m->cost);
+        }
+        rank_population(is);
+    }
+    is->joined = !is->joined;
+    is->progress = is->generation;
+}
+
+void breed_front_step(struct island *is)
+{
+    const struct plan *p = is->plan;
+    for (size_t i = p->population; i < 2 * p->population; i++) {
+        make_child(is, &is->now[i]);
+        evaluate(is, &is->now[i]);
+    }
+    select_survivors(is, 2 * p->population);
+    if (p->polish_every > 0 && is->generation % p->polish_every == 0)
+        polish(is);
+    rank_population(is);
+    if (p->patience > 0 && is->generation - is->progress > p->patience)
+        start_anew(is);
+}
+
+void breed_front_receive(struct island *is, size_t n, int *parcel)
+{
+    struct individual *guest = is->now + is->plan->population;
+    for (size_t i = 0; i < n; i++, guest++, parcel += island_parcel_size(is, 1)) {
+        const struct tree t = {parcel + 1, (size_t)parcel[0]};
+        tree_copy(&t, &guest->tree);
+        island_count(is, guest);
+        evaluate(is, guest);
+    }
+    select_survivors(is, is->plan->population + n);
+    rank_population(is);
+}

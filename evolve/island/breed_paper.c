@@ -1,0 +1,109 @@
+/* The paper's pd-LinearGP on one island.  A generation keeps the best individual and fills up with children: parents
+ * are chosen by roulette on fitness 1/error (the paper) or by tournament, then crossed or mutated.  Genomes seen lately
+ * are remembered: a child that repeats one is changed once more.  A child whose error is sure to exceed a multiple of
+ * its parents' median is not evaluated to the end and counts as hopeless, at the same block on every machine. */
+#include "population.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double crossover_rate = 0.8, gene_mutation_rate = 0.2, hopeless = 4;
+
+static void evaluate(struct island *is, struct individual *x)
+{
+    const uint64_t hash = tree_hash(&x->tree);
+    struct remembered *r = island_memory(is, hash);
+    if (r->hash != hash || hash == 0) {
+        *r = (struct remembered){hash, judge_error(is->judge, &x->tree, is->goal.target, is->bound)};
+        is->evaluations++;
+    }
+    island_count(is, x);
+    x->error = r->error;
+    x->demerit = plan_demerit(is->plan, x->error, x->cost);
+    island_record(is, x);
+}
+
+/* Change genes of a tree that was seen lately, so that hardly a child is bred for nothing. */
+static void renew(struct island *is, struct tree *t)
+{
+    for (int tries = 2; tries > 0; tries--) {
+        const uint64_t hash = tree_hash(t);
+        if (island_memory(is, hash)->hash != hash)
+            break;
+        tree_mutate_gene(is->rng, is->goal.genes, t);
+    }
+}
+
+/* Sort, and set the bound for the children. */
+static void rank_population(struct island *is)
+{
+    const size_t n = is->plan->population;
+    qsort(is->now, n, sizeof *is->now, island_compare);
+    is->bound = hopeless * is->now[n / 2].error;
+}
+
+void breed_paper_start(struct island *is, const struct tree *seed, size_t n)
+{
+    for (size_t i = 0; i < is->plan->population; i++) {
+        if (i < n)
+            tree_copy(&seed[i], &is->now[i].tree);
+        else
+            island_random_tree(is, i, &is->now[i].tree);
+        evaluate(is, &is->now[i]);
+    }
+    rank_population(is);
+}
+
+static void make_children(struct island *is, struct tree *child_a, struct tree *child_b)
+{
+    struct tree *child[2] = {child_a, child_b};
+    const size_t max = is->goal.max_length;
+    const struct tree *a = island_choose(is), *b = island_choose(is);
+    if (gsl_rng_uniform(is->rng) < crossover_rate) {
+        tree_cross(is->rng, a, b, max, child[0], child[1]);
+    } else {
+        tree_mutate_branch(is->rng, is->goal.genes, a, max, child[0]);
+        tree_mutate_branch(is->rng, is->goal.genes, b, max, child[1]);
+    }
+    for (int k = 0; k < 2; k++)
+        if (gsl_rng_uniform(is->rng) < gene_mutation_rate)
+            tree_mutate_gene(is->rng, is->goal.genes, child[k]);
+}
+
+/* The children stand behind their parents; the last one may come with a twin too many. */
+void breed_paper_step(struct island *is)
+{
+    const size_t n = is->plan->population;
+    struct individual *next = is->now + n;
+    for (size_t i = 1; i < n; i += 2)
+        make_children(is, &next[i].tree, &next[i + 1].tree);
+    for (size_t i = 1; i < n; i++) {
+        renew(is, &next[i].tree);
+        evaluate(is, &next[i]);
+        const struct individual parent = is->now[i];
+        is->now[i] = next[i];
+        next[i] = parent;
+    }
+    rank_population(is);
+}
+
+static bool lives_here(const struct island *is, const struct tree *t)
+{
+    for (size_t i = 0; i < is->plan->population; i++)
+        if (tree_equal(&is->now[i].tree, t))
+            return true;
+    return false;
+}
+
+void breed_paper_receive(struct island *is, size_t n, int *parcel)
+{
+    size_t place = is->plan->population;
+    for (size_t i = 0; i < n; i++, parcel += island_parcel_size(is, 1)) {
+        const struct tree guest = {parcel + 1, (size_t)parcel[0]};
+        if (lives_here(is, &guest))
+            continue;
+        tree_copy(&guest, &is->now[--place].tree);
+        evaluate(is, &is->now[place]);
+    }
+    rank_population(is);
+}

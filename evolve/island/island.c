@@ -1,0 +1,241 @@
+/* Islands: what both ways of breeding share.  All randomness comes from the stream of (seed, ring, place in the ring,
+ * generation), and whatever an island does depends on itself, its guests and their order alone. */
+#include "population.h"
+
+#include "../common/stream.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    TOURNAMENT = 4,
+    SHALLOWEST = 2, /* depths of the first trees, ramped */
+    DEEPEST = 6
+};
+
+struct island *island_new(const struct plan *plan, const struct goal *goal, struct judge *judge)
+{
+    struct island *is = new_array(1, sizeof *is);
+    *is = (struct island){.plan = plan, .goal = *goal, .judge = judge, .bound = INFINITY, .joined = true};
+    const size_t n = plan->population, room = 2 * n + 2;
+    is->rng = stream_new();
+    is->counter = counter_new(goal->max_length);
+    is->frame = frame_cost_new(judge->program, &plan->prices);
+    is->twin = twin_counter_new(judge->twins);
+    is->now = new_array(room, sizeof *is->now);
+    is->order = new_array(room, sizeof *is->order);
+    is->fate = new_array(room, sizeof *is->fate);
+    is->crowd = new_array(plan->front_limit + 1, sizeof *is->crowd);
+    is->met = new_array(8 * room, sizeof *is->met);
+    is->pool = new_array((room + 1) * goal->max_length, sizeof *is->pool);
+    is->cumulative = new_array(n, sizeof *is->cumulative);
+    is->reference = new_array(plan->front_limit + 1, sizeof *is->reference);
+    is->cache = new_array((size_t)1 << CACHE_BITS, sizeof *is->cache);
+    is->all = front_new(plan->front_limit, goal->max_length);
+    is->stage = front_new(plan->front_limit, goal->max_length);
+    for (size_t i = 0; i < room; i++)
+        is->now[i].tree.gene = is->pool + i * goal->max_length;
+    is->scratch.gene = is->pool + room * goal->max_length;
+    return is;
+}
+
+void island_free(struct island *is)
+{
+    if (!is)
+        return;
+    gsl_rng_free(is->rng);
+    counter_free(is->counter);
+    frame_cost_free(is->frame);
+    twin_counter_free(is->twin);
+    front_free(is->all);
+    front_free(is->stage);
+    free(is->now);
+    free(is->order);
+    free(is->fate);
+    free(is->crowd);
+    free(is->met);
+    free(is->pool);
+    free(is->cumulative);
+    free(is->reference);
+    free(is->cache);
+    free(is);
+}
+
+struct remembered *island_memory(const struct island *is, uint64_t hash)
+{
+    return &is->cache[hash >> (64 - CACHE_BITS)];
+}
+
+void island_count(struct island *is, struct individual *x)
+{
+    const bool both = judge_takes_both(is->judge, is->goal.target);
+    const struct operations o = both ? twin_count(is->twin, &x->tree) : operations_count(is->counter, &x->tree, NULL);
+    x->cost = operations_price(&o, &is->plan->prices) + (both ? 0 : frame_cost_of(is->frame, &x->tree));
+    x->hash = o.hash;
+}
+
+void island_record(struct island *is, const struct individual *x)
+{
+    front_offer(is->all, &x->tree, x->error, x->cost);
+    if (is->plan->breeding == BREED_FRONT)
+        front_offer(is->stage, &x->tree, x->error, x->cost);
+}
+
+int island_compare(const void *a, const void *b)
+{
+    const struct individual *p = a, *q = b;
+    if (p->demerit != q->demerit)
+        return p->demerit < q->demerit ? -1 : 1;
+    if (p->error != q->error)
+        return p->error < q->error ? -1 : 1;
+    if (p->tree.length != q->tree.length)
+        return p->tree.length < q->tree.length ? -1 : 1;
+    return memcmp(p->tree.gene, q->tree.gene, p->tree.length * sizeof *p->tree.gene);
+}
+
+const struct tree *island_choose(struct island *is)
+{
+    const size_t n = is->plan->population;
+    size_t chosen = n;
+    if (is->plan->selection == SELECT_TOURNAMENT) { /* now[] is sorted: the lowest index wins */
+        for (int i = 0; i < TOURNAMENT; i++) {
+            const size_t k = gsl_rng_uniform_int(is->rng, n);
+            chosen = k < chosen ? k : chosen;
+        }
+        return &is->now[chosen].tree;
+    }
+    const double at = gsl_rng_uniform(is->rng) * is->cumulative[n - 1];
+    size_t low = 0, high = n - 1;
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (is->cumulative[middle] > at)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return &is->now[low].tree;
+}
+
+void island_random_tree(struct island *is, size_t k, struct tree *t)
+{
+    const int depth = SHALLOWEST + (int)(k / 2) % (DEEPEST - SHALLOWEST + 1);
+    tree_random(is->rng, is->goal.genes, depth, k % 2 == 0, is->goal.max_length, t);
+}
+
+/* In a front breeding, the best is a member of the front. */
+static void find_best(struct island *is)
+{
+    is->best = is->now[0];
+    if (is->plan->breeding == BREED_PAPER)
+        return;
+    is->best.demerit = INFINITY;
+    for (size_t c = 0; c <= is->all->limit; c++) {
+        const struct member *m = &is->all->member[c];
+        const double demerit = plan_demerit(is->plan, m->error, m->cost);
+        if (m->tree.length > 0 && demerit < is->best.demerit)
+            is->best = (struct individual){m->tree, demerit, m->error, m->cost, 0};
+    }
+}
+
+void island_refresh(struct island *is)
+{
+    double sum = 0;
+    for (size_t i = 0; i < is->plan->population; i++)
+        is->cumulative[i] = sum += 1 / fmin(fmax(is->now[i].demerit, 1e-100), 1e100);
+    memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
+    find_best(is);
+}
+
+void island_start(struct island *is, const struct tree *seed, size_t n)
+{
+    stream_key(is->rng, is->plan->seed, is->goal.ring, is->goal.place, is->generation);
+    if (is->plan->breeding == BREED_PAPER)
+        breed_paper_start(is, seed, n);
+    else
+        breed_front_start(is, seed, n);
+    island_refresh(is);
+}
+
+void island_step(struct island *is)
+{
+    stream_key(is->rng, is->plan->seed, is->goal.ring, is->goal.place, ++is->generation);
+    if (is->plan->breeding == BREED_PAPER)
+        breed_paper_step(is);
+    else
+        breed_front_step(is);
+    island_refresh(is);
+}
+
+const struct individual *island_best(const struct island *is)
+{
+    return &is->best;
+}
+
+const struct front *island_front(const struct island *is)
+{
+    return is->all;
+}
+
+size_t island_parcel_size(const struct island *is, size_t n)
+{
+    return n * (1 + is->goal.max_length);
+}
+
+static void pack(const struct tree *t, int *parcel)
+{
+    struct tree packed = {parcel + 1, 0};
+    tree_copy(t, &packed);
+    parcel[0] = (int)packed.length;
+}
+
+/* In a front breeding: members of the front, at even distances where there are more than n, then the living. */
+void island_pack(const struct island *is, size_t n, int *parcel)
+{
+    const size_t members = is->plan->breeding == BREED_FRONT ? front_count(is->stage) : 0;
+    const size_t from_front = members < n ? members : n;
+    for (size_t i = 0; i < n; i++, parcel += island_parcel_size(is, 1))
+        if (i < from_front)
+            pack(&front_member(is->stage, (i * members + is->generation % members) / from_front % members)->tree,
+                 parcel);
+        else
+            pack(&is->now[i - from_front].tree, parcel);
+}
+
+void island_receive(struct island *is, size_t n, int *parcel)
+{
+    if (is->goal.closed)
+        return;
+    if (is->plan->breeding == BREED_PAPER)
+        breed_paper_receive(is, n, parcel);
+    else
+        breed_front_receive(is, n, parcel);
+    island_refresh(is);
+}
+
+double island_median(const struct island *is)
+{
+    return is->now[is->plan->population / 2].error;
+}
+
+uint64_t island_evaluations(const struct island *is)
+{
+    return is->evaluations;
+}
+
+size_t island_report_size(const struct island *is)
+{
+    return 1 + island_parcel_size(is, is->all->limit + 1);
+}
+
+void island_report(const struct island *is, int *report)
+{
+    *report++ = (int)front_count(is->all);
+    for (size_t c = 0; c <= is->all->limit; c++) {
+        const struct tree *t = &is->all->member[c].tree;
+        if (t->length == 0)
+            continue;
+        pack(t, report);
+        report += 1 + t->length;
+    }
+}

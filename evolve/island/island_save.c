@@ -1,0 +1,168 @@
+/* The state of an island as bytes: all of struct island that the next generations depend on.  Whatever is read is
+ * checked before anything of the island changes. */
+#include "population.h"
+
+#include "../common/decimal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct facts {
+    uint64_t generation, evaluations, progress, joined;
+    double bound;
+};
+
+/* An individual or a member of a front; its genes stand behind it, max_length of them. */
+struct record {
+    uint64_t length; /* of a member: 0 where the place is empty */
+    double demerit, error, cost;
+    uint64_t mark; /* hash, or polished */
+};
+
+static size_t record_size(const struct island *is)
+{
+    return sizeof(struct record) + is->goal.max_length * sizeof(int);
+}
+
+static size_t records(const struct island *is)
+{
+    return is->plan->population + 2 * (is->plan->front_limit + 1);
+}
+
+size_t island_state_size(const struct island *is)
+{
+    return sizeof(struct facts) + records(is) * record_size(is) + (sizeof *is->cache << CACHE_BITS);
+}
+
+static void put(unsigned char **to, const void *data, size_t bytes)
+{
+    memcpy(*to, data, bytes);
+    *to += bytes;
+}
+
+static void take(const unsigned char **from, void *data, size_t bytes)
+{
+    memcpy(data, *from, bytes);
+    *from += bytes;
+}
+
+static void put_record(const struct island *is, unsigned char **to, const struct record *r, const int *gene)
+{
+    put(to, r, sizeof *r);
+    memset(*to, 0, is->goal.max_length * sizeof *gene);
+    memcpy(*to, gene, (size_t)r->length * sizeof *gene);
+    *to += is->goal.max_length * sizeof *gene;
+}
+
+static void put_front(const struct island *is, unsigned char **to, const struct front *f)
+{
+    for (size_t c = 0; c <= f->limit; c++) {
+        const struct member *m = &f->member[c];
+        const struct record empty = {0}, r = {m->tree.length, 0, m->error, m->cost, m->polished};
+        put_record(is, to, m->tree.length > 0 ? &r : &empty, m->tree.gene);
+    }
+}
+
+void island_save(const struct island *is, unsigned char *to)
+{
+    const struct facts f = {is->generation, is->evaluations, is->progress, is->joined, is->bound};
+    put(&to, &f, sizeof f);
+    for (size_t i = 0; i < is->plan->population; i++) {
+        const struct individual *x = &is->now[i];
+        const struct record r = {x->tree.length, x->demerit, x->error, x->cost, x->hash};
+        put_record(is, &to, &r, x->tree.gene);
+    }
+    put_front(is, &to, is->all);
+    put_front(is, &to, is->stage);
+    put(&to, is->cache, sizeof *is->cache << CACHE_BITS);
+}
+
+static bool known_gene(const struct gene_set *s, int gene)
+{
+    if (gene < GENE_OPERATORS)
+        return gene >= 0 || decimal_valid(gene);
+    for (size_t i = 0; i < s->operations + s->functions; i++)
+        if (s->operation[i] == gene)
+            return true;
+    for (size_t i = 0; i < s->symbols; i++)
+        if (s->symbol[i] == gene)
+            return true;
+    return false;
+}
+
+/* The next record, with its genes in gene[0..max_length-1]; false where there can be no such tree. */
+static bool take_record(const struct island *is, const unsigned char **from, struct record *r, int *gene)
+{
+    take(from, r, sizeof *r);
+    take(from, gene, is->goal.max_length * sizeof *gene);
+    if (r->length > is->goal.max_length || !(r->error >= 0) || !(r->cost >= 0) || !(r->demerit >= 0))
+        return false;
+    for (size_t i = 0; i < r->length; i++)
+        if (!known_gene(is->goal.genes, gene[i]))
+            return false;
+    return r->length == 0 || gene_span(gene, (size_t)r->length) == r->length;
+}
+
+/* Individuals have genes, and members of a front stand at their place with falling errors. */
+static bool check(const struct island *is, const unsigned char *from)
+{
+    const size_t n = is->plan->population, places = is->plan->front_limit + 1;
+    int *gene = new_array(is->goal.max_length, sizeof *gene);
+    struct facts f;
+    double last = INFINITY;
+    take(&from, &f, sizeof f);
+    bool good = f.joined <= 1 && f.bound >= 0 && f.progress <= f.generation;
+    for (size_t i = 0; good && i < records(is); i++) {
+        struct record r;
+        good = take_record(is, &from, &r, gene);
+        if (i < n) {
+            good = good && r.length > 0;
+            continue;
+        }
+        const size_t place = (i - n) % places;
+        last = place == 0 ? INFINITY : last;
+        if (good && r.length > 0) {
+            good = front_place(is->all, r.cost) == place && r.error < last && r.mark <= 1;
+            last = r.error;
+        }
+    }
+    free(gene);
+    return good;
+}
+
+static void take_front(const struct island *is, const unsigned char **from, struct front *f)
+{
+    front_clear(f);
+    for (size_t c = 0; c <= f->limit; c++) {
+        struct record r;
+        const struct tree t = {is->scratch.gene, 0};
+        take_record(is, from, &r, t.gene);
+        if (r.length > 0)
+            front_offer(f, &(struct tree){t.gene, (size_t)r.length}, r.error, r.cost)->polished = r.mark == 1;
+    }
+}
+
+bool island_load(struct island *is, const unsigned char *from)
+{
+    struct facts f;
+    if (!check(is, from))
+        return false;
+    take(&from, &f, sizeof f);
+    is->generation = f.generation;
+    is->evaluations = f.evaluations;
+    is->progress = f.progress;
+    is->joined = f.joined == 1;
+    is->bound = f.bound;
+    for (size_t i = 0; i < is->plan->population; i++) {
+        struct individual *x = &is->now[i];
+        struct record r;
+        take_record(is, &from, &r, x->tree.gene);
+        *x = (struct individual){{x->tree.gene, (size_t)r.length}, r.demerit, r.error, r.cost, r.mark};
+    }
+    take_front(is, &from, is->all);
+    take_front(is, &from, is->stage);
+    take(&from, is->cache, sizeof *is->cache << CACHE_BITS);
+    island_refresh(is);
+    return true;
+}

@@ -1,0 +1,69 @@
+/* The inside of an island, for its own files: island.c, breed_paper.c, breed_front.c. */
+#ifndef FOOTPOINT_POPULATION_H
+#define FOOTPOINT_POPULATION_H
+
+#include "../eval/frame_cost.h"
+#include "island.h"
+
+enum { CACHE_BITS = 13 };
+
+/* An individual seen lately. */
+struct remembered {
+    uint64_t hash; /* 0: empty */
+    double error;
+};
+
+struct island {
+    const struct plan *plan; /* not owned, as are goal's genes and fits and the judge */
+    struct goal goal;
+    struct judge *judge;
+
+    /* All that the next generations depend on; random streams start anew in each. */
+    uint64_t generation;
+    uint64_t evaluations;     /* for show alone */
+    struct individual *now;   /* owned: room for 2 * population + 2; the first `population` live, best first */
+    double bound;             /* BREED_PAPER: errors above it are hopeless; BREED_FRONT: multiples of the front's */
+    struct remembered *cache; /* owned: 1 << CACHE_BITS */
+    struct front *all;        /* owned: the best of all times */
+    struct front *stage;      /* owned: the best since the last new start, BREED_FRONT */
+    uint64_t progress;        /* BREED_FRONT: generation in which the stage's front last moved on */
+    bool joined;              /* the stage knows the best of all times */
+
+    /* Scratch, and what follows from the rest. */
+    gsl_rng *rng;              /* owned */
+    struct counter *counter;   /* owned */
+    struct frame_cost *frame;  /* owned: of the judge's program */
+    struct twin_counter *twin; /* owned: of twin trees, which cost what they need of the frame with the rest */
+    int *pool;                 /* owned: genes of now[] and of scratch */
+    struct individual *order;  /* owned: as now[] */
+    unsigned char *fate;       /* owned: as now[] */
+    size_t *crowd;             /* owned: how many of each cost */
+    uint64_t *met;             /* owned: hash table */
+    double *cumulative;        /* owned: roulette wheel of the living */
+    double *reference;         /* owned: error at each cost of the stage's front when the generation began */
+    struct tree scratch;       /* in the pool */
+    struct individual best;    /* lowest plan_demerit; its tree is in the front */
+};
+
+struct remembered *island_memory(const struct island *is, uint64_t hash);
+/* Operations, hash and cost of an individual. */
+void island_count(struct island *is, struct individual *x);
+/* A measured individual enters the fronts. */
+void island_record(struct island *is, const struct individual *x);
+/* By demerit, then error, length and genes. */
+int island_compare(const void *a, const void *b);
+/* Make what follows from the rest: wheel, reference and best; now[] is sorted. */
+void island_refresh(struct island *is);
+const struct tree *island_choose(struct island *is);
+/* The k-th random tree of a new population. */
+void island_random_tree(struct island *is, size_t k, struct tree *t);
+
+void breed_paper_start(struct island *is, const struct tree *seed, size_t n);
+void breed_paper_step(struct island *is);
+void breed_paper_receive(struct island *is, size_t n, int *parcel);
+
+void breed_front_start(struct island *is, const struct tree *seed, size_t n);
+void breed_front_step(struct island *is);
+void breed_front_receive(struct island *is, size_t n, int *parcel);
+
+#endif

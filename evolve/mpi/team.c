@@ -1,0 +1,147 @@
+/* The ranks before and after a run; see team.h. */
+#include "team.h"
+#include "mpi_check.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+void migrate_check(int code, const char *call)
+{
+    char text[MPI_MAX_ERROR_STRING] = "";
+    int length;
+    if (code == MPI_SUCCESS)
+        return;
+    MPI_Error_string(code, text, &length);
+    fprintf(stderr, "error: %.60s: %s\n", call, text);
+    MPI_Abort(MPI_COMM_WORLD, EXIT_SYSTEM);
+}
+
+struct team team_new(MPI_Comm comm)
+{
+    struct team t;
+    CHECK(MPI_Comm_dup(comm, &t.comm));
+    CHECK(MPI_Comm_set_errhandler(t.comm, MPI_ERRORS_RETURN));
+    CHECK(MPI_Comm_rank(t.comm, &t.rank));
+    CHECK(MPI_Comm_size(t.comm, &t.size));
+    return t;
+}
+
+void team_free(struct team *t)
+{
+    CHECK(MPI_Comm_free(&t->comm));
+}
+
+bool team_agree(const struct team *t, bool good, struct diag *d)
+{
+    int first = good ? t->size : t->rank;
+    CHECK(MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, t->comm));
+    if (first == t->size)
+        return true;
+    CHECK(MPI_Bcast(d, (int)sizeof *d, MPI_BYTE, first, t->comm));
+    return false;
+}
+
+int team_most(const struct team *t, int number)
+{
+    CHECK(MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_INT, MPI_MAX, t->comm));
+    return number;
+}
+
+char *team_tell(const struct team *t, const char *text, size_t bytes)
+{
+    long long size = text ? (long long)bytes : -1;
+    CHECK(MPI_Bcast(&size, 1, MPI_LONG_LONG, 0, t->comm));
+    if (size < 0)
+        return NULL;
+    char *copy = new_array((size_t)size + 1, 1);
+    if (t->rank == 0)
+        memcpy(copy, text, bytes);
+    CHECK(MPI_Bcast(copy, (int)size, MPI_BYTE, 0, t->comm));
+    return copy;
+}
+
+int *team_pass(const struct team *t, int from, const int *number, size_t *n)
+{
+    unsigned long long count = *n;
+    CHECK(MPI_Bcast(&count, 1, MPI_UNSIGNED_LONG_LONG, from, t->comm));
+    int *copy = new_array((size_t)count, sizeof *copy);
+    if (t->rank == from && count > 0)
+        memcpy(copy, number, (size_t)count * sizeof *copy);
+    CHECK(MPI_Bcast(copy, (int)count, MPI_INT, from, t->comm));
+    *n = (size_t)count;
+    return copy;
+}
+
+void team_collect(const struct team *t, double *number, size_t n)
+{
+    double *own = new_array(n, sizeof *own);
+    for (size_t i = (size_t)t->rank; i < n; i += (size_t)t->size)
+        own[i] = number[i];
+    CHECK(MPI_Reduce(own, number, (int)n, MPI_DOUBLE, MPI_SUM, 0, t->comm));
+    free(own);
+}
+
+size_t sea_islands(const struct sea *s)
+{
+    return s->rings * s->places;
+}
+
+/* One ring after the other, from that of the longest genomes on: each island to the rank with the least to do, found on
+ * a heap of ranks by load and rank. */
+struct burden {
+    size_t load;
+    int rank;
+};
+
+static bool lighter(const struct burden *a, const struct burden *b)
+{
+    return a->load < b->load || (a->load == b->load && a->rank < b->rank);
+}
+
+static void sink(struct burden *heap, size_t n)
+{
+    for (size_t at = 0, child; (child = 2 * at + 1) < n; at = child) {
+        if (child + 1 < n && lighter(&heap[child + 1], &heap[child]))
+            child++;
+        if (!lighter(&heap[child], &heap[at]))
+            break;
+        const struct burden moved = heap[at];
+        heap[at] = heap[child];
+        heap[child] = moved;
+    }
+}
+
+void team_share(const struct team *t, struct sea *s)
+{
+    const size_t ranks = (size_t)t->size;
+    struct burden *heap = new_array(ranks, sizeof *heap);
+    bool *shared = new_array(s->rings, sizeof *shared);
+    for (size_t r = 0; r < ranks; r++)
+        heap[r].rank = (int)r;
+    for (size_t k = 0; k < s->rings; k++) {
+        size_t ring = s->rings;
+        for (size_t i = 0; i < s->rings; i++)
+            if (!shared[i] && (ring == s->rings || s->max_length[i] > s->max_length[ring]))
+                ring = i;
+        shared[ring] = true;
+        for (size_t i = 0; i < s->places; i++) {
+            s->owner[ring * s->places + i] = heap[0].rank;
+            heap[0].load += s->max_length[ring];
+            sink(heap, ranks);
+        }
+    }
+    free(shared);
+    free(heap);
+}
+
+bool team_can_tag(const struct team *t, size_t islands, struct diag *d)
+{
+    int *bound, known;
+    CHECK(MPI_Comm_get_attr(t->comm, MPI_TAG_UB, &bound, &known));
+    if (!known || islands <= (size_t)(*bound - TAG_MIGRANTS))
+        return true;
+    diag_at(d, "footpoint-evolve", 0, 0, "%zu islands, but this MPI has tags for %d alone", islands, *bound);
+    d->code = EXIT_USAGE;
+    return false;
+}

@@ -1,0 +1,161 @@
+/* footpoint-perceptron: trains perceptrons on a scene's training samples and writes them as genomes, with their errors
+ * on the held-out ones. */
+#include "../eval/errors.h"
+#include "../eval/frame.h"
+#include "perceptron_options.h"
+#include "perceptron_train.h"
+#include "../input/scene_files.h"
+#include "../eval/sampled_region.h"
+
+#include <stdlib.h>
+
+/* The eight inputs of section 3.1, values of the similarity frame. */
+static char *input_name[PERCEPTRON_INPUTS] = {"xc", "yc", "zc", "xd", "yd", "xs", "ys", "zs"};
+
+struct study {
+    const struct perceptron_options *options;
+    struct scene *scene;
+    struct genome_file *program;
+    int input[PERCEPTRON_INPUTS]; /* genes */
+    struct columns table;
+    size_t target[2]; /* its columns of xi and eta; the program's lets become more */
+    struct sample_set training, heldout[2];
+    struct kernel *kernel;
+};
+
+/* The scene's samples, seen in the similarity frame whatever frames its tiers name. */
+static struct genome_file *similarity_program(const struct study *s, struct diag *d)
+{
+    struct tier tier = {
+        .name = "perceptron", .frame = "similarity", .terminal = input_name, .terminals = PERCEPTRON_INPUTS};
+    struct scene view = *s->scene;
+    view.tier = &tier;
+    view.tiers = 1;
+    return frame_program(s->options->root, &view, s->options->output, d);
+}
+
+/* What cannot be written, or is read, shows before the training. */
+static bool files_suit(const struct study *s, struct diag *d)
+{
+    const struct perceptron_options *o = s->options;
+    const struct file_use output = {"--output", o->output, true, 0};
+    return scene_files_apart("footpoint-perceptron", o->root, s->scene, &output, 1, d) && outfile_probe(o->output, d);
+}
+
+static bool load(struct study *s, struct diag *d)
+{
+    const struct perceptron_options *o = s->options;
+    if (!(s->scene = scene_read(o->root, o->scene, d)) || !files_suit(s, d) ||
+        !(s->program = similarity_program(s, d)) || !scene_samples(s->scene, PART_TRAINING, &s->training, d) ||
+        !scene_samples(s->scene, PART_HELDOUT, &s->heldout[0], d) ||
+        !scene_samples(s->scene, PART_HELDOUT_RANDOM, &s->heldout[1], d))
+        return false;
+    s->kernel = kernel_new_widest();
+    s->table = frame_columns(s->kernel, s->program, s->training.s, s->training.n);
+    for (size_t i = 0; i < PERCEPTRON_INPUTS; i++)
+        s->input[i] = GENE_SYMBOL + (int)genome_find_symbol(s->program, input_name[i]);
+    for (int k = 0; k < 2; k++)
+        s->target[k] = frame_target(s->program, k);
+    return true;
+}
+
+static void name_of(const struct perceptron *p, char name[60])
+{
+    int n = snprintf(name, 60, "hidden");
+    for (size_t l = 1; l + 1 < p->layers; l++)
+        n += snprintf(name + n, 60 - (size_t)n, "_%zu", p->size[l]);
+}
+
+/* The errors of one output of the genome, on what it was trained with and on the rest. */
+static void add_errors(const struct study *s, struct genome *g, size_t weights, int k)
+{
+    static const char *const part_name[] = {"training", "heldout", "heldout_random"};
+    const struct sample_set *part[] = {&s->training, &s->heldout[0], &s->heldout[1]};
+    const struct tree tree = {g->out[k].gene, g->out[k].length};
+    char key[40];
+    snprintf(key, sizeof key, "terms_%s", frame_output[k]);
+    genome_add_note(&g->note, &g->notes, &g->note_room, key, "%zu weights of the network", weights);
+    for (int i = 0; i < 3; i++) {
+        const struct errors e = errors_measure(s->kernel, s->program, &tree, k, part[i]);
+        snprintf(key, sizeof key, "%s_%s", part_name[i], frame_output[k]);
+        if (i == 0)
+            genome_add_note(&g->note, &g->notes, &g->note_room, key, "mean %.4e", e.mean);
+        else
+            genome_add_note(&g->note, &g->notes, &g->note_room, key, "n %zu mean %.4e p99 %.3e max %.3e", e.n, e.mean,
+                            e.p99, e.max);
+    }
+}
+
+/* Train one network and append its genome. */
+static void train(const struct study *s, const struct perceptron *p)
+{
+    const struct perceptron_options *o = s->options;
+    size_t column[PERCEPTRON_INPUTS];
+    for (size_t i = 0; i < PERCEPTRON_INPUTS; i++)
+        column[i] = (size_t)(s->input[i] - GENE_SYMBOL);
+    const struct lesson lesson = {.table = &s->table,
+                                  .input = column,
+                                  .target = {s->target[0], s->target[1]},
+                                  .n = o->samples < s->table.n ? o->samples : s->table.n};
+    const size_t weights = perceptron_weights(p);
+    double *weight = new_array(weights, sizeof *weight);
+    char name[60];
+    name_of(p, name);
+    perceptron_draw(p, o->seed, weight);
+    const double error = perceptron_train(p, &lesson, o->iterations, weight);
+    if (!o->quiet)
+        fprintf(stderr, "%s: %zu weights, root mean square error %.4e\n", name, weights, error);
+    struct genome *g = perceptron_add(p, weight, s->input, name, s->program);
+    genome_add_note(&g->note, &g->notes, &g->note_room, "trained",
+                    "Levenberg-Marquardt iterations %zu samples %zu seed %zu", o->iterations, lesson.n, o->seed);
+    free(weight);
+}
+
+static bool write_all(const struct study *s, struct diag *d)
+{
+    struct outfile f;
+    if (!outfile_open(&f, s->options->output, d))
+        return false;
+    for (size_t i = 0; i < s->program->genomes; i++)
+        for (int k = 0; k < 2; k++)
+            add_errors(s, &s->program->genome[i], perceptron_weights(&s->options->network[i]), k);
+    scene_region_add(s->program, s->heldout, 2);
+    genome_print(s->program, f.stream);
+    return outfile_commit(&f, d);
+}
+
+static bool run(const struct perceptron_options *o, struct diag *d)
+{
+    struct study s = {.options = o};
+    bool good = load(&s, d);
+    if (good) {
+        genome_add_note(&s.program->note, &s.program->notes, &s.program->note_room, "footpoint", "%s",
+                        FOOTPOINT_VERSION);
+        genome_add_note(&s.program->note, &s.program->notes, &s.program->note_room, "scene", "%s", s.scene->name);
+        genome_add_note(&s.program->note, &s.program->notes, &s.program->note_room, "scene_sha256", "%s",
+                        s.scene->sha256);
+    }
+    for (size_t i = 0; good && i < o->networks; i++)
+        train(&s, &o->network[i]);
+    good = good && write_all(&s, d);
+    sample_set_free(&s.training);
+    for (int k = 0; k < 2; k++)
+        sample_set_free(&s.heldout[k]);
+    kernel_free(s.kernel);
+    columns_free(&s.table);
+    genome_file_free(s.program);
+    scene_free(s.scene);
+    return good;
+}
+
+int main(int argc, char **argv)
+{
+    struct perceptron_options o;
+    struct diag d = {.code = EXIT_DONE};
+    bool good = perceptron_options_read(argc, argv, &o, &d);
+    if (good && o.action == PERCEPTRON_TRAIN)
+        good = run(&o, &d);
+    else if (good)
+        fputs(o.action == PERCEPTRON_HELP ? perceptron_help : "footpoint-perceptron " FOOTPOINT_VERSION "\n", stdout);
+    return exit_status(good, &d);
+}

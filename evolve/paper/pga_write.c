@@ -1,0 +1,103 @@
+/* Genome text of polynomials; see pga_write.h. */
+#include "pga_write.h"
+
+#include "../../codegen/genome/outfile.h"
+#include "../archive/archive.h"
+#include "../fit/fit_constants.h"
+#include "../eval/frame.h"
+#include "../eval/sampled_region.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { POLISH_STEPS = 20 };
+static const char *const coefficients_name[] = {"squares", "mean", "worst"};
+
+bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct judge *judge, size_t target,
+                  enum coefficients coefficients, struct pga_find *f)
+{
+    size_t *at = new_array(p->count, sizeof *at);
+    double *coefficient = new_array(p->count, sizeof *coefficient);
+    *f = (struct pga_find){.terms = polynomials_terms(p, s->best, at),
+                           .condition = polynomials_condition(p, s->best),
+                           .evaluations = s->evaluations,
+                           .singular = s->singular};
+    const bool good = polynomials_fit(p, s->best, coefficient) >= 0;
+    if (good) {
+        struct monomial *term = new_array(f->terms, sizeof *term);
+        struct tree squares = {new_array(monomials_room(f->terms), sizeof *squares.gene), 0};
+        f->tree.gene = new_array(monomials_room(f->terms), sizeof *f->tree.gene);
+        for (size_t i = 0; i < f->terms; i++)
+            term[i] = p->term[at[i]];
+        monomials_tree(term, coefficient, f->terms, &squares);
+        if (coefficients == COEFFICIENTS_SQUARES) {
+            tree_copy(&squares, &f->tree);
+            f->error = judge_error(judge, &f->tree, target, INFINITY);
+        } else {
+            struct fitter *fitter = fitter_new(judge->table);
+            fit_constants(fitter, judge, &squares, target, POLISH_STEPS, &f->tree, &f->error);
+            fitter_free(fitter);
+        }
+        free(squares.gene);
+        free(term);
+    }
+    free(coefficient);
+    free(at);
+    return good;
+}
+
+void pga_find_free(struct pga_find *f)
+{
+    free(f->tree.gene);
+}
+
+#define NOTE(...) genome_add_note(&g->note, &g->notes, &g->note_room, __VA_ARGS__)
+
+static void add_output(const struct pga_options *o, struct genome_file *program, struct genome *g, int k,
+                       const struct pga_find *f, const struct sample_set heldout[2])
+{
+    static const char *const part_name[2] = {"heldout", "heldout_random"};
+    struct kernel *kernel = kernel_new_widest();
+    struct tree bound = {new_array(f->tree.length, sizeof *bound.gene), 0};
+    char key[40];
+    archive_bind(program, &f->tree, &bound);
+    snprintf(key, sizeof key, "found_%s", frame_output[k]);
+    NOTE(key, "p-GA seed %llu generations %zu population %zu evaluations %zu%s", (unsigned long long)o->plan.seed,
+         o->generations, o->plan.population, f->evaluations, o->plan.exchange ? " exchange" : "");
+    snprintf(key, sizeof key, "terms_%s", frame_output[k]);
+    NOTE(key, "%zu condition %.1e singular %zu", f->terms, f->condition, f->singular);
+    snprintf(key, sizeof key, "training_%s", frame_output[k]);
+    NOTE(key, "genes %zu coefficients %s %.4e", f->tree.length, coefficients_name[o->coefficients], f->error);
+    for (int part = 0; part < 2; part++) {
+        const struct errors e = errors_measure(kernel, program, &bound, k, &heldout[part]);
+        snprintf(key, sizeof key, "%s_%s", part_name[part], frame_output[k]);
+        NOTE(key, "n %zu mean %.4e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+    }
+    genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], bound.gene, bound.length);
+    free(bound.gene);
+    kernel_free(kernel);
+}
+
+bool pga_write(const struct pga_options *o, const struct scene *scene, struct genome_file *program,
+               struct pga_find (*find)[2], const struct sample_set heldout[2], struct diag *d)
+{
+    struct outfile f;
+    if (!outfile_open(&f, o->output, d))
+        return false;
+    genome_add_note(&program->note, &program->notes, &program->note_room, "footpoint", "%s", FOOTPOINT_VERSION);
+    genome_add_note(&program->note, &program->notes, &program->note_room, "scene", "%s", scene->name);
+    genome_add_note(&program->note, &program->notes, &program->note_room, "scene_sha256", "%s", scene->sha256);
+    for (size_t i = 0; i < o->limits; i++) {
+        char name[100];
+        if (o->limits > 1)
+            snprintf(name, sizeof name, "%s_%zu", o->name, o->limit[i]);
+        else
+            snprintf(name, sizeof name, "%s", o->name);
+        struct genome *g = genome_add(program, name);
+        for (int k = 0; k < 2; k++)
+            add_output(o, program, g, k, &find[i][k], heldout);
+    }
+    scene_region_add(program, heldout, 2);
+    genome_print(program, f.stream);
+    return outfile_commit(&f, d);
+}

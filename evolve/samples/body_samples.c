@@ -1,0 +1,76 @@
+/* Samples on meshes of smooth bodies; see body_samples.h. */
+#include "body_samples.h"
+
+#include "../surface/foot_patch.h"
+#include "bodies.h"
+#include "../common/stream.h"
+
+#include <gsl/gsl_randist.h>
+#include <math.h>
+
+/* Coarse meshes and fine ones, nodes moved by up to a fifth of a segment. */
+enum { SIZES = 4, MESHES = SMOOTH_KINDS * SIZES };
+static const int size[SMOOTH_KINDS][SIZES] = {{3, 4, 6, 8}, {8, 12, 16, 20}, {4, 6, 8, 12}, {10, 14, 18, 24}};
+static const double jitter = 0.2;
+
+static double shortest_edge(double x[4][3])
+{
+    double shortest = INFINITY;
+    for (int c = 0; c < 4; c++) {
+        const double *p = x[c], *q = x[(c + 1) % 4];
+        shortest = fmin(shortest, hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]));
+    }
+    return shortest;
+}
+
+/* One draw; false: draw again, for another point of the patch is nearer, or it cannot be told. */
+static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct smooth *smooth, struct patch_sample *s)
+{
+    const struct smooth_mesh *m = mesh[gsl_rng_uniform_int(stream, MESHES)];
+    const double xi = gsl_ran_flat(stream, -1, 1), eta = gsl_ran_flat(stream, -1, 1);
+    struct footpoint_gregory patch;
+    struct stationary closest;
+    double r[3], n[3];
+    smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->n);
+    const double height = smooth->gap * shortest_edge(s->x) * gsl_ran_flat(stream, -1, 1);
+    s->kind = smooth->kind;
+    if (patch_sample_points(s, &patch) != FOOTPOINT_OK || footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
+        return false;
+    footpoint_gregory_position(&patch, xi, eta, r);
+    for (int k = 0; k < 3; k++)
+        s->xs[k] = r[k] + height * n[k];
+    if (!reference_patch_closest(&patch, s->xs, &closest) || !closest.minimum ||
+        fabs(closest.xi - xi) + fabs(closest.eta - eta) > 1e-6)
+        return false;
+    s->xi = closest.xi;
+    s->eta = closest.eta;
+    return footpoint_gregory_gap(&patch, s->xs, s->xi, s->eta, &s->gap) == FOOTPOINT_OK;
+}
+
+size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    size_t length = (size_t)snprintf(line[0], DRAWN_LENGTH, "any segment of any of %d meshes of", (int)MESHES);
+    for (int k = 0; k < SMOOTH_KINDS; k++)
+        length += (size_t)snprintf(line[0] + length, DRAWN_LENGTH - length, "%s %s", k > 0 ? "," : "", smooth_name[k]);
+    snprintf(line[0] + length, DRAWN_LENGTH - length, ", coarse to fine; xi, eta and gap uniform");
+    return 1;
+}
+
+void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set)
+{
+    struct smooth_mesh *mesh[MESHES];
+    gsl_rng *stream = stream_new();
+    for (int k = 0; k < MESHES; k++)
+        mesh[k] = smooth_mesh_new((enum smooth_kind)(k / SIZES), size[k / SIZES][k % SIZES], jitter,
+                                  smooth->seed + (uint64_t)k);
+    for (size_t i = 0; i < count; i++) {
+        struct patch_sample s;
+        stream_key(stream, smooth->seed, (uint64_t)part, i, 0);
+        while (!draw(stream, mesh, smooth, &s))
+            continue;
+        patch_set_add(set, &s);
+    }
+    for (int k = 0; k < MESHES; k++)
+        smooth_mesh_free(mesh[k]);
+    gsl_rng_free(stream);
+}

@@ -1,0 +1,96 @@
+/* What follows from the segments' kind; see default_tiers.h. */
+#include "default_tiers.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A tier of two terminals, one for each output. */
+struct offer {
+    const char *tier, *terminal[2];
+    size_t max_length;
+};
+
+enum { OFFERS = 3 };
+
+static const struct {
+    const char *frame;
+    bool from_corner;
+    struct offer offer[OFFERS];
+} follows[] = {[VARY_RECTANGLES] = {"affine", true, {{"exact", {"rectangle_xi", "rectangle_eta"}, 1}}},
+               [VARY_PARALLELOGRAMS] = {"affine", true, {{"exact", {"parallelogram_xi", "parallelogram_eta"}, 1}}},
+               [VARY_PLANE] = {"plane",
+                               false,
+                               {{"fast", {"fast_xi", "fast_eta"}, 1},
+                                {"coarse", {"coarse_xi", "coarse_eta"}, 1},
+                                {"exact", {"exact_xi", "exact_eta"}, 1}}}};
+
+static char *copy(const char *text)
+{
+    return new_text(text, strlen(text));
+}
+
+static void add_tier(struct scene *s, const char *frame, const struct offer *o)
+{
+    struct tier *t = &s->tier[s->tiers++];
+    *t = (struct tier){.name = copy(o->tier), .frame = copy(frame), .terminals = 2, .max_length = o->max_length};
+    t->terminal = new_array(t->terminals, sizeof *t->terminal);
+    for (int k = 0; k < 2; k++)
+        t->terminal[k] = copy(o->terminal[k]);
+}
+
+void scene_choose_reference(struct scene *s, bool from_corner)
+{
+    double lo[2], hi[2];
+    scene_box(s, lo, hi);
+    for (int k = 0; k < 2; k++)
+        s->reference[k] = s->segment->triangle ? 1.0 / 3 : from_corner ? -1 : (lo[k] + hi[k]) / 2;
+}
+
+struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag *d)
+{
+    const char *const kind = s->segment->name;
+    char *path = scene_path(root, kind);
+    struct scene *usual = NULL;
+    if (strcmp(path, s->path) == 0)
+        diag_at(d, path, 0, 0, "frame and tiers are missing, which other scenes of segments %s take from here", kind);
+    else
+        usual = scene_read(root, kind, d);
+    if (usual && usual->tiers == 0) {
+        diag_at(d, path, 0, 0, "no tiers, which scene '%s' of segments %s should take from here", s->name, kind);
+        scene_free(usual);
+        usual = NULL;
+    }
+    free(path);
+    return usual;
+}
+
+/* Its tiers become the scene's. */
+static bool take_tiers(const char *root, struct scene *s, struct diag *d)
+{
+    struct scene *usual = scene_of_kind(root, s, d);
+    if (!usual)
+        return false;
+    s->tier = usual->tier;
+    s->tiers = usual->tiers;
+    usual->tier = NULL;
+    usual->tiers = 0;
+    scene_free(usual);
+    for (size_t i = 0; i < s->tiers; i++)
+        s->tier[i].line = s->tier[i].frame_line = s->tier[i].frame_column = 0;
+    return true;
+}
+
+bool scene_follow(const char *root, struct scene *s, enum vary_kind kind, struct diag *d)
+{
+    const bool own = !s->segment->surface && kind < VARY_WARPED;
+    if (!own && !take_tiers(root, s, d))
+        return false;
+    if (own)
+        s->tier = new_array(OFFERS, sizeof *s->tier);
+    for (int i = 0; own && i < OFFERS && follows[kind].offer[i].tier; i++)
+        add_tier(s, follows[kind].frame, &follows[kind].offer[i]);
+    if (isnan(s->reference[0]))
+        scene_choose_reference(s, own && follows[kind].from_corner);
+    return true;
+}

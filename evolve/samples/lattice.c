@@ -1,0 +1,301 @@
+/* The paper's configurations (section 6.1), on its lattice and off it.  A is the origin and B is (1,0,0); C, D and the
+ * slave node S lie on a grid, D in the x-y plane.  A configuration belongs to the set when
+ *   |AD| <= |AB|; ABC*D, with C* the projection of C onto the x-y plane, is strictly convex and counter-clockwise;
+ *   no corner is nearer to S than A (ties belong to the set);
+ *   the contact point, a local minimum of the distance, lies in the box of the scene: A's quarter of the segment;
+ *   if the scene says so, Newton's iteration from (0,0) finds it, as the paper found its own.
+ * The lattice is held in integers, multiples of a common unit, so that ties are exact.  Off the lattice C, D and S are
+ * uniform in the same ranges. */
+#include "../surface/foot_bilinear.h"
+#include "samples.h"
+#include "../common/stream.h"
+
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* The grid in units of 1/n of |AB|. */
+struct grid {
+    int n, xy, xy_step, z, z_step;
+};
+
+static bool whole(double v)
+{
+    return fabs(v - round(v)) <= 1e-9 * fmax(1, fabs(v));
+}
+
+static bool common_unit(const struct lattice *l, struct grid *g)
+{
+    for (int n = 1; n <= 1000; n++)
+        if (whole(l->xy_max * n) && whole(l->xy_step * n) && whole(l->z_max * n) && whole(l->z_step * n)) {
+            *g = (struct grid){.n = n,
+                               .xy = (int)lround(l->xy_max * n),
+                               .xy_step = (int)lround(l->xy_step * n),
+                               .z = (int)lround(l->z_max * n),
+                               .z_step = (int)lround(l->z_step * n)};
+            /* Grids are symmetric about 0. */
+            g->xy -= g->xy % g->xy_step;
+            g->z -= g->z % g->z_step;
+            return true;
+        }
+    return false;
+}
+
+/* z component of (q - p) x (r - q). */
+static int turn(const int p[3], const int q[3], const int r[3])
+{
+    return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
+}
+
+static int distance2(const int p[3], const int q[3])
+{
+    return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
+}
+
+/* Do `steps` Newton steps from (0,0) on (7), (8) end at the foot point? */
+static bool newton_finds(const struct sample *s, int steps)
+{
+    double c0[3], c1[3], c2[3], c3[3], xi = 0, eta = 0;
+    for (int k = 0; k < 3; k++) {
+        const double a = s->x[0][k], b = s->x[1][k], c = s->x[2][k], d = s->x[3][k];
+        c0[k] = (a + b + c + d) / 4;
+        c1[k] = (-a + b + c - d) / 4;
+        c2[k] = (-a - b + c + d) / 4;
+        c3[k] = (a - b + c - d) / 4;
+    }
+    for (int i = 0; i < steps; i++) {
+        double f1 = 0, f2 = 0, e11 = 0, e22 = 0, mixed = 0;
+        for (int k = 0; k < 3; k++) {
+            const double t1 = c1[k] + c3[k] * eta, t2 = c2[k] + c3[k] * xi;
+            const double v = s->xs[k] - c0[k] - c1[k] * xi - t2 * eta;
+            f1 += t1 * v;
+            f2 += t2 * v;
+            e11 += t1 * t1;
+            e22 += t2 * t2;
+            mixed += t1 * t2 - v * c3[k];
+        }
+        const double det = e11 * e22 - mixed * mixed;
+        if (det == 0)
+            return false;
+        xi += (f1 * e22 - f2 * mixed) / det;
+        eta += (f2 * e11 - f1 * mixed) / det;
+    }
+    return fabs(xi - s->xi) + fabs(eta - s->eta) < 1e-6;
+}
+
+/* Label the sample; false if it has no contact point of the set. */
+static bool label(const struct lattice *l, struct sample *s)
+{
+    const double lo[2] = {l->xi[0], l->eta[0]}, hi[2] = {l->xi[1], l->eta[1]};
+    return reference_foot(s, lo, hi) && (l->newton == 0 || newton_finds(s, l->newton));
+}
+
+static void add_slaves(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)
+{
+    struct sample s = {0};
+    int p[3];
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            s.x[i][k] = (double)corner[i][k] / g->n;
+    for (p[0] = -g->xy; p[0] <= g->xy; p[0] += g->xy_step)
+        for (p[1] = -g->xy; p[1] <= g->xy; p[1] += g->xy_step)
+            for (p[2] = -g->z; p[2] <= g->z; p[2] += g->z_step) {
+                const int a = distance2(p, corner[0]);
+                if (a > distance2(p, corner[1]) || a > distance2(p, corner[2]) || a > distance2(p, corner[3]))
+                    continue;
+                for (int k = 0; k < 3; k++)
+                    s.xs[k] = (double)p[k] / g->n;
+                if (label(l, &s))
+                    sample_set_add(set, &s);
+            }
+}
+
+/* The sample seen in the x-y plane as a mirror: the same xi and eta. */
+static struct sample mirrored(const struct sample *s)
+{
+    struct sample m = *s;
+    for (int i = 0; i < 4; i++)
+        m.x[i][2] = 0 - s->x[i][2];
+    m.xs[2] = 0 - s->xs[2];
+    m.gap = 0 - s->gap;
+    return m;
+}
+
+/* The mirror images of one C's samples, in the order in which they would have been enumerated. */
+static void add_mirrored(const struct sample_set *from, struct sample_set *set)
+{
+    for (size_t first = 0, end; first < from->n; first = end) {
+        const double *xs = from->s[first].xs;
+        for (end = first + 1; end < from->n && from->s[end].xs[0] == xs[0] && from->s[end].xs[1] == xs[1];)
+            end++;
+        for (size_t i = end; i-- > first;) {
+            const struct sample image = mirrored(&from->s[i]);
+            sample_set_add(set, &image);
+        }
+    }
+}
+
+/* All heights of C, from the lowest; those below the plane are mirror images of those above it. */
+static void add_heights(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)
+{
+    const int heights = g->z / g->z_step;
+    struct sample_set *above = new_array((size_t)heights + 1, sizeof *above);
+    for (int i = 1; i <= heights; i++) {
+        corner[2][2] = i * g->z_step;
+        add_slaves(l, g, corner, &above[i]);
+    }
+    for (int i = heights; i >= 1; i--)
+        add_mirrored(&above[i], set);
+    corner[2][2] = 0;
+    add_slaves(l, g, corner, set);
+    for (int i = 1; i <= heights; i++) {
+        for (size_t k = 0; k < above[i].n; k++)
+            sample_set_add(set, &above[i].s[k]);
+        sample_set_free(&above[i]);
+    }
+    free(above);
+}
+
+static void enumerate(const struct lattice *l, const struct grid *g, struct sample_set *set)
+{
+    int corner[4][3] = {{0, 0, 0}, {g->n, 0, 0}};
+    int *c = corner[2], *d = corner[3];
+    for (d[0] = -g->xy; d[0] <= g->xy; d[0] += g->xy_step)
+        for (d[1] = -g->xy; d[1] <= g->xy; d[1] += g->xy_step) {
+            if (distance2(corner[0], d) > g->n * g->n || turn(d, corner[0], corner[1]) <= 0)
+                continue;
+            for (c[0] = -g->xy; c[0] <= g->xy; c[0] += g->xy_step)
+                for (c[1] = -g->xy; c[1] <= g->xy; c[1] += g->xy_step) {
+                    if (turn(corner[0], corner[1], c) <= 0 || turn(corner[1], c, d) <= 0 || turn(c, d, corner[0]) <= 0)
+                        continue;
+                    add_heights(l, g, corner, set);
+                }
+        }
+}
+
+/* Uniform in -max..max. */
+static double within(gsl_rng *stream, double max)
+{
+    return max * (2 * gsl_rng_uniform(stream) - 1);
+}
+
+static double distance2_of(const double p[3], const double q[3])
+{
+    return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
+}
+
+static double turn_of(const double p[3], const double q[3], const double r[3])
+{
+    return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
+}
+
+/* One draw of C, D and S; false if it does not belong to the set. */
+static bool draw(gsl_rng *stream, const struct lattice *l, struct sample *s)
+{
+    double *a = s->x[0], *b = s->x[1], *c = s->x[2], *d = s->x[3];
+    *s = (struct sample){.x = {{0, 0, 0}, {1, 0, 0}}};
+    d[0] = within(stream, fmin(1, l->xy_max));
+    d[1] = fmin(1, l->xy_max) * gsl_rng_uniform_pos(stream);
+    if (distance2_of(a, d) > 1)
+        return false;
+    c[0] = within(stream, l->xy_max);
+    c[1] = within(stream, l->xy_max);
+    if (!(turn_of(a, b, c) > 0 && turn_of(b, c, d) > 0 && turn_of(c, d, a) > 0))
+        return false;
+    c[2] = within(stream, l->z_max);
+    s->xs[0] = within(stream, l->xy_max);
+    s->xs[1] = within(stream, l->xy_max);
+    s->xs[2] = within(stream, l->z_max);
+    const double nearest = distance2_of(s->xs, a);
+    if (nearest > distance2_of(s->xs, b) || nearest > distance2_of(s->xs, c) || nearest > distance2_of(s->xs, d))
+        return false;
+    return label(l, s);
+}
+
+static bool off_lattice(const struct scene *scene, struct sample_set *set, struct diag *d)
+{
+    gsl_rng *stream = stream_new();
+    const int tries = 1000000;
+    for (size_t i = 0; i < scene->heldout; i++) {
+        struct sample s = {0};
+        int n = 0;
+        stream_key(stream, scene->seed, PART_HELDOUT_RANDOM, i, 0);
+        while (n < tries && !draw(stream, &scene->lattice, &s))
+            n++;
+        if (n == tries) {
+            gsl_rng_free(stream);
+            return diag_at(d, scene->path, 0, 0, "no configuration in %d random draws from the lattice's ranges",
+                           tries);
+        }
+        sample_set_add(set, &s);
+    }
+    gsl_rng_free(stream);
+    return true;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const struct sample *p = a, *q = b;
+    const double *x = &p->x[0][0], *y = &q->x[0][0];
+    for (int i = 0; i < 12; i++)
+        if (x[i] != y[i])
+            return x[i] < y[i] ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        if (p->xs[i] != q->xs[i])
+            return p->xs[i] < q->xs[i] ? -1 : 1;
+    return 0;
+}
+
+/* Appends those of the n samples that are no mirror images of the m training samples. */
+static void add_strangers(const struct sample *s, size_t n, const struct sample *training, size_t m,
+                          struct sample_set *set)
+{
+    struct sample *image = new_array(m, sizeof *image);
+    for (size_t i = 0; i < m; i++)
+        image[i] = mirrored(&training[i]);
+    qsort(image, m, sizeof *image, by_place);
+    for (size_t i = 0; i < n; i++)
+        if (!bsearch(&s[i], image, m, sizeof *image, by_place))
+            sample_set_add(set, &s[i]);
+    free(image);
+}
+
+size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    const struct lattice *l = &scene->lattice;
+    snprintf(line[0], DRAWN_LENGTH,
+             "heldout: configurations of a grid of steps %g in x, y and %g in z that training left, equally often",
+             l->xy_step, l->z_step);
+    snprintf(line[1], DRAWN_LENGTH, "heldout_random: x, y, z of C, D and S uniform in the same ranges");
+    return 2;
+}
+
+bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    struct sample_set all = {0};
+    struct grid g;
+    if (part == PART_HELDOUT_RANDOM)
+        return off_lattice(scene, set, d);
+    if (!common_unit(&scene->lattice, &g))
+        return diag_at(d, scene->path, 0, 0, "the lattice's ranges and steps have no common unit 1/n with n <= 1000");
+    enumerate(&scene->lattice, &g, &all);
+    if (all.n <= scene->training) {
+        diag_at(d, scene->path, 0, 0, "the lattice holds %zu configurations; training takes %zu and leaves none", all.n,
+                scene->training);
+        sample_set_free(&all);
+        return false;
+    }
+    /* A shuffle by the scene's seed: the first `training` are for evolution; held out is the rest, but for mirror
+     * images of those. */
+    gsl_rng *stream = stream_new();
+    stream_key(stream, scene->seed, PART_TRAINING, 0, 0);
+    gsl_ran_shuffle(stream, all.s, all.n, sizeof *all.s);
+    gsl_rng_free(stream);
+    if (part == PART_TRAINING)
+        for (size_t i = 0; i < scene->training; i++)
+            sample_set_add(set, &all.s[i]);
+    else
+        add_strangers(all.s + scene->training, all.n - scene->training, all.s, scene->training, set);
+    sample_set_free(&all);
+    return true;
+}

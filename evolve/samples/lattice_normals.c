@@ -1,0 +1,82 @@
+/* Random node normals on the paper's configurations; see lattice_normals.h. */
+#include "lattice_normals.h"
+
+#include "../surface/foot_patch.h"
+#include "samples.h"
+#include "../common/stream.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <string.h>
+
+static void cross(const double a[3], const double b[3], double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static void normalise(double v[3])
+{
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+}
+
+/* The facet's unit normal at corner c, and two unit vectors that complete it. */
+static void corner_basis(double x[4][3], int c, double n[3], double e1[3], double e2[3])
+{
+    double next[3], last[3];
+    for (int k = 0; k < 3; k++) {
+        next[k] = x[(c + 1) % 4][k] - x[c][k];
+        last[k] = x[(c + 3) % 4][k] - x[c][k];
+    }
+    cross(next, last, n);
+    normalise(n);
+    memcpy(e1, next, 3 * sizeof *e1);
+    normalise(e1);
+    cross(n, e1, e2);
+}
+
+static void draw_normals(gsl_rng *stream, double tangent, struct patch_sample *s)
+{
+    for (int c = 0; c < 4; c++) {
+        double n[3], e1[3], e2[3];
+        const double tilt = tangent * sqrt(gsl_rng_uniform(stream)), turn = 2 * M_PI * gsl_rng_uniform(stream);
+        corner_basis(s->x, c, n, e1, e2);
+        for (int k = 0; k < 3; k++)
+            s->n[c][k] = n[k] + tilt * (cos(turn) * e1[k] + sin(turn) * e2[k]);
+        normalise(s->n[c]);
+    }
+}
+
+bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct patch_set *set,
+                             struct lattice_gregory_count *count, struct diag *d)
+{
+    struct sample_set facets = {0};
+    double lo[2], hi[2];
+    if (!lattice_samples(l->scene, part, &facets, d)) {
+        sample_set_free(&facets);
+        return false;
+    }
+    gsl_rng *stream = stream_new();
+    const size_t configurations = l->configurations ? GSL_MIN(l->configurations, facets.n) : facets.n;
+    const size_t sets = (size_t)l->normal_sets, before = set->n;
+    scene_box(l->scene, lo, hi);
+    for (size_t i = 0; i < configurations; i++)
+        for (size_t k = 0; k < sets; k++) {
+            struct patch_sample s = {.kind = l->kind};
+            memcpy(s.x, facets.s[i].x, sizeof s.x);
+            memcpy(s.xs, facets.s[i].xs, sizeof s.xs);
+            stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);
+            draw_normals(stream, l->tangent, &s);
+            if (reference_patch_foot(&s, lo, hi))
+                patch_set_add(set, &s);
+        }
+    if (count)
+        *count = (struct lattice_gregory_count){configurations, configurations * sets, set->n - before};
+    gsl_rng_free(stream);
+    sample_set_free(&facets);
+    return true;
+}

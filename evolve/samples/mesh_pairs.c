@@ -1,0 +1,202 @@
+/* Samples of a user's own mesh.  Real pairs: every slave node with every master face whose certain foot point lies
+ * within the face, or up to a tenth of it outside, and nearer than the scene's distance; one half, chosen by seed,
+ * trains, the other is held out.  Beside them random slave nodes over the master faces, from one stream for training
+ * and another for the held-out set.  Slave nodes are sorted by x, so that a face meets only those of its own slab. */
+#include "../input/mesh.h"
+#include "samples.h"
+#include "../common/stream.h"
+#include "../surface/surface.h"
+
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A slave node on a master face. */
+struct pair {
+    int slave, node[SEGMENT_VECTORS];
+    struct sample s;
+};
+
+struct pairs {
+    struct pair *pair; /* owned */
+    size_t n, room;
+};
+
+struct slave {
+    double x;
+    int node;
+};
+
+static int by_x(const void *a, const void *b)
+{
+    const struct slave *p = a, *q = b;
+    return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->node > q->node) - (p->node < q->node);
+}
+
+static int by_nodes(const void *a, const void *b)
+{
+    const struct pair *p = a, *q = b;
+    for (int i = 0; i < SEGMENT_VECTORS; i++)
+        if (p->node[i] != q->node[i])
+            return p->node[i] < q->node[i] ? -1 : 1;
+    return (p->slave > q->slave) - (p->slave < q->slave);
+}
+
+static void set_nodes(const struct mesh *mesh, const struct mesh_face *face, struct sample *s)
+{
+    for (int i = 0; i < face->nodes; i++)
+        memcpy(s->x[i], mesh->xyz[face->node[i]], sizeof s->x[i]);
+}
+
+/* First of n slaves, ascending in x, that is not below `x`. */
+static size_t first_from(const struct slave *slave, size_t n, double x)
+{
+    size_t first = 0;
+    for (size_t last = n; first < last;) {
+        const size_t middle = first + (last - first) / 2;
+        if (slave[middle].x < x)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    return first;
+}
+
+static void search(const struct scene *scene, const struct mesh *mesh, const struct mesh_pair *p, struct pairs *found)
+{
+    const struct surface *surface = surface_find(scene->segment);
+    const double distance = scene->mesh.distance;
+    double lo[2], hi[2];
+    scene_box(scene, lo, hi);
+    struct slave *slave = new_array(p->slaves, sizeof *slave);
+    for (size_t i = 0; i < p->slaves; i++)
+        slave[i] = (struct slave){mesh->xyz[p->slave[i]][0], p->slave[i]};
+    qsort(slave, p->slaves, sizeof *slave, by_x);
+    for (size_t f = 0; f < p->masters; f++) {
+        struct pair pair = {0};
+        double least = INFINITY, most = -INFINITY;
+        memcpy(pair.node, p->master[f].node, (size_t)p->master[f].nodes * sizeof *pair.node);
+        set_nodes(mesh, &p->master[f], &pair.s);
+        for (int i = 0; i < p->master[f].nodes; i++) {
+            least = fmin(least, pair.s.x[i][0]);
+            most = fmax(most, pair.s.x[i][0]);
+        }
+        /* The shape functions of a point this far outside sum to 1 with at most 2 MESH_OVERHANG (1 + MESH_OVERHANG)
+         * negative. */
+        const double margin = distance + 2 * MESH_OVERHANG * (1 + MESH_OVERHANG) * (most - least);
+        for (size_t i = first_from(slave, p->slaves, least - margin); i < p->slaves && slave[i].x <= most + margin;
+             i++) {
+            pair.slave = slave[i].node;
+            memcpy(pair.s.xs, mesh->xyz[pair.slave], sizeof pair.s.xs);
+            if (!surface->foot(surface, &pair.s, lo, hi) || !(fabs(pair.s.gap) < distance))
+                continue;
+            grow_array(&found->pair, found->n, &found->room, sizeof pair);
+            found->pair[found->n++] = pair;
+        }
+    }
+    free(slave);
+}
+
+/* Surfaces may meet in several contact pairs: keep each slave node and face once. */
+static void remove_repeated(struct pairs *found)
+{
+    size_t n = 0;
+    if (found->n == 0)
+        return;
+    qsort(found->pair, found->n, sizeof *found->pair, by_nodes);
+    for (size_t i = 1; i < found->n; i++)
+        if (by_nodes(&found->pair[n], &found->pair[i]) != 0)
+            found->pair[++n] = found->pair[i];
+    found->n = n + 1;
+}
+
+static bool find_pairs(const struct scene *scene, const struct mesh *mesh, struct pairs *found, struct diag *d)
+{
+    const char *file = scene->mesh.file;
+    for (size_t i = 0; i < mesh->pairs; i++)
+        search(scene, mesh, &mesh->pair[i], found);
+    remove_repeated(found);
+    if (found->n == 0)
+        return diag_at(d, file, 0, 0, "no slave node within a distance of %g over a master face", scene->mesh.distance);
+    return true;
+}
+
+/* `count` random slave nodes over faces drawn at random. */
+static bool random_pairs(const struct scene *scene, const struct mesh *mesh, enum sample_part part, size_t count,
+                         struct sample_set *set, struct diag *d)
+{
+    gsl_rng *stream = stream_new();
+    const int tries = 10000;
+    for (size_t i = 0; i < count; i++) {
+        struct sample s = {0};
+        int n;
+        stream_key(stream, scene->seed, (uint64_t)part, i, 1);
+        for (n = 0; n < tries; n++) {
+            const struct mesh_pair *p = &mesh->pair[gsl_rng_uniform_int(stream, mesh->pairs)];
+            if (p->masters == 0)
+                continue;
+            set_nodes(mesh, &p->master[gsl_rng_uniform_int(stream, p->masters)], &s);
+            if (place_slave(stream, scene, scene->mesh.distance, &s))
+                break;
+        }
+        if (n == tries) {
+            gsl_rng_free(stream);
+            return diag_at(d, scene->mesh.file, 0, 0, "no foot point within a distance of %g in %d random draws",
+                           scene->mesh.distance, tries);
+        }
+        sample_order(&s, scene->order);
+        sample_set_add(set, &s);
+    }
+    gsl_rng_free(stream);
+    return true;
+}
+
+/* The part's half of the real pairs, at most `most` of them. */
+static size_t add_half(const struct scene *scene, const struct pairs *found, bool training, struct sample_set *set)
+{
+    gsl_rng *stream = stream_new();
+    const size_t half = (found->n + 1) / 2;
+    size_t added = 0;
+    stream_key(stream, scene->seed, PART_TRAINING, 0, 0);
+    gsl_ran_shuffle(stream, found->pair, found->n, sizeof *found->pair);
+    gsl_rng_free(stream);
+    for (size_t i = 0; i < found->n; i++)
+        if (training == (i < half) && !(training && added == scene->training)) {
+            sample_order(&found->pair[i].s, scene->order);
+            sample_set_add(set, &found->pair[i].s);
+            added++;
+        }
+    return added;
+}
+
+size_t mesh_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    snprintf(line[0], DRAWN_LENGTH,
+             "heldout: half of the slave nodes over faces, at random; the other half is for training");
+    snprintf(line[1], DRAWN_LENGTH, "heldout_random: any master face, xi, eta, and gap within %g, uniform",
+             scene->mesh.distance);
+    return 2;
+}
+
+bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    struct mesh *mesh = mesh_read(scene->mesh.file, d);
+    struct pairs found = {0};
+    if (mesh)
+        mesh_keep_faces(mesh, scene->segment);
+    bool done = mesh && find_pairs(scene, mesh, &found, d);
+    if (done && part == PART_HELDOUT_RANDOM)
+        done = random_pairs(scene, mesh, part, scene->heldout, set, d);
+    else if (done) {
+        const size_t added = add_half(scene, &found, part == PART_TRAINING, set);
+        if (added == 0)
+            done = diag_at(d, scene->mesh.file, 0, 0, "a single pair within a distance of %g; none left to hold out",
+                           scene->mesh.distance);
+        else if (part == PART_TRAINING)
+            done = random_pairs(scene, mesh, part, scene->training - added, set, d);
+    }
+    free(found.pair);
+    mesh_free(mesh);
+    return done;
+}

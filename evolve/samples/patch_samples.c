@@ -1,0 +1,89 @@
+/* Gregory and Bezier patches as kinds of segments: the vectors of a sample are corners and node normals. */
+#include "lattice_normals.h"
+#include "../surface/foot_patch.h"
+#include "samples.h"
+#include "body_samples.h"
+#include "../surface/surface.h"
+
+#include <string.h>
+
+void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3])
+{
+    struct footpoint_gregory patch = {0};
+    struct patch_sample s = {.kind = f->patch};
+    struct footpoint_jet jet;
+    memcpy(s.x, x[0], sizeof s.x);
+    memcpy(s.n, x[4], sizeof s.n);
+    patch_sample_points(&s, &patch);
+    footpoint_gregory_jet(&patch, xi, eta, &jet);
+    for (int k = 0; k < 3; k++) {
+        r[0][k] = patch.net.origin[k] + jet.r[k];
+        r[1][k] = jet.r_xi[k];
+        r[2][k] = jet.r_eta[k];
+    }
+}
+
+bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+{
+    struct patch_sample p = {.kind = f->patch};
+    memcpy(p.x, s->x[0], sizeof p.x);
+    memcpy(p.n, s->x[4], sizeof p.n);
+    memcpy(p.xs, s->xs, sizeof p.xs);
+    if (!reference_patch_foot(&p, lo, hi))
+        return false;
+    s->xi = p.xi;
+    s->eta = p.eta;
+    s->gap = p.gap;
+    return true;
+}
+
+/* Configurations that make `samples` samples. */
+static size_t configurations(const struct lattice *l, size_t samples)
+{
+    const size_t sets = (size_t)l->normal_sets;
+    return (samples + sets - 1) / sets;
+}
+
+static bool of_lattice(const struct scene *scene, enum sample_part part, struct patch_set *patches, struct diag *d)
+{
+    struct scene facets = *scene;
+    const struct lattice_gregory plan = {&facets, configurations(&scene->lattice, scene->heldout),
+                                         scene->lattice.normal_sets, scene->lattice.tilt,
+                                         surface_find(scene->segment)->patch};
+    const struct lattice_gregory all = {&facets, 0, scene->lattice.normal_sets, scene->lattice.tilt, plan.kind};
+    facets.training = configurations(&scene->lattice, scene->training);
+    facets.heldout = plan.configurations;
+    return lattice_gregory_samples(part == PART_TRAINING ? &all : &plan, part, patches, NULL, d);
+}
+
+size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    if (scene->source != SOURCE_LATTICE)
+        return smooth_drawn(line);
+    const size_t lines = lattice_drawn(scene, line);
+    snprintf(line[lines], DRAWN_LENGTH, "normals at each corner: tilt uniform in a disc, %d sets a configuration",
+             scene->lattice.normal_sets);
+    return lines + 1;
+}
+
+bool patches_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    struct patch_set patches = {0};
+    bool done = true;
+    if (scene->source == SOURCE_LATTICE)
+        done = of_lattice(scene, part, &patches, d);
+    else
+        smooth_samples(&(struct smooth){scene->seed, scene->shapes.gap, surface_find(scene->segment)->patch}, part,
+                       part == PART_TRAINING ? scene->training : scene->heldout, &patches);
+    for (size_t i = 0; i < patches.n; i++) {
+        const struct patch_sample *p = &patches.s[i];
+        struct sample s = {.xi = p->xi, .eta = p->eta, .gap = p->gap};
+        memcpy(s.x[0], p->x, sizeof p->x);
+        memcpy(s.x[4], p->n, sizeof p->n);
+        memcpy(s.xs, p->xs, sizeof p->xs);
+        sample_set_add(set, &s);
+    }
+    const bool empty = patches.n == 0;
+    patch_set_free(&patches);
+    return done && (!empty || diag_at(d, scene->path, 0, 0, "no sample's foot point lies in the box"));
+}

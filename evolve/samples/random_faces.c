@@ -1,0 +1,109 @@
+/* Ordinary faces of elements drawn at random: corners as random_quads.c draws them for bilinear segments (a triangle is half
+ * of a parallelogram).  Mid-side nodes stand where a body of random principal curvatures has them, so that the longest
+ * edge rises by up to `curve` of its length, and off that place by up to `shift` of the shortest edge in x, y and z; a
+ * node in the middle likewise off where the edges alone would have it.  Faces that fold over, or turn by more than 60
+ * degrees, are drawn again. */
+#include "../input/scene.h"
+#include "../surface/surface.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <string.h>
+
+static bool draw_corners(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+{
+    double corner[4][3];
+    if (!shapes_draw_quad4(surface_find(segment_find("quad4")), stream, shapes, corner))
+        return false;
+    memcpy(x[0], corner[0], sizeof corner[0]);
+    memcpy(x[1], corner[1], sizeof corner[1]);
+    memcpy(x[2], corner[f->triangle ? 3 : 2], sizeof corner[2]);
+    if (!f->triangle)
+        memcpy(x[3], corner[3], sizeof corner[3]);
+    return true;
+}
+
+static double length_of(const double a[3], const double b[3])
+{
+    return hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
+}
+
+/* A random quadratic form of principal curvatures up to `most`: xx, xy, yy.  Both are uniform, or the larger one is
+ * and the other up to it. */
+static void draw_curvature(gsl_rng *stream, double most, bool evenly, double form[3])
+{
+    const double k1 = gsl_ran_flat(stream, -most, most), smaller = evenly ? fabs(k1) : most,
+                 k2 = gsl_ran_flat(stream, -smaller, smaller);
+    const double angle = gsl_ran_flat(stream, 0, M_PI), c = cos(angle), s = sin(angle);
+    form[0] = k1 * c * c + k2 * s * s;
+    form[1] = (k1 - k2) * c * s;
+    form[2] = k1 * s * s + k2 * c * c;
+}
+
+static void shift(gsl_rng *stream, double most, double x[3])
+{
+    for (int k = 0; k < 3; k++)
+        x[k] += gsl_ran_flat(stream, -most, most);
+}
+
+static void draw_middles(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+{
+    const size_t corners = f->triangle ? 3 : 4;
+    double longest = 0, shortest = INFINITY, form[3];
+    for (size_t i = 0; i < corners; i++) {
+        const double edge = length_of(x[i], x[(i + 1) % corners]);
+        longest = fmax(longest, edge);
+        shortest = fmin(shortest, edge);
+    }
+    draw_curvature(stream, 8 * shapes->curve / longest, shapes->evenly, form);
+    for (size_t i = 0; i < corners; i++) {
+        const double *a = x[i], *b = x[(i + 1) % corners], dx = b[0] - a[0], dy = b[1] - a[1];
+        double *m = x[corners + i];
+        for (int k = 0; k < 3; k++)
+            m[k] = (a[k] + b[k]) / 2;
+        m[2] -= (form[0] * dx * dx + 2 * form[1] * dx * dy + form[2] * dy * dy) / 8;
+        shift(stream, shapes->shift * shortest, m);
+    }
+    if (f->nodes <= 2 * corners)
+        return;
+    for (int k = 0; k < 3; k++)
+        x[8][k] = (x[4][k] + x[5][k] + x[6][k] + x[7][k]) / 2 - (x[0][k] + x[1][k] + x[2][k] + x[3][k]) / 4;
+    shift(stream, shapes->shift * shortest, x[8]);
+}
+
+/* Area nowhere below a fifth of that in the middle, all normals within 60 degrees of the one there. */
+static bool unfolded(const struct surface *f, const struct shapes *shapes, double (*x)[3])
+{
+    enum { STEPS = 8 };
+    const double middle = f->triangle ? 1.0 / 3 : 0, reach = 1 + (f->triangle ? 1 : 2) * shapes->overhang;
+    const double lo = f->triangle ? -shapes->overhang : -reach;
+    double first[3] = {0};
+    for (int i = -1; i <= STEPS * (STEPS + 2); i++) {
+        const double xi = i < 0 ? middle : lo + (reach - lo) * (i % (STEPS + 1)) / STEPS;
+        const double eta = i < 0 ? middle : lo + (reach - lo) * (i / (STEPS + 1)) / STEPS;
+        double r[3][3], n[3];
+        if (f->triangle && xi + eta > reach * (1 + 1e-12))
+            continue;
+        f->point(f, x, xi, eta, r);
+        for (int k = 0; k < 3; k++)
+            n[k] = r[1][(k + 1) % 3] * r[2][(k + 2) % 3] - r[1][(k + 2) % 3] * r[2][(k + 1) % 3];
+        if (i < 0)
+            memcpy(first, n, sizeof first);
+        const double along = n[0] * first[0] + n[1] * first[1] + n[2] * first[2];
+        const double nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        const double ff = first[0] * first[0] + first[1] * first[1] + first[2] * first[2];
+        if (!(along > 0.5 * sqrt(nn * ff) && nn > 0.04 * ff))
+            return false;
+    }
+    return true;
+}
+
+bool faces_draw(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+{
+    if (!draw_corners(f, stream, shapes, x))
+        return false;
+    if (f->nodes > 4)
+        draw_middles(f, stream, shapes, x);
+    return unfolded(f, shapes, x);
+}

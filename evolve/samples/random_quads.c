@@ -1,0 +1,217 @@
+/* Ordinary segments drawn at random.  A bilinear one is made from its mid-lines and c3 (r = c0 + c1 xi + c2 eta + c3 xi
+ * eta): c1 and c2 from aspect ratio and skew, c3 = a c1 + b c2 + g n from taper (a, b) and warp (g), n the unit normal
+ * of c1, c2.  What exceeds the scene's limits is drawn again, so that little warp is drawn more often;
+ * PART_HELDOUT_EVEN has aspect ratios, not their logarithms, and angles of warp uniform.  The slave node is put at
+ * r(xi,eta) + gap n(xi,eta), the whole is rotated, scaled and moved at random, and labelled with the certain foot
+ * point. */
+#include "samples.h"
+#include "../common/stream.h"
+#include "../surface/surface.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <string.h>
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double distance2(const double a[3], const double b[3])
+{
+    const double v[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return dot(v, v);
+}
+
+static double uniform(gsl_rng *stream, double max)
+{
+    return gsl_ran_flat(stream, -max, max);
+}
+
+/* Largest angle between the normals at opposite corners. */
+static double warp_of(const struct surface *f, double (*x)[3])
+{
+    static const double corner[4][2] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
+    double n[4][3], r[3];
+    for (int i = 0; i < 4; i++)
+        surface_normal(f, x, corner[i][0], corner[i][1], r, n[i]);
+    return acos(fmax(-1, fmin(1, fmin(dot(n[0], n[1]), dot(n[2], n[3])))));
+}
+
+static void set_corners(const double c1[3], const double c2[3], double a, double b, double g, double (*x)[3])
+{
+    static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++) {
+            const double c3 = a * c1[k] + b * c2[k] + (k == 2 ? g : 0);
+            x[i][k] = c1[k] * corner[i][0] + c2[k] * corner[i][1] + c3 * corner[i][0] * corner[i][1];
+        }
+}
+
+/* The g of that warp, by bisection from below. */
+static double height_of_warp(const struct surface *f, const double c1[3], const double c2[3], double a, double b,
+                             double warp)
+{
+    double low = 0, high = hypot(c1[0], hypot(c2[0], c2[1])), x[4][3];
+    for (int i = 0; i < 60; i++) {
+        const double g = (low + high) / 2;
+        set_corners(c1, c2, a, b, g, x);
+        *(warp_of(f, x) <= warp ? &low : &high) = g;
+    }
+    return low;
+}
+
+/* About the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
+bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+{
+    const double part = gsl_ran_flat(stream, -1, 1), longer = 1 + fabs(part) * (shapes->aspect - 1);
+    const double aspect = !shapes->evenly ? pow(shapes->aspect, part) : part < 0 ? 1 / longer : longer;
+    const double angle = M_PI_2 + uniform(stream, shapes->skew);
+    const double length1 = fmax(1, aspect), length2 = fmax(1, 1 / aspect);
+    const double a = uniform(stream, shapes->taper), b = uniform(stream, shapes->taper);
+    const double c1[3] = {length1, 0, 0}, c2[3] = {length2 * cos(angle), length2 * sin(angle), 0};
+    const double warp = uniform(stream, shapes->warp);
+    /* The warp of a rectangle of these sides; or of the segment. */
+    const double g = shapes->evenly && shapes->warp > 0 ? copysign(height_of_warp(f, c1, c2, a, b, fabs(warp)), warp)
+                                                        : tan(warp / 2) / hypot(1 / length1, 1 / length2);
+    set_corners(c1, c2, a, b, g, x);
+    for (int i = 0; i < 4; i++) {
+        const double *p = x[i], *q = x[(i + 1) % 4], *r = x[(i + 2) % 4];
+        if ((q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]) <= 0)
+            return false;
+    }
+    return shapes->warp == 0 || warp_of(f, x) <= shapes->warp; /* acos knows a plane to 1e-8 only */
+}
+
+bool place_slave(gsl_rng *stream, const struct scene *scene, double gap, struct sample *s)
+{
+    const struct surface *f = surface_find(scene->segment);
+    double lo[2], hi[2], wide[2][2], at[2], r[3], n[3];
+    scene_box(scene, lo, hi);
+    for (int k = 0; k < 2; k++) {
+        const double middle = (lo[k] + hi[k]) / 2, half = (hi[k] - lo[k]) / 2 * (1 + 1e-9);
+        at[k] = gsl_ran_flat(stream, lo[k], hi[k]);
+        wide[0][k] = middle - half;
+        wide[1][k] = middle + half;
+    }
+    const double h = uniform(stream, gap);
+    if ((scene->segment->triangle && at[0] + at[1] > hi[0]) || !surface_normal(f, s->x, at[0], at[1], r, n))
+        return false;
+    for (int k = 0; k < 3; k++)
+        s->xs[k] = r[k] + h * n[k];
+    return f->foot(f, s, wide[0], wide[1]) && fabs(s->xi - at[0]) + fabs(s->eta - at[1]) < 1e-6;
+}
+
+/* Rotation from a random unit quaternion. */
+static void random_rotation(gsl_rng *stream, double q[3][3])
+{
+    double v[4];
+    gsl_ran_dir_nd(stream, 4, v);
+    const double w = v[0], x = v[1], y = v[2], z = v[3];
+    const double m[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                            {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+                            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+    memcpy(q, m, sizeof m);
+}
+
+/* Rotate, scale by 1e-3..1e3 (uniform logarithm) and move by a few edges; normals only turn. */
+static void move(gsl_rng *stream, const struct segment_kind *kind, double (*x)[3])
+{
+    double q[3][3], shift[3];
+    random_rotation(stream, q);
+    const double scale = pow(10, uniform(stream, 3));
+    for (int k = 0; k < 3; k++)
+        shift[k] = uniform(stream, 10);
+    for (size_t i = 0; i < segment_vectors(kind); i++) {
+        const double v[3] = {x[i][0], x[i][1], x[i][2]};
+        const bool node = i < strlen(kind->nodes);
+        for (int k = 0; k < 3; k++)
+            x[i][k] = node ? scale * (dot(q[k], v) + shift[k]) : dot(q[k], v);
+    }
+}
+
+static void swap(double *a, double *b)
+{
+    const double t = *a;
+    *a = *b;
+    *b = t;
+}
+
+void sample_order(struct sample *s, enum corner_order order)
+{
+    int nearest = 0;
+    if (order == CORNERS_ANY)
+        return;
+    for (int i = 1; i < 4; i++)
+        if (distance2(s->xs, s->x[i]) < distance2(s->xs, s->x[nearest]))
+            nearest = i;
+    for (; nearest > 0; nearest--) {
+        /* B becomes A: the new xi is eta, the new eta is -xi. */
+        double first[3];
+        memcpy(first, s->x[0], sizeof first);
+        memmove(s->x[0], s->x[1], 3 * sizeof first);
+        memcpy(s->x[3], first, sizeof first);
+        swap(&s->xi, &s->eta);
+        s->eta = -s->eta;
+    }
+    if (order == CORNERS_NEAREST_SHORTER && distance2(s->x[0], s->x[3]) > distance2(s->x[0], s->x[1])) {
+        for (int k = 0; k < 3; k++)
+            swap(&s->x[1][k], &s->x[3][k]);
+        swap(&s->xi, &s->eta);
+        s->gap = -s->gap;
+    }
+}
+
+size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    const struct shapes *p = &scene->shapes;
+    const bool warps = !scene->segment->triangle && p->warp > 0;
+    const bool curves = strlen(scene->segment->nodes) > scene->segment->corners;
+    size_t lines = 0;
+    snprintf(line[lines++], DRAWN_LENGTH, "logarithm of aspect%s%s%s%s, gap, xi and eta uniform in these limits",
+             p->skew > 0 ? ", skew" : "", !scene->segment->triangle && p->taper > 0 ? ", two tapers" : "",
+             warps ? ", warp (a rectangle's of such sides)" : "", curves ? ", two principal curvatures, shifts" : "");
+    if (warps)
+        snprintf(line[lines++], DRAWN_LENGTH, "again where the segment's own warp is beyond its limit");
+    snprintf(line[lines++], DRAWN_LENGTH,
+             "heldout_even (shown where mean or 99 %% differ by more than 1.5): aspect%s%s uniform",
+             warps ? ", the segment's own warp" : "", curves ? ", the larger curvature" : "");
+    return lines;
+}
+
+bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    struct shapes drawn = scene->shapes;
+    const struct shapes *shapes = &drawn;
+    const struct segment_kind *kind = scene->segment;
+    const struct surface *f = surface_find(kind);
+    drawn.evenly = part == PART_HELDOUT_EVEN;
+    const int corners = (int)kind->corners;
+    const size_t count = part == PART_TRAINING ? scene->training : scene->heldout;
+    gsl_rng *stream = stream_new();
+    const int tries = 10000;
+    for (size_t i = 0; i < count; i++) {
+        struct sample s = {0};
+        int n;
+        stream_key(stream, scene->seed, (uint64_t)part, i, 0);
+        for (n = 0; n < tries; n++) {
+            double shortest = INFINITY;
+            if (!f->draw(f, stream, shapes, s.x))
+                continue;
+            move(stream, kind, s.x);
+            for (int k = 0; k < corners; k++)
+                shortest = fmin(shortest, sqrt(distance2(s.x[k], s.x[(k + 1) % corners])));
+            if (place_slave(stream, scene, shapes->gap * shortest, &s))
+                break;
+        }
+        if (n == tries) {
+            gsl_rng_free(stream);
+            return diag_at(d, scene->path, 0, 0, "no segment within the limits of shapes in %d draws", tries);
+        }
+        sample_order(&s, scene->order);
+        sample_set_add(set, &s);
+    }
+    gsl_rng_free(stream);
+    return true;
+}

@@ -1,0 +1,38 @@
+/* Samples for code in single precision: its callers have coordinates in float, so that the truth is that of those. */
+#include "samples.h"
+#include "../surface/surface.h"
+
+/* Of xi and eta: what rounding may move a foot point by beyond the edge of the box. */
+#define BEYOND 1e-3
+
+/* volatile: gcc 12 -O3 vectorises the two conversions into none. */
+static void round_vector(double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const volatile float nearest = (float)x[k];
+        x[k] = (double)nearest;
+    }
+}
+
+void samples_round(const struct scene *scene, struct sample_set *set, size_t first)
+{
+    const struct surface *f = surface_find(scene->segment);
+    size_t kept = first;
+    double lo[2], hi[2];
+    scene_box(scene, lo, hi);
+    for (int k = 0; k < 2; k++) {
+        lo[k] -= BEYOND;
+        hi[k] += BEYOND;
+    }
+    for (size_t i = first; i < set->n; i++) {
+        struct sample s = set->s[i];
+        for (size_t k = 0; k < segment_vectors(scene->segment); k++)
+            round_vector(s.x[k]);
+        round_vector(s.xs);
+        if (!f->foot(f, &s, lo, hi))
+            continue;
+        sample_order(&s, scene->order);
+        set->s[kept++] = s;
+    }
+    set->n = kept;
+}

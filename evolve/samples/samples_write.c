@@ -1,0 +1,56 @@
+/* Samples of a scene to a file; see samples_write.h. */
+#include "samples_write.h"
+
+#include "../input/scene_files.h"
+
+static void print_head(const struct segment_kind *kind, FILE *out)
+{
+    fputs("part", out);
+    for (size_t i = 0; i < segment_inputs(kind); i++) {
+        char name[5];
+        segment_input_name(kind, i, name);
+        fprintf(out, ",%s", name);
+    }
+    fputs(",xi,eta\n", out);
+}
+
+static void print_sample(const struct segment_kind *kind, const char *part, const struct sample *s, FILE *out)
+{
+    fputs(part, out);
+    for (size_t k = 0; k <= segment_vectors(kind); k++) {
+        const double *x = k < segment_vectors(kind) ? s->x[k] : s->xs;
+        fprintf(out, ",%a,%a,%a", x[0], x[1], x[2]);
+    }
+    fprintf(out, ",%a,%a\n", s->xi, s->eta);
+}
+
+static bool write_part(const struct scene *scene, enum sample_part part, const char *name, FILE *out, struct diag *d)
+{
+    struct sample_set set = {0};
+    const bool drawn = scene_samples(scene, part, &set, d);
+    for (size_t i = 0; drawn && i < set.n; i++)
+        print_sample(scene->segment, name, &set.s[i], out);
+    sample_set_free(&set);
+    return drawn;
+}
+
+bool samples_write(const char *root, const char *scene_name, const char *path, struct diag *d)
+{
+    struct scene *scene = scene_read(root, scene_name, d);
+    struct outfile f;
+    const struct file_use output = {"--samples", path, true, 0};
+    bool good =
+        scene && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) && outfile_open(&f, path, d);
+    if (good) {
+        print_head(scene->segment, f.stream);
+        for (int k = 0; k < HELDOUT_PARTS && good; k++)
+            good = !scene_has(scene, heldout_part[k].part) ||
+                   write_part(scene, heldout_part[k].part, heldout_part[k].name, f.stream, d);
+        if (good)
+            good = outfile_commit(&f, d);
+        else
+            outfile_discard(&f);
+    }
+    scene_free(scene);
+    return good;
+}

@@ -1,0 +1,122 @@
+/* What segments vary; see variation.h.  A kind is that of the sample that varies most, each by its own tolerance: a segment
+ * of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
+#include "variation.h"
+
+#include <float.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+static const double nothing = 1e-12;            /* of the size: what is smaller does not vary */
+static const double rounding = 8 * DBL_EPSILON; /* of the largest coordinate */
+
+const char *const vary_name[] = {[VARY_RECTANGLES] = "rectangles",
+                                 [VARY_PARALLELOGRAMS] = "parallelograms",
+                                 [VARY_PLANE] = "plane",
+                                 [VARY_WARPED] = "warped"};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double c[3])
+{
+    for (int k = 0; k < 3; k++)
+        c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+/* c1, c2, c3 from differences of corners, which lose nothing far from the origin. */
+static void expand(double x[4][3], double c[3][3])
+{
+    for (int k = 0; k < 3; k++) {
+        const double ab = x[1][k] - x[0][k], dc = x[2][k] - x[3][k];
+        const double ad = x[3][k] - x[0][k], bc = x[2][k] - x[1][k];
+        c[0][k] = (ab + dc) / 4;
+        c[1][k] = (ad + bc) / 4;
+        c[2][k] = (dc - ab) / 4;
+    }
+}
+
+static double largest_coordinate(double x[4][3])
+{
+    double largest = 0;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            largest = fmax(largest, fabs(x[i][k]));
+    return largest;
+}
+
+/* Angle between the normals at two opposite corners, (xi,eta) = (1,eta) and (-1,-eta). */
+static double turn(double c[3][3], double eta)
+{
+    double n[2][3], both[3];
+    for (int i = 0; i < 2; i++) {
+        const double at = i ? -1 : 1;
+        double t1[3], t2[3];
+        for (int k = 0; k < 3; k++) {
+            t1[k] = c[0][k] + at * eta * c[2][k];
+            t2[k] = c[1][k] + at * c[2][k];
+        }
+        cross(t1, t2, n[i]);
+    }
+    cross(n[0], n[1], both);
+    return atan2(sqrt(dot(both, both)), dot(n[0], n[1]));
+}
+
+static struct vary measure(const struct sample *s)
+{
+    double x[4][3], c[3][3], n[3], a[3], b[3];
+    memcpy(x, s->x, sizeof x);
+    expand(x, c);
+    cross(c[0], c[1], n);
+    cross(c[2], c[1], a);
+    cross(c[0], c[2], b);
+    const double nn = dot(n, n), size = sqrt(fmin(dot(c[0], c[0]), dot(c[1], c[1])));
+    if (!(nn > 0))
+        return (struct vary){VARY_WARPED, INFINITY, M_PI, M_PI_2, nothing};
+    struct vary v = {.taper = fmax(fabs(dot(a, n)), fabs(dot(b, n))) / nn,
+                     .warp = fmax(turn(c, 1), turn(c, -1)),
+                     .skew = atan2(fabs(dot(c[0], c[1])), sqrt(nn)),
+                     .tolerance = nothing + rounding * largest_coordinate(x) / size};
+    v.kind = v.warp > v.tolerance    ? VARY_WARPED
+             : v.taper > v.tolerance ? VARY_PLANE
+             : v.skew > v.tolerance  ? VARY_PARALLELOGRAMS
+                                     : VARY_RECTANGLES;
+    return v;
+}
+
+/* The parallelogram of corners A, B and the last one. */
+static struct sample spanned(const struct segment_kind *kind, const struct sample *s)
+{
+    struct sample p = {0};
+    for (int k = 0; k < 3; k++) {
+        p.x[0][k] = s->x[0][k];
+        p.x[1][k] = s->x[1][k];
+        p.x[3][k] = s->x[kind->corners - 1][k];
+        p.x[2][k] = p.x[1][k] + (p.x[3][k] - p.x[0][k]);
+    }
+    return p;
+}
+
+struct vary vary_measure(const struct segment_kind *kind, const struct sample_set *set)
+{
+    struct vary most = {.kind = kind->surface ? VARY_WARPED : VARY_RECTANGLES, .tolerance = nothing};
+    for (size_t i = 0; i < set->n; i++) {
+        const struct sample p = kind->surface ? spanned(kind, &set->s[i]) : set->s[i];
+        const struct vary v = measure(&p);
+        most.kind = v.kind > most.kind ? v.kind : most.kind;
+        most.taper = fmax(most.taper, v.taper);
+        most.warp = fmax(most.warp, v.warp);
+        most.skew = fmax(most.skew, v.skew);
+        most.tolerance = fmax(most.tolerance, v.tolerance);
+    }
+    return most;
+}
+
+void vary_print(const struct vary *v, FILE *stream)
+{
+    const double degree = M_PI / 180;
+    fprintf(stream, "segments are %s (taper up to %.3g, warp up to %.3g deg, skew up to %.3g deg)", vary_name[v->kind],
+            v->taper, v->warp / degree, v->skew / degree);
+}

@@ -1,0 +1,351 @@
+/* The certain closest point on a bilinear segment.  With r = c0 + c1 xi + c2 eta + c3 xi eta and d = xs - c0, equations
+ * (7) and (8) of the paper, r_xi.(xs-r) = 0 and r_eta.(xs-r) = 0, are
+ *
+ *     (7)  N(eta) - xi E(eta) = 0,   E = |c1 + c3 eta|^2,   N = (c1 + c3 eta).(d - c2 eta)
+ *     (8)  the same with xi and eta, c1 and c2 exchanged.
+ *
+ * Putting xi = N/E into (8) and multiplying by E^2 leaves a quintic in eta whose real roots are all stationary points,
+ * save where E vanishes.  E vanishes at a real eta only if c1 is parallel to c3 (edges AB and DC are parallel), so the
+ * coordinate to eliminate is the one whose vector is least parallel to c3; what may then escape is a saddle at an apex,
+ * never a minimum.  Roots come from the companion matrix (gsl_poly_complex_solve) and are polished by Newton's
+ * iteration on (7), (8) in long double.  Coordinates are relative to the centre and divided by the size of the segment
+ * before anything else. */
+#include "foot_bilinear.h"
+#include "surface.h"
+
+#include <float.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_poly.h>
+#include <math.h>
+
+#define BOUND 1e-12 /* rounding of a coordinate on the bound of a box */
+
+/* Scalar products: all that (7) and (8) depend on. */
+struct products {
+    long double c11, c22, c33, c12, c13, c23, d1, d2, d3;
+};
+
+/* Segment and slave node about the centre, in units of `size`. */
+struct local {
+    long double c1[3], c2[3], c3[3], d[3], size;
+};
+
+static long double dot(const long double a[3], const long double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double dot_short(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const long double a[3], const long double b[3], long double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static long double square_of_cross(const long double a[3], const long double b[3])
+{
+    long double c[3];
+    cross(a, b, c);
+    return dot(c, c);
+}
+
+static bool localise(const double x[4][3], const double xs[3], struct local *l)
+{
+    l->size = 0;
+    for (int k = 0; k < 3; k++) {
+        const long double a = x[0][k], b = x[1][k], c = x[2][k], d = x[3][k];
+        l->c1[k] = ((b - a) + (c - d)) / 4;
+        l->c2[k] = ((d - a) + (c - b)) / 4;
+        l->c3[k] = ((a - b) + (c - d)) / 4;
+        l->d[k] = ((xs[k] - a) + (xs[k] - b) + (xs[k] - c) + (xs[k] - d)) / 4;
+        l->size = fmaxl(l->size, fmaxl(fabsl(l->c1[k]), fmaxl(fabsl(l->c2[k]), fabsl(l->c3[k]))));
+    }
+    if (!isfinite(l->size) || !(l->size > 0) || !isfinite(l->d[0] + l->d[1] + l->d[2]))
+        return false;
+    for (int k = 0; k < 3; k++) {
+        l->c1[k] /= l->size;
+        l->c2[k] /= l->size;
+        l->c3[k] /= l->size;
+        l->d[k] /= l->size;
+    }
+    return true;
+}
+
+static struct products multiply(const struct local *l)
+{
+    return (struct products){.c11 = dot(l->c1, l->c1),
+                             .c22 = dot(l->c2, l->c2),
+                             .c33 = dot(l->c3, l->c3),
+                             .c12 = dot(l->c1, l->c2),
+                             .c13 = dot(l->c1, l->c3),
+                             .c23 = dot(l->c2, l->c3),
+                             .d1 = dot(l->d, l->c1),
+                             .d2 = dot(l->d, l->c2),
+                             .d3 = dot(l->d, l->c3)};
+}
+
+/* The same segment with xi and eta exchanged. */
+static struct products exchange(const struct products *p)
+{
+    return (struct products){.c11 = p->c22,
+                             .c22 = p->c11,
+                             .c33 = p->c33,
+                             .c12 = p->c12,
+                             .c13 = p->c23,
+                             .c23 = p->c13,
+                             .d1 = p->d2,
+                             .d2 = p->d1,
+                             .d3 = p->d3};
+}
+
+/* One Newton step on (7), (8) at (xi, eta); false where their derivative is singular. */
+static bool newton_step(const struct local *l, long double xi, long double eta, long double step[2], bool *minimum)
+{
+    long double t1[3], t2[3], v[3];
+    for (int k = 0; k < 3; k++) {
+        t1[k] = l->c1[k] + l->c3[k] * eta;
+        t2[k] = l->c2[k] + l->c3[k] * xi;
+        v[k] = l->d[k] - l->c1[k] * xi - t2[k] * eta;
+    }
+    const long double f1 = dot(t1, v), f2 = dot(t2, v);
+    const long double h11 = dot(t1, t1), h22 = dot(t2, t2), h12 = dot(t1, t2) - dot(v, l->c3);
+    const long double det = h11 * h22 - h12 * h12;
+    *minimum = det > 0 && h11 > 0;
+    if (det == 0)
+        return false;
+    step[0] = (f1 * h22 - f2 * h12) / det;
+    step[1] = (f2 * h11 - f1 * h12) / det;
+    return true;
+}
+
+/* Newton's iteration from (xi, eta), until steps are rounding alone: tiny, or small and shrinking no more.  Near a
+ * double root it converges linearly, hence the many steps. */
+static bool polish(const struct local *l, long double *xi, long double *eta, bool *minimum)
+{
+    long double last = INFINITY;
+    for (int i = 0; i < 100; i++) {
+        long double step[2];
+        if (!newton_step(l, *xi, *eta, step, minimum))
+            return last < 1e-10L;
+        *xi += step[0];
+        *eta += step[1];
+        const long double size = (fabsl(step[0]) + fabsl(step[1])) / (1 + fabsl(*xi) + fabsl(*eta));
+        if (!isfinite(size))
+            return false;
+        if (size <= 4 * LDBL_EPSILON || (size < 1e-10L && size >= last))
+            return true;
+        last = size;
+    }
+    return false;
+}
+
+/* product += a b. */
+static void multiply_quadratics(long double product[5], const long double a[3], const long double b[3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            product[i + j] += a[i] * b[j];
+}
+
+/* Roots of the quintic in eta; real and imaginary parts alternate.  Returns how many. */
+static int quintic_roots(const struct products *p, double root[10])
+{
+    const long double e[3] = {p->c11, 2 * p->c13, p->c33};
+    const long double n[3] = {p->d1, p->d3 - p->c12, -p->c23};
+    long double ee[5] = {0}, en[5] = {0}, nn[5] = {0}, coefficient[6] = {0}, largest = 0;
+    double a[6];
+    int degree = 5;
+    multiply_quadratics(ee, e, e);
+    multiply_quadratics(en, e, n);
+    multiply_quadratics(nn, n, n);
+    for (int k = 0; k <= 5; k++) {
+        if (k < 5)
+            coefficient[k] += p->d2 * ee[k] + (p->d3 - p->c12) * en[k] - p->c13 * nn[k];
+        if (k > 0)
+            coefficient[k] -= p->c22 * ee[k - 1] + 2 * p->c23 * en[k - 1] + p->c33 * nn[k - 1];
+        largest = fmaxl(largest, fabsl(coefficient[k]));
+    }
+    if (!isfinite(largest) || !(largest > 0))
+        return 0;
+    for (int k = 0; k <= 5; k++)
+        a[k] = (double)(coefficient[k] / largest);
+    while (degree > 0 && !(fabs(a[degree]) > 1e-60))
+        degree--;
+    if (degree == 0)
+        return 0;
+    gsl_poly_complex_workspace *workspace = gsl_poly_complex_workspace_alloc((size_t)degree + 1);
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    const int status = gsl_poly_complex_solve(a, (size_t)degree + 1, workspace, root);
+    gsl_set_error_handler(handler);
+    gsl_poly_complex_workspace_free(workspace);
+    return status == GSL_SUCCESS ? degree : 0;
+}
+
+static long double distance_at(const struct local *l, long double xi, long double eta)
+{
+    long double v[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = l->d[k] - l->c1[k] * xi - l->c2[k] * eta - l->c3[k] * xi * eta;
+    return sqrtl(dot(v, v));
+}
+
+/* Insert in ascending distance; a point found twice is kept once. */
+static int insert(struct stationary found[5], int n, const struct stationary *s)
+{
+    int k;
+    for (k = 0; k < n; k++)
+        if (fabs(found[k].xi - s->xi) + fabs(found[k].eta - s->eta) <= 1e-10 * (1 + fabs(s->xi) + fabs(s->eta))) {
+            found[k].minimum = found[k].minimum || s->minimum;
+            return n;
+        }
+    if (n == 5)
+        return n;
+    for (k = n; k > 0 && found[k - 1].distance > s->distance; k--)
+        found[k] = found[k - 1];
+    found[k] = *s;
+    return n + 1;
+}
+
+static int all_stationary(const struct local *l, struct stationary found[5])
+{
+    const long double k1 = square_of_cross(l->c1, l->c3), k2 = square_of_cross(l->c2, l->c3);
+    const struct products p = multiply(l), swapped = exchange(&p);
+    const bool swap = k2 > k1;
+    double root[10];
+    int n = 0;
+    if (fmaxl(square_of_cross(l->c1, l->c2), fmaxl(k1, k2)) < 1e-28L)
+        return -1;
+    const struct products *q = swap ? &swapped : &p;
+    const int roots = quintic_roots(q, root);
+    for (int i = 0; i < roots; i++) {
+        const double re = root[2 * i], im = root[2 * i + 1];
+        struct stationary s;
+        if (fabs(im) > 1e-2 * (1 + fabs(re)))
+            continue;
+        /* Rounding may turn two close real roots into a conjugate pair: start on both sides of it. */
+        long double v = (long double)re + im, u = 0;
+        const long double e = q->c11 + v * (2 * q->c13 + v * q->c33);
+        long double *xi = swap ? &v : &u, *eta = swap ? &u : &v;
+        if (!(e > 0))
+            continue;
+        u = (q->d1 + v * (q->d3 - q->c12 - q->c23 * v)) / e;
+        if (!polish(l, xi, eta, &s.minimum))
+            continue;
+        s.xi = (double)*xi;
+        s.eta = (double)*eta;
+        s.distance = (double)(l->size * distance_at(l, *xi, *eta));
+        n = insert(found, n, &s);
+    }
+    return n;
+}
+
+int reference_stationary(const double x[4][3], const double xs[3], struct stationary found[5])
+{
+    struct local l;
+    return localise(x, xs, &l) ? all_stationary(&l, found) : -1;
+}
+
+/* (xs - r).n; false where the surface has no normal. */
+static bool gap_at(const struct local *l, long double xi, long double eta, double *gap)
+{
+    long double v[3], t1[3], t2[3], n[3];
+    for (int k = 0; k < 3; k++) {
+        t1[k] = l->c1[k] + l->c3[k] * eta;
+        t2[k] = l->c2[k] + l->c3[k] * xi;
+        v[k] = l->d[k] - l->c1[k] * xi - t2[k] * eta;
+    }
+    cross(t1, t2, n);
+    const long double length = sqrtl(dot(n, n));
+    if (!(length > 0))
+        return false;
+    *gap = (double)(l->size * dot(v, n) / length);
+    return true;
+}
+
+/* lo < v <= hi, where v on a bound is told from v beside it in spite of rounding. */
+static bool inside(double v, double lo, double hi)
+{
+    return v > lo + BOUND && v <= hi + BOUND;
+}
+
+/* Is the left side of (7) of one sign all over the box?  It is linear in the first coordinate and quadratic in the
+ * second: its Bernstein coefficients tell.  Signs count only beyond a margin for rounding. */
+static bool one_sign(const double c1[3], const double c2[3], const double c3[3], const double d[3],
+                     const double first[2], const double second[2])
+{
+    const double c11 = dot_short(c1, c1), c12 = dot_short(c1, c2), c13 = dot_short(c1, c3), c23 = dot_short(c2, c3);
+    const double c33 = dot_short(c3, c3), d1 = dot_short(d, c1), d3 = dot_short(d, c3);
+    const double reach = 1 + fmax(fmax(-first[0], first[1]), fmax(-second[0], second[1]));
+    const double margin = 1e-12 * reach * reach * reach * (c11 + c33 + fabs(c12) + fabs(c23) + fabs(d1) + fabs(d3));
+    bool above = true, below = true;
+    for (int i = 0; i < 2; i++) {
+        const double t = first[i], u = second[0], width = second[1] - second[0];
+        const double k0 = d1 - t * c11, k1 = d3 - c12 - 2 * t * c13, k2 = -c23 - t * c33;
+        const double start = k0 + u * (k1 + u * k2), middle = start + width / 2 * (k1 + 2 * u * k2);
+        const double end = k0 + second[1] * (k1 + second[1] * k2);
+        above = above && fmin(start, fmin(middle, end)) > margin;
+        below = below && fmax(start, fmax(middle, end)) < -margin;
+    }
+    return above || below;
+}
+
+/* No stationary point in the box: one equation has one sign all over it, or the same holds for each of its quarters,
+ * and so on `depth` times. */
+static bool empty_box(const double c[3][3], const double d[3], const double xi[2], const double eta[2], int depth)
+{
+    if (one_sign(c[0], c[1], c[2], d, xi, eta) || one_sign(c[1], c[0], c[2], d, eta, xi))
+        return true;
+    if (depth == 0)
+        return false;
+    const double u[3] = {xi[0], (xi[0] + xi[1]) / 2, xi[1]}, v[3] = {eta[0], (eta[0] + eta[1]) / 2, eta[1]};
+    for (int i = 0; i < 4; i++)
+        if (!empty_box(c, d, &u[i % 2], &v[i / 2], depth - 1))
+            return false;
+    return true;
+}
+
+/* Quick and certain: no stationary point in the box.  Most pairs of a search end here. */
+static bool excluded(const double x[4][3], const double xs[3], const double lo[2], const double hi[2])
+{
+    const double xi[2] = {lo[0] - 1e-6, hi[0] + 1e-6}, eta[2] = {lo[1] - 1e-6, hi[1] + 1e-6};
+    double c[3][3], d[3];
+    for (int k = 0; k < 3; k++) {
+        const double ab = x[1][k] - x[0][k], dc = x[2][k] - x[3][k], ad = x[3][k] - x[0][k], bc = x[2][k] - x[1][k];
+        c[0][k] = (ab + dc) / 4;
+        c[1][k] = (ad + bc) / 4;
+        c[2][k] = (dc - ab) / 4;
+        d[k] = ((xs[k] - x[0][k]) + (xs[k] - x[1][k]) + (xs[k] - x[2][k]) + (xs[k] - x[3][k])) / 4;
+    }
+    return empty_box((const double(*)[3])c, d, xi, eta, 3);
+}
+
+bool reference_foot(struct sample *s, const double lo[2], const double hi[2])
+{
+    const double(*x)[3] = (const double(*)[3])s->x;
+    struct stationary found[5];
+    struct local l;
+    if (excluded(x, s->xs, lo, hi) || !localise(x, s->xs, &l))
+        return false;
+    const int n = all_stationary(&l, found);
+    for (int k = 0; k < n; k++) {
+        const struct stationary *f = &found[k];
+        if (f->minimum && inside(f->xi, lo[0], hi[0]) && inside(f->eta, lo[1], hi[1]) &&
+            gap_at(&l, f->xi, f->eta, &s->gap)) {
+            s->xi = f->xi;
+            s->eta = f->eta;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool reference_foot_quad4(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+{
+    (void)f;
+    return reference_foot(s, lo, hi);
+}

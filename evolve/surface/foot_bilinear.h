@@ -1,0 +1,23 @@
+/* The certain closest point on a bilinear segment: all stationary points from the quintic in eta. */
+#ifndef FOOTPOINT_FOOT_BILINEAR_H
+#define FOOTPOINT_FOOT_BILINEAR_H
+
+#include "sample.h"
+
+#include <stdbool.h>
+
+/** A stationary point of the distance from xs to the bilinear surface. */
+struct stationary {
+    double xi, eta, distance;
+    bool minimum; /* local minimum of the distance: the Hessian is positive definite */
+};
+
+/** All real stationary points of the unbounded bilinear surface, nearest first.  x[4][3], xs[3] as in struct sample.
+ *  Returns how many (0..5), or -1 if the segment is degenerate or not finite. */
+int reference_stationary(const double x[4][3], const double xs[3], struct stationary found[5]);
+
+/** Foot point of the scene's meaning: the local minimum nearest to xs whose (xi,eta) lies in lo < xi,eta <= hi
+ *  (component-wise).  Fills xi, eta, gap of *s.  False if there is none. */
+bool reference_foot(struct sample *s, const double lo[2], const double hi[2]);
+
+#endif

@@ -1,0 +1,142 @@
+/* The certain closest point on a Gregory patch: the nearest of its stationary points (foot_patch_boxes.h), of those of its
+ * edges, and of its corners.  Edges are cubic curves: the zeros of a quintic are isolated by the signs of its Bernstein
+ * coefficients. */
+#include "foot_patch.h"
+
+#include "foot_patch_boxes.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MARGIN 1e-13 /* of rounding, in units of the patch's size */
+#define BOUND 1e-12  /* rounding of a coordinate on the bound of a box */
+
+static struct patch_box box_of(const double lo[2], const double hi[2])
+{
+    return (struct patch_box){{(1 + lo[0]) / 2, (1 + hi[0]) / 2}, {(1 + lo[1]) / 2, (1 + hi[1]) / 2}};
+}
+
+int reference_patch_stationary(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
+                               const double hi[2], struct stationary found[PATCH_STATIONARY_MAX])
+{
+    struct patch_local l;
+    const struct patch_box box = box_of(lo, hi);
+    return patch_localise(patch, xs, &l) ? patch_boxes_search(&l, &box, found) : PATCH_UNCERTAIN;
+}
+
+struct edge_search {
+    const struct patch_local *l;
+    int edge, budget; /* v = 0, v = 1, u = 0, u = 1; intervals that may still be looked at */
+    struct stationary *best;
+};
+
+static void offer(const struct patch_local *l, double u, double v, struct stationary *best)
+{
+    const struct stationary s = patch_point_at(l, u, v, false);
+    if (s.distance < best->distance)
+        *best = s;
+}
+
+/* Offer the points of an edge where its quintic may vanish, from `start`, `width` on: b are its Bernstein coefficients
+ * there.  False: they are too many. */
+static bool search_edge(struct edge_search *e, const double b[6], double start, double width)
+{
+    double a[6], left[6], least = b[0], most = b[0];
+    for (int k = 1; k < 6; k++) {
+        least = fmin(least, b[k]);
+        most = fmax(most, b[k]);
+    }
+    if (least > MARGIN || most < -MARGIN)
+        return true;
+    if (e->budget-- == 0)
+        return false;
+    if (width < 1e-12) {
+        const double t = start + width / 2;
+        offer(e->l, e->edge < 2 ? t : e->edge - 2, e->edge < 2 ? e->edge : t, e->best);
+        return true;
+    }
+    memcpy(a, b, sizeof a); /* becomes the right half's */
+    for (int k = 0; k < 6; k++) {
+        left[k] = a[0];
+        for (int i = 0; i + k < 5; i++)
+            a[i] = (a[i] + a[i + 1]) / 2;
+    }
+    return search_edge(e, left, start, width / 2) && search_edge(e, a, start + width / 2, width / 2);
+}
+
+/* r' . r of an edge's cubic. */
+static void edge_quintic(const struct patch_local *l, int edge, double b[6])
+{
+    static const double three[4] = {1, 3, 3, 1}, two[3] = {1, 2, 1}, five[6] = {1, 5, 10, 10, 5, 1};
+    memset(b, 0, 6 * sizeof *b);
+    for (int c = 0; c < 3; c++) {
+        double p[4];
+        for (int k = 0; k < 4; k++)
+            p[k] = edge < 2 ? l->p[k][3 * edge][c] : l->p[3 * (edge - 2)][k][c];
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 3; j++)
+                b[i + j] += three[i] * two[j] / five[i + j] * p[i] * 3 * (p[j + 1] - p[j]);
+    }
+}
+
+bool reference_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest)
+{
+    const struct patch_box whole = {{0, 1}, {0, 1}};
+    struct stationary found[PATCH_STATIONARY_MAX], best = {.distance = INFINITY};
+    struct patch_local l;
+    if (!patch_localise(patch, xs, &l))
+        return false;
+    const int n = patch_boxes_search(&l, &whole, found);
+    if (n == PATCH_UNCERTAIN)
+        return false;
+    for (int k = 0; k < 4; k++)
+        offer(&l, k / 2, k % 2, &best);
+    for (int k = 0; k < 4; k++) {
+        struct edge_search e = {&l, k, 4000, &best};
+        double b[6];
+        edge_quintic(&l, k, b);
+        if (!search_edge(&e, b, 0, 1))
+            return false;
+    }
+    for (int k = n - 1; k >= 0; k--)
+        if (found[k].minimum && found[k].distance <= best.distance)
+            best = found[k];
+    *closest = best;
+    return true;
+}
+
+static bool inside(double v, double lo, double hi)
+{
+    return v > lo + BOUND && v <= hi + BOUND;
+}
+
+/* (xs - r).n; false where the surface has no normal. */
+static bool gap_at(const struct patch_local *l, double xi, double eta, double *gap)
+{
+    struct patch_jet jet;
+    patch_evaluate(l, (1 + (long double)xi) / 2, (1 + (long double)eta) / 2, &jet);
+    const long double n[3] = {jet.u[1] * jet.v[2] - jet.u[2] * jet.v[1], jet.u[2] * jet.v[0] - jet.u[0] * jet.v[2],
+                              jet.u[0] * jet.v[1] - jet.u[1] * jet.v[0]};
+    const long double length = sqrtl(patch_dot(n, n));
+    *gap = (double)(-l->size * patch_dot(jet.r, n) / length);
+    return length > 0;
+}
+
+bool reference_patch_foot(struct patch_sample *s, const double lo[2], const double hi[2])
+{
+    const struct patch_box box = box_of(lo, hi);
+    struct footpoint_gregory patch;
+    struct stationary found[PATCH_STATIONARY_MAX];
+    struct patch_local l;
+    if (patch_sample_points(s, &patch) != FOOTPOINT_OK || !patch_localise(&patch, s->xs, &l))
+        return false;
+    const int n = patch_boxes_search(&l, &box, found);
+    for (int k = 0; k < n; k++)
+        if (found[k].minimum && inside(found[k].xi, lo[0], hi[0]) && inside(found[k].eta, lo[1], hi[1]) &&
+            gap_at(&l, found[k].xi, found[k].eta, &s->gap)) {
+            s->xi = found[k].xi;
+            s->eta = found[k].eta;
+            return true;
+        }
+    return false;
+}

@@ -1,0 +1,263 @@
+/* Stationary points solve F = (r_u . r, r_v . r) = 0, r the vector from the slave node.  A box of (u,v) is bisected
+ * until, for each piece, one of these is proven:
+ *   it holds no zero, since F at its centre is larger than F' over the box can change it, or since Newton's step from
+ *   the centre, widened by what F' varies (Krawczyk's operator), leads out of the box;
+ *   it holds exactly one, since the widened step ends inside: that one is found by Newton's iteration in long double.
+ * What resists down to the smallest box leaves the answer uncertain.
+ *
+ * Bounds of second derivatives over a box: those of the Bezier net by its third derivatives, which are bounded by third
+ * differences of the net; those of the blends q = 9 s^2 t^2 u v w, s = 1 - u, t = 1 - v, w = v/(u + v) (see
+ * runtime/geometry/gregory.c) in closed form, from factors that are monotonic and not negative.  First derivatives and points
+ * follow by integration from the centre.  Bounds are computed in double; signs count only beyond a margin for rounding.
+ */
+#include "foot_patch_boxes.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MARGIN 1e-13  /* of rounding, in units of what is added up */
+#define SMALLEST 1e-9 /* half-width of a box that is not halved again */
+
+enum { MOST_BOXES = 5000, MOST_DEPTH = 128 /* boxes that wait; each halving leaves one */ };
+
+/* Vectors m[k] - rad[k] .. m[k] + rad[k]. */
+struct bounds {
+    double m[3], rad[3];
+};
+
+/* Range of q_uu, q_uv, q_vv over a box, about the corner where the blend belongs: low and high ends. */
+static void blend_range(const double u[2], const double v[2], double low[3], double high[3])
+{
+    const double s[2] = {1 - u[1], 1 - u[0]}, t[2] = {1 - v[1], 1 - v[0]};
+    const double w[2] = {v[0] > 0 ? v[0] / (u[1] + v[0]) : 0, u[0] > 0 ? v[1] / (u[0] + v[1]) : 1};
+    double *end[2] = {low, high};
+    for (int i = 0; i < 2; i++) { /* a: where terms that are added take their end; b: those that are subtracted */
+        const int a = i, b = 1 - i;
+        const double f = u[a] * v[a] * w[a], z = 1 - w[b];
+        const double s2 = s[a] * s[a], t2 = t[a] * t[a], s2b = s[b] * s[b], t2b = t[b] * t[b];
+        end[i][0] = 18 * (t2 * f - 2 * s[b] * t2b * v[b] * w[b] * w[b] - s2b * t2b * w[b] * w[b] * w[b]);
+        end[i][1] = 36 * s[a] * t[a] * f - 18 * s[b] * t2b * u[b] * w[b] * (2 - w[b]) -
+                    18 * s2b * t[b] * v[b] * w[b] * w[b] + 9 * s2 * t2 * w[a] * w[a] * (3 - 2 * w[a]);
+        end[i][2] = 18 * (s2 * f - 2 * s2b * t[b] * u[b] * w[b] * (2 - w[b]) + s2 * t2 * z * z * z);
+    }
+}
+
+static void short_dot(const struct bounds *a, const struct bounds *b, double *m, double *rad)
+{
+    for (int k = 0; k < 3; k++) {
+        *m += a->m[k] * b->m[k];
+        *rad += fabs(a->m[k]) * b->rad[k] + fabs(b->m[k]) * a->rad[k] + a->rad[k] * b->rad[k];
+    }
+}
+
+/* What is known of a box: F at its centre, and its derivative's middle and radius: 11, 12, 22. */
+struct system {
+    double f[2], h[3], rad[3], noise;
+};
+
+static void add_blends(const struct patch_local *l, const struct patch_box *box, struct bounds second[3])
+{
+    for (int k = 0; k < 4; k++) {
+        const int i = k / 2, j = k % 2;
+        const double u[2] = {i ? 1 - box->u[1] : box->u[0], i ? 1 - box->u[0] : box->u[1]};
+        const double v[2] = {j ? 1 - box->v[1] : box->v[0], j ? 1 - box->v[0] : box->v[1]};
+        double low[3], high[3];
+        blend_range(u, v, low, high);
+        for (int d = 0; d < 3; d++) {
+            const double sign = d == 1 && i != j ? -1 : 1;
+            for (int c = 0; c < 3; c++) {
+                second[d].m[c] += sign * l->e[i][j][c] * (high[d] + low[d]) / 2;
+                second[d].rad[c] += fabs(l->e[i][j][c]) * (high[d] - low[d]) / 2;
+            }
+        }
+    }
+}
+
+/* Bernstein polynomials in double, for boxes. */
+static void short_bernstein(double t, double b[3][4])
+{
+    const double s = 1 - t;
+    const double value[3][4] = {{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t},
+                                {-3 * s * s, 3 * s * (s - 2 * t), 3 * t * (2 * s - t), 3 * t * t},
+                                {6 * s, 6 * (t - 2 * s), 6 * (s - 2 * t), 6 * t}};
+    memcpy(b, value, sizeof value);
+}
+
+/* q, q_u, q_v of the corner where the blend belongs. */
+static void blend_at(double u, double v, double q[3])
+{
+    const double s = 1 - u, t = 1 - v, w = u + v > 0 ? v / (u + v) : 0.5, f = 9 * s * t * w;
+    q[0] = f * s * t * u * v;
+    q[1] = f * t * v * (s * w - 2 * u);
+    q[2] = f * s * u * (t * (2 - w) - 2 * v);
+}
+
+/* Point and derivatives by u and v at the centre; second derivatives of the net alone. */
+static void centre(const struct patch_local *l, double u, double v, double r[3], struct bounds first[2],
+                   struct bounds second[3])
+{
+    double a[3][4], b[3][4], along[3][4];
+    short_bernstein(u, a);
+    short_bernstein(v, b);
+    for (int c = 0; c < 3; c++) {
+        for (int d = 0; d < 3; d++)
+            for (int i = 0; i < 4; i++)
+                along[d][i] = b[d][0] * l->p[i][0][c] + b[d][1] * l->p[i][1][c] + b[d][2] * l->p[i][2][c] +
+                              b[d][3] * l->p[i][3][c];
+        double value[6];
+        static const int by[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
+        for (int k = 0; k < 6; k++) {
+            const double *x = a[by[k][0]], *y = along[by[k][1]];
+            value[k] = x[0] * y[0] + x[1] * y[1] + x[2] * y[2] + x[3] * y[3];
+        }
+        r[c] = value[0];
+        first[0].m[c] = value[1];
+        first[1].m[c] = value[2];
+        for (int d = 0; d < 3; d++)
+            second[d].m[c] = value[3 + d];
+    }
+    for (int k = 0; k < 4; k++) {
+        const int i = k / 2, j = k % 2;
+        double q[3];
+        blend_at(i ? 1 - u : u, j ? 1 - v : v, q);
+        for (int c = 0; c < 3; c++) {
+            r[c] += q[0] * l->e[i][j][c];
+            first[0].m[c] += (i ? -1 : 1) * q[1] * l->e[i][j][c];
+            first[1].m[c] += (j ? -1 : 1) * q[2] * l->e[i][j][c];
+        }
+    }
+}
+
+static struct system system_of(const struct patch_local *l, const struct patch_box *box)
+{
+    const double u = (box->u[0] + box->u[1]) / 2, v = (box->v[0] + box->v[1]) / 2;
+    const double hu = (box->u[1] - box->u[0]) / 2, hv = (box->v[1] - box->v[0]) / 2;
+    struct bounds point = {0}, first[2], second[3];
+    struct system f = {0};
+    centre(l, u, v, point.m, first, second);
+    double reach = 0, slope = 0;
+    for (int c = 0; c < 3; c++) {
+        f.f[0] += first[0].m[c] * point.m[c];
+        f.f[1] += first[1].m[c] * point.m[c];
+        reach += fabs(point.m[c]);
+        slope += fabs(first[0].m[c]) + fabs(first[1].m[c]);
+        for (int d = 0; d < 3; d++)
+            second[d].rad[c] = l->third[d][c] * hu + l->third[d + 1][c] * hv;
+    }
+    f.noise = MARGIN * (1 + reach) * (1 + slope);
+    add_blends(l, box, second);
+    for (int c = 0; c < 3; c++) {
+        const double uu = fabs(second[0].m[c]) + second[0].rad[c], vv = fabs(second[2].m[c]) + second[2].rad[c];
+        const double uv = fabs(second[1].m[c]) + second[1].rad[c];
+        first[0].rad[c] = uu * hu + uv * hv;
+        first[1].rad[c] = uv * hu + vv * hv;
+        point.rad[c] = (fabs(first[0].m[c]) + first[0].rad[c]) * hu + (fabs(first[1].m[c]) + first[1].rad[c]) * hv;
+    }
+    static const int pair[3][2] = {{0, 0}, {0, 1}, {1, 1}};
+    for (int d = 0; d < 3; d++) {
+        short_dot(&first[pair[d][0]], &first[pair[d][1]], &f.h[d], &f.rad[d]);
+        short_dot(&second[d], &point, &f.h[d], &f.rad[d]);
+    }
+    return f;
+}
+
+enum verdict { EMPTY, ONE, NARROWED, WIDE };
+
+/* Cut the range of v down to middle - radius .. middle + radius; false if nothing is left. */
+static bool cut(double v[2], double middle, double radius)
+{
+    v[0] = fmax(v[0], middle - radius);
+    v[1] = fmin(v[1], middle + radius);
+    return v[0] <= v[1];
+}
+
+/* Krawczyk's operator; narrows the box. */
+static enum verdict judge(const struct patch_local *l, struct patch_box *box)
+{
+    const double hu = (box->u[1] - box->u[0]) / 2, hv = (box->v[1] - box->v[0]) / 2;
+    const double u = (box->u[0] + box->u[1]) / 2, v = (box->v[0] + box->v[1]) / 2;
+    const struct system f = system_of(l, box);
+    const double h11 = fabs(f.h[0]) + f.rad[0], h12 = fabs(f.h[1]) + f.rad[1], h22 = fabs(f.h[2]) + f.rad[2];
+    if (fabs(f.f[0]) > h11 * hu + h12 * hv + f.noise || fabs(f.f[1]) > h12 * hu + h22 * hv + f.noise)
+        return EMPTY;
+    const double det = f.h[0] * f.h[2] - f.h[1] * f.h[1];
+    if (!(fabs(det) > 1e-10 * (f.h[0] * f.h[0] + f.h[2] * f.h[2])))
+        return WIDE;
+    const double y11 = f.h[2] / det, y12 = -f.h[1] / det, y22 = f.h[0] / det;
+    const double noise = 2 * f.noise * (fabs(y11) + fabs(y12) + fabs(y22)) + MARGIN;
+    const double v11 = f.rad[0] * hu + f.rad[1] * hv, v22 = f.rad[1] * hu + f.rad[2] * hv;
+    const double ru = fabs(y11) * v11 + fabs(y12) * v22 + noise, rv = fabs(y12) * v11 + fabs(y22) * v22 + noise;
+    const double mu = u - y11 * f.f[0] - y12 * f.f[1], mv = v - y12 * f.f[0] - y22 * f.f[1];
+    const struct patch_box before = *box;
+    if (!cut(box->u, mu, ru) || !cut(box->v, mv, rv))
+        return EMPTY;
+    if (box->u[0] > before.u[0] && box->u[1] < before.u[1] && box->v[0] > before.v[0] && box->v[1] < before.v[1])
+        return ONE;
+    const double area = (box->u[1] - box->u[0]) * (box->v[1] - box->v[0]);
+    if (ru < hu && rv < hv && fmax(box->u[1] - box->u[0], box->v[1] - box->v[0]) < 2 * SMALLEST)
+        return ONE; /* at most one, on the bound of the box */
+    return area < 0.5 * 4 * hu * hv ? NARROWED : WIDE;
+}
+
+static int insert(struct stationary *found, int n, const struct stationary *s)
+{
+    int k;
+    for (k = 0; k < n; k++)
+        if (fabs(found[k].xi - s->xi) + fabs(found[k].eta - s->eta) <= 1e-10)
+            return n;
+    for (k = n; k > 0 && found[k - 1].distance > s->distance; k--)
+        found[k] = found[k - 1];
+    found[k] = *s;
+    return n + 1;
+}
+
+/* The one zero of a box, found from its middle.  False: it was not found there. */
+static bool find_one(const struct patch_local *l, const struct patch_box *box, struct stationary *s)
+{
+    long double u = (box->u[0] + box->u[1]) / 2, v = (box->v[0] + box->v[1]) / 2;
+    const double slack = 10 * SMALLEST;
+    bool minimum;
+    if (!patch_polish(l, &u, &v, &minimum) || u < box->u[0] - slack || u > box->u[1] + slack || v < box->v[0] - slack ||
+        v > box->v[1] + slack)
+        return false;
+    *s = patch_point_at(l, u, v, minimum);
+    return true;
+}
+
+int patch_boxes_search(const struct patch_local *l, const struct patch_box *whole,
+                       struct stationary found[PATCH_STATIONARY_MAX])
+{
+    struct patch_box waiting[MOST_DEPTH] = {*whole};
+    int n = 0, depth = 1;
+    for (int boxes = 0; depth > 0; boxes++) {
+        struct patch_box box = waiting[--depth];
+        struct stationary s;
+        if (boxes == MOST_BOXES)
+            return PATCH_UNCERTAIN;
+        switch (judge(l, &box)) {
+        case EMPTY:
+            continue;
+        case ONE:
+            if (n == PATCH_STATIONARY_MAX || !find_one(l, &box, &s))
+                return PATCH_UNCERTAIN;
+            n = insert(found, n, &s);
+            continue;
+        case NARROWED:
+            waiting[depth++] = box;
+            continue;
+        case WIDE:
+            break;
+        }
+        const double wide_u = box.u[1] - box.u[0], wide_v = box.v[1] - box.v[0];
+        if (fmax(wide_u, wide_v) < 2 * SMALLEST || depth + 2 > MOST_DEPTH)
+            return PATCH_UNCERTAIN;
+        double *side = wide_u > wide_v ? box.u : box.v;
+        const double middle = (side[0] + side[1]) / 2, high = side[1];
+        side[1] = middle;
+        waiting[depth++] = box;
+        side[0] = middle;
+        side[1] = high;
+        waiting[depth++] = box;
+    }
+    return n;
+}

@@ -1,0 +1,17 @@
+/* Stationary points of a Gregory patch in a box of (u,v), all of them, with certainty. */
+#ifndef FOOTPOINT_FOOT_PATCH_BOXES_H
+#define FOOTPOINT_FOOT_PATCH_BOXES_H
+
+#include "foot_patch_local.h"
+
+struct patch_box {
+    double u[2], v[2]; /* within 0..1 */
+};
+
+enum { PATCH_STATIONARY_MAX = 16, PATCH_UNCERTAIN = -1 };
+
+/** Returns how many there are, nearest first, or PATCH_UNCERTAIN. */
+int patch_boxes_search(const struct patch_local *l, const struct patch_box *whole,
+                       struct stationary found[PATCH_STATIONARY_MAX]);
+
+#endif

@@ -1,0 +1,147 @@
+/* Gregory patches for the reference search; see foot_patch_local.h. */
+#include "foot_patch_local.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static const struct {
+    int i, j; /* derivatives by u and v */
+    double factor;
+} third_order[4] = {{3, 0, 6}, {2, 1, 18}, {1, 2, 18}, {0, 3, 6}};
+
+/* The i-th difference of four numbers by the index, from the k-th on. */
+static double difference(const double a[4], int i, int k)
+{
+    switch (i) {
+    case 0:
+        return a[k];
+    case 1:
+        return a[k + 1] - a[k];
+    case 2:
+        return a[k + 2] - 2 * a[k + 1] + a[k];
+    default:
+        return a[3] - 3 * a[2] + 3 * a[1] - a[0];
+    }
+}
+
+static double largest_difference(double p[4][4][3], int c, int i, int j)
+{
+    double most = 0;
+    for (int l = 0; l + j < 4; l++) {
+        double column[4];
+        for (int k = 0; k < 4; k++) {
+            const double row[4] = {p[k][0][c], p[k][1][c], p[k][2][c], p[k][3][c]};
+            column[k] = difference(row, j, l);
+        }
+        for (int k = 0; k + i < 4; k++)
+            most = fmax(most, fabs(difference(column, i, k)));
+    }
+    return most;
+}
+
+bool patch_localise(const struct footpoint_gregory *patch, const double xs[3], struct patch_local *l)
+{
+    l->size = 0;
+    for (int k = 0; k < 48; k++)
+        l->size = fmax(l->size, fabs(patch->net.p[k / 12][k / 3 % 4][k % 3]));
+    if (!isfinite(l->size) || !(l->size > 0) || !isfinite(xs[0] + xs[1] + xs[2]))
+        return false;
+    for (int c = 0; c < 3; c++) {
+        const double d = xs[c] - patch->net.origin[c];
+        for (int k = 0; k < 16; k++)
+            l->p[k / 4][k % 4][c] = (patch->net.p[k / 4][k % 4][c] - d) / l->size;
+        for (int k = 0; k < 4; k++)
+            l->e[k / 2][k % 2][c] = (patch->twin[k / 2][k % 2][c] - patch->net.p[1 + k / 2][1 + k % 2][c]) / l->size;
+        for (int k = 0; k < 4; k++)
+            l->third[k][c] = third_order[k].factor * largest_difference(l->p, c, third_order[k].i, third_order[k].j);
+    }
+    return true;
+}
+
+static void bernstein(long double t, long double b[3][4])
+{
+    const long double s = 1 - t;
+    const long double value[3][4] = {{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t},
+                                     {-3 * s * s, 3 * s * (s - 2 * t), 3 * t * (2 * s - t), 3 * t * t},
+                                     {6 * s, 6 * (t - 2 * s), 6 * (s - 2 * t), 6 * t}};
+    memcpy(b, value, sizeof value);
+}
+
+/* An inner point (47)-(50), weighted by x and y, and its derivatives by them: value, x, y, xx, xy, yy. */
+static void inner_point(long double p0, long double p1, long double x, long double y, long double p[6])
+{
+    const long double sum = x + y;
+    memset(p, 0, 6 * sizeof *p);
+    p[0] = (p0 + p1) / 2;
+    if (sum == 0)
+        return;
+    p[0] = (x * p0 + y * p1) / sum;
+    p[1] = (p0 - p[0]) / sum;
+    p[2] = (p1 - p[0]) / sum;
+    p[3] = -2 * p[1] / sum;
+    p[4] = -(p[1] + p[2]) / sum;
+    p[5] = -2 * p[2] / sum;
+}
+
+void patch_evaluate(const struct patch_local *l, long double u, long double v, struct patch_jet *jet)
+{
+    long double a[3][4], b[3][4];
+    bernstein(u, a);
+    bernstein(v, b);
+    memset(jet, 0, sizeof *jet);
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < 16; k++) {
+            const int i = k / 4, j = k % 4;
+            long double p[6] = {l->p[i][j][c]};
+            if (i % 3 != 0 && j % 3 != 0) {
+                const long double su = i == 1 ? 1 : -1, sv = j == 1 ? 1 : -1;
+                inner_point(p[0], p[0] + l->e[i - 1][j - 1][c], i == 1 ? u : 1 - u, j == 1 ? v : 1 - v, p);
+                p[1] *= su;
+                p[2] *= sv;
+                p[4] *= su * sv;
+            }
+            const long double w = a[0][i] * b[0][j], w_u = a[1][i] * b[0][j], w_v = a[0][i] * b[1][j];
+            jet->r[c] += w * p[0];
+            jet->u[c] += w_u * p[0] + w * p[1];
+            jet->v[c] += w_v * p[0] + w * p[2];
+            jet->uu[c] += a[2][i] * b[0][j] * p[0] + 2 * w_u * p[1] + w * p[3];
+            jet->uv[c] += a[1][i] * b[1][j] * p[0] + w_u * p[2] + w_v * p[1] + w * p[4];
+            jet->vv[c] += a[0][i] * b[2][j] * p[0] + 2 * w_v * p[2] + w * p[5];
+        }
+}
+
+/* Newton's iteration from (u,v), until steps are rounding alone: tiny, or small and shrinking no more. */
+bool patch_polish(const struct patch_local *l, long double *u, long double *v, bool *minimum)
+{
+    long double last = INFINITY;
+    for (int i = 0; i < 50; i++) {
+        struct patch_jet jet;
+        patch_evaluate(l, *u, *v, &jet);
+        const long double f1 = patch_dot(jet.u, jet.r), f2 = patch_dot(jet.v, jet.r);
+        const long double h11 = patch_dot(jet.u, jet.u) + patch_dot(jet.uu, jet.r),
+                          h22 = patch_dot(jet.v, jet.v) + patch_dot(jet.vv, jet.r);
+        const long double h12 = patch_dot(jet.u, jet.v) + patch_dot(jet.uv, jet.r), det = h11 * h22 - h12 * h12;
+        *minimum = det > 0 && h11 > 0;
+        const long double du = (h12 * f2 - h22 * f1) / det, dv = (h12 * f1 - h11 * f2) / det;
+        const long double step = fabsl(du) + fabsl(dv);
+        if (!isfinite(step))
+            return false;
+        *u += du;
+        *v += dv;
+        if (step <= 4 * LDBL_EPSILON || (step < 1e-12L && step >= last))
+            return true;
+        last = step;
+    }
+    return false;
+}
+
+struct stationary patch_point_at(const struct patch_local *l, long double u, long double v, bool minimum)
+{
+    struct patch_jet jet;
+    patch_evaluate(l, u, v, &jet);
+    return (struct stationary){.xi = (double)(2 * u - 1),
+                               .eta = (double)(2 * v - 1),
+                               .distance = (double)(l->size * sqrtl(patch_dot(jet.r, jet.r))),
+                               .minimum = minimum};
+}

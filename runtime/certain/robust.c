@@ -1,0 +1,279 @@
+/* The closest point of a segment, with certainty: the iteration-free search; one step of Newton's method with the proof
+ * of certify.c; and the test that no other point is nearer.  On ordinary meshes that is all.  Where a foot point is not
+ * inside, the nearest point of the four edges is tried, with the same test.  Else all candidates are compared with
+ * twice the digits: the nearest points of the edges, and all stationary points, a list that stationary.c proves
+ * complete. */
+#include "stationary.h"
+
+#include "../../generated/footpoint_quad4.h"
+
+#define ACCURACY 0x1p-36    /* of m1 xi and m2 eta, over m: 1e-10 of the edge in space needs no more */
+#define SAME_POINT 1e-10    /* points of space that near, over m, are one */
+#define TIE 0x1p-34         /* over m: distances that differ by less are equal; below 1e-10 */
+#define SAME_SQUARE 0x1p-96 /* of distances, over themselves and m^2: what rounding of xi and eta may hide */
+#define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
+#define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
+
+enum { STEPS = 4, EDGES = 4, MOST = STATIONARY_MOST + EDGES };
+
+struct answer {
+    double loc[2], dist;
+};
+
+/* The nearest point of an edge. */
+struct edge_point {
+    double loc[2], d[3], square;
+};
+
+static double signed_length(const double a[3], const double b[3], const double d[3])
+{
+    double n[3];
+    vector_cross(a, b, n);
+    const double size = sqrt(vector_dot(d, d));
+    return vector_dot(n, d) < 0.0 ? -size : size;
+}
+
+/* From near a foot point to it, by Newton's method.  1 if it is proved, lies in the segment, and nothing is nearer. */
+static int find_foot(const struct bilinear *f, double xi, double eta, struct answer *answer)
+{
+    for (int n = 0; n < STEPS; n++) {
+        struct bilinear_point p;
+        struct bilinear_proof proof;
+        if (!(fabs(xi) <= FAR_START && fabs(eta) <= FAR_START))
+            return 0;
+        const int proved = footpoint_bilinear_prove(f, xi, eta, &p, &proof);
+        if (proved < 0)
+            return 0;
+        const double x = xi + proof.move[0], y = eta + proof.move[1];
+        if (proved && proof.radius_after <= ACCURACY * f->m) {
+            const double u = bilinear_clamp(x), v = bilinear_clamp(y);
+            if (fabs(u - x) * f->m1 > proof.radius_after || fabs(v - y) * f->m2 > proof.radius_after ||
+                !footpoint_bilinear_is_nearest(f, &p, xi, eta, proof.radius, 0.0))
+                return 0;
+            for (int i = 0; i < 3; i++)
+                p.d[i] -= p.a[i] * (u - xi) + (p.b[i] + f->c3[i] * (u - xi)) * (v - eta);
+            answer->loc[0] = u;
+            answer->loc[1] = v;
+            answer->dist = signed_length(p.a, p.b, p.d);
+            return 1;
+        }
+        xi = x;
+        eta = y;
+    }
+    return 0;
+}
+
+/* The nearest point of edge k, in the order AB, DC, AD, BC. */
+static void nearest_of_edge(const struct bilinear *f, int k, struct edge_point *c)
+{
+    const double *const along = k == 0 ? f->ab : k == 1 ? f->dc : k == 2 ? f->ad : f->bc;
+    const double *const start = k == 1 ? f->ad : k == 3 ? f->ab : NULL;
+    double from[3];
+    for (int i = 0; i < 3; i++)
+        from[i] = start ? f->as[i] - start[i] : f->as[i];
+    const double square = vector_dot(along, along), product = vector_dot(along, from);
+    const double t = product <= 0.0 || !(square > 0.0) ? 0.0 : product >= square ? 1.0 : product / square;
+    for (int i = 0; i < 3; i++)
+        c->d[i] = from[i] - t * along[i];
+    c->square = vector_dot(c->d, c->d);
+    c->loc[k > 1] = 2.0 * t - 1.0;
+    c->loc[k <= 1] = k & 1 ? 1.0 : -1.0;
+}
+
+/* At the end `at` of its range, -1 or 1, a coordinate leads away from xS if it turns back into the segment: the slope
+ * is a . d or b . d, beyond which rounding is `error`. */
+static int leads_away(double at, double slope, double error)
+{
+    return at <= -1.0 ? slope < -error : at >= 1.0 && slope > error;
+}
+
+static int leads_nearer(double at, double slope, double error)
+{
+    return at <= -1.0 ? slope > error : at >= 1.0 && slope < -error;
+}
+
+/* A point that is nearest on its edge stays so if inside lies what is farther; at a corner one of two will do. */
+static int is_held(const struct bilinear *f, const double loc[2], const struct bilinear_point *p)
+{
+    const double error = p->error * f->m;
+    return (leads_away(loc[0], p->f1, error) || leads_away(loc[1], p->f2, error)) &&
+           !leads_nearer(loc[0], p->f1, error) && !leads_nearer(loc[1], p->f2, error);
+}
+
+/* The nearest point of the edges.  1 if nothing inside is nearer. */
+static int find_edge(const struct bilinear *f, struct answer *answer)
+{
+    struct edge_point best, c;
+    struct bilinear_point p;
+    nearest_of_edge(f, 0, &best);
+    for (int k = 1; k < EDGES; k++) {
+        nearest_of_edge(f, k, &c);
+        if (c.square < best.square)
+            best = c;
+    }
+    bilinear_at(f, best.loc[0], best.loc[1], &p);
+    if ((fabs(best.loc[0]) < 1.0 && !(p.error <= ACCURACY * p.h11)) ||
+        (fabs(best.loc[1]) < 1.0 && !(p.error <= ACCURACY * p.h22)))
+        return 0; /* rounding may move it that far along the edge */
+    if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
+        return 0;
+    answer->loc[0] = best.loc[0];
+    answer->loc[1] = best.loc[1];
+    answer->dist = signed_length(p.a, p.b, best.d);
+    return 1;
+}
+
+/* A candidate: r is right to `reach`, over m, or any of several points that near to each other; `least` if it may be a
+ * local minimum. */
+struct candidate {
+    double loc[2], d[3], reach, variation;
+    struct twofold square; /* of the distance, which may be less by variation x m where there are several */
+    int edge, least;
+};
+
+/* The candidate at its loc: what (7), (8) and the Hessian say with twice the digits, so that what is left is that loc
+ * itself is rounded.  A local minimum it cannot be if the distance falls into the segment, or if it is a saddle. */
+static void complete(const double *const x[5], const struct bilinear *f, struct candidate *c)
+{
+    struct bilinear_wide w;
+    footpoint_bilinear_wide_at(x, f->exponent, c->loc, &w);
+    const struct twofold h11 = twofold_dot(w.a, w.a), h22 = twofold_dot(w.b, w.b);
+    const struct twofold h12 = twofold_subtract(twofold_dot(w.a, w.b), twofold_dot(w.c, w.d));
+    const double turn = fabs(h12.high), noise = 8.0 * (BILINEAR_UNIT + c->reach);
+    for (int i = 0; i < 3; i++)
+        c->d[i] = w.d[i].high;
+    c->square = twofold_dot(w.d, w.d);
+    if (c->edge) {
+        c->least = !leads_nearer(c->loc[0], twofold_dot(w.a, w.d).high, noise * (turn + h11.high)) &&
+                   !leads_nearer(c->loc[1], twofold_dot(w.b, w.d).high, noise * (turn + h22.high));
+        return;
+    }
+    const double determinant = twofold_subtract(twofold_multiply(h11, h22), twofold_multiply(h12, h12)).high;
+    const double bend = 8.0 * (fabs(twofold_dot(w.a, w.c).high) + fabs(twofold_dot(w.b, w.c).high));
+    c->least = determinant > -noise * (h11.high * h22.high + turn * turn + bend * (turn + h11.high + h22.high));
+}
+
+/* The nearest point of edge k, in the order AB, DC, AD, BC. */
+static void nearest_of_edge_widely(const double *const x[5], const struct bilinear *f, int k, struct candidate *c)
+{
+    static const int end[][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
+    struct twofold along[3], from[3];
+    for (int i = 0; i < 3; i++) {
+        along[i] = bilinear_difference(x[end[k][1]][i], x[end[k][0]][i], f->exponent);
+        from[i] = bilinear_difference(x[4][i], x[end[k][0]][i], f->exponent);
+    }
+    const struct twofold square = twofold_dot(along, along);
+    const double t = square.high > 0.0 ? twofold_divide(twofold_dot(along, from), square).high : 0.0;
+    c->loc[k > 1] = bilinear_clamp(2.0 * t - 1.0);
+    c->loc[k <= 1] = k & 1 ? 1.0 : -1.0;
+    c->edge = 1;
+    c->reach = c->variation = 0.0;
+    complete(x, f, c);
+}
+
+static int list_all(const double *const x[5], const struct bilinear *f, struct candidate c[])
+{
+    struct stationary_point point[STATIONARY_MOST];
+    const int inside = footpoint_bilinear_stationary(x, f, point);
+    for (int k = 0; k < EDGES; k++)
+        nearest_of_edge_widely(x, f, k, &c[k]);
+    for (int k = 0; k < inside; k++) {
+        struct candidate *const to = &c[EDGES + k];
+        to->loc[0] = point[k].z[0];
+        to->loc[1] = point[k].z[1];
+        to->reach = point[k].reach;
+        to->variation = point[k].variation;
+        to->edge = 0;
+        complete(x, f, to);
+    }
+    return EDGES + inside;
+}
+
+/* Square of the distance of b less that of a. */
+static double rise(const struct candidate *a, const struct candidate *b)
+{
+    return twofold_subtract(b->square, a->square).high;
+}
+
+/* Whether another candidate is another point, and as near. */
+static int is_tied(const struct bilinear *f, const struct candidate *best, const struct candidate *c)
+{
+    double apart[3];
+    vector_sub(c->d, best->d, apart);
+    const double both = sqrt(best->square.high) + sqrt(c->square.high);
+    return c->least && bilinear_largest(apart) > SAME_POINT * f->m && rise(best, c) <= TIE * f->m * both;
+}
+
+/* Nearest of all candidates, of those as near a local minimum. */
+static int compare_all(const double *const x[5], const struct bilinear *f, struct answer *answer)
+{
+    struct candidate c[MOST];
+    const int all = list_all(x, f, c);
+    int best = 0;
+    for (int k = 1; k < all; k++) {
+        const double higher = rise(&c[best], &c[k]), same = SAME_SQUARE * (c[best].square.high + f->m * f->m);
+        if (higher < -same || (higher <= same && c[k].least > c[best].least) || (higher < 0.0 && c[k].least))
+            best = k;
+    }
+    struct bilinear_point p;
+    bilinear_at(f, c[best].loc[0], c[best].loc[1], &p);
+    answer->loc[0] = c[best].loc[0];
+    answer->loc[1] = c[best].loc[1];
+    answer->dist = signed_length(p.a, p.b, c[best].d);
+    if (!footpoint_bilinear_has_area(f)) {
+        answer->dist = fabs(answer->dist);
+        return FOOTPOINT_ERR_DEGENERATE;
+    }
+    if (!c[best].least)
+        return FOOTPOINT_UNPROVED;
+    for (int k = 0; k < all; k++)
+        if (sqrt(c[k].square.high) - c[k].variation * f->m < sqrt(c[best].square.high) - TIE * f->m)
+            return FOOTPOINT_UNPROVED;
+    for (int k = 0; k < all; k++)
+        if (k != best && is_tied(f, &c[best], &c[k]))
+            return FOOTPOINT_NOT_UNIQUE;
+    return c[best].reach > SAME_POINT ? FOOTPOINT_NOT_UNIQUE : c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+}
+
+/* All corners are one. */
+static int nearest_of_point(const double xA[3], const double xS[3], double loc[2], double *dist)
+{
+    double d[3], most = 0.0;
+    for (int i = 0; i < 3; i++) {
+        d[i] = 0.5 * xS[i] - 0.5 * xA[i];
+        most = bilinear_larger(most, fabs(d[i]));
+    }
+    if (most > 0.25 * DBL_MAX)
+        return FOOTPOINT_ERR_DOMAIN;
+    for (int i = 0; i < 3; i++)
+        d[i] = most > 0.0 ? d[i] / most : 0.0;
+    loc[0] = loc[1] = 0.0;
+    *dist = 2.0 * most * sqrt(vector_dot(d, d));
+    return FOOTPOINT_ERR_DEGENERATE;
+}
+
+int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
+                     double loc[2], double *dist)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    struct bilinear f;
+    struct answer answer;
+    int status = footpoint_bilinear_of(xA, xB, xC, xD, xS, &f);
+    if (status == FOOTPOINT_ERR_DEGENERATE)
+        return nearest_of_point(xA, xS, loc, dist);
+    if (status != FOOTPOINT_OK)
+        return status;
+    double xi = 0.0, eta = 0.0;
+    if (f.exponent == 0)
+        footpoint_quad4_precise_at(xA, xB, xC, xD, xS, &xi, &eta);
+    if (!find_foot(&f, xi, eta, &answer))
+        status = find_edge(&f, &answer) ? FOOTPOINT_OUTSIDE : compare_all(x, &f, &answer);
+    if (f.exponent != 0)
+        answer.dist = ldexp(answer.dist, f.exponent);
+    if (!isfinite(answer.dist))
+        return FOOTPOINT_ERR_DOMAIN;
+    loc[0] = answer.loc[0];
+    loc[1] = answer.loc[1];
+    *dist = answer.dist;
+    return status;
+}

@@ -1,0 +1,169 @@
+/* What a caller pays: functions of generated/footpoint_quad4.h bare (NAME_at), checked with gap and status (NAME) and
+ * over arrays (NAME_n), and the library's checked searches, beside Newton's iteration until it stands, written by hand,
+ * bare and with the same checks.  Interleaved in one run on ordinary segments; prints lines
+ *     call,ns,ratio       ns: least a search; ratio: Newton's ns / this one's, checked beside checked
+ * The header and Newton are compiled with this file's flags; tests/long/calls.sh runs it. */
+#include "../../generated/footpoint_quad4.h"
+#include "../../runtime/footpoint.h"
+#include "../hard/hard.h"
+#include "../rivals/rivals_converged.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <time.h>
+
+enum { CASES = 2048, ROUNDS = 400, STEPS = 50 };
+
+static struct hard_case cases[CASES];
+static double column[15][CASES], xyz[5 * CASES][3], loc[CASES][2], xi[CASES], eta[CASES], gap[CASES];
+static const double *columns[15];
+static int seg[CASES][4], slave[CASES], status[CASES];
+
+#define NODES(i) xyz[5 * (i)], xyz[5 * (i) + 1], xyz[5 * (i) + 2], xyz[5 * (i) + 3], xyz[5 * (i) + 4]
+
+static void newton_at(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = rival_newton(NODES(i), STEPS, RIVAL_NEWTON_TOLERANCE, &xi[i], &eta[i]) == 0;
+}
+
+/* With status and gap along the normal, as a caller of NAME gets them: written by hand. */
+static int newton_one(const double *const x[5], double *u, double *v, double *distance)
+{
+    double n[3], a[3], b[3], d[3], area = 0, finite = 0;
+    for (int k = 0; k < 5; k++)
+        for (int j = 0; j < 3; j++)
+            finite += x[k][j] - x[k][j];
+    if (!rival_newton(x[0], x[1], x[2], x[3], x[4], STEPS, RIVAL_NEWTON_TOLERANCE, u, v))
+        return finite == 0 ? FOOTPOINT_ERR_NO_CONVERGENCE : FOOTPOINT_ERR_NOT_FINITE;
+    for (int j = 0; j < 3; j++) {
+        const double ab = x[1][j] - x[0][j], ad = x[3][j] - x[0][j], m = x[2][j] - x[3][j] - ab;
+        const double s = 0.5 + 0.5 * *u, t = 0.5 + 0.5 * *v;
+        a[j] = ab + t * m;
+        b[j] = ad + s * m;
+        d[j] = x[4][j] - x[0][j] - s * ab - t * b[j];
+    }
+    for (int j = 0; j < 3; j++) {
+        n[j] = a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3];
+        area += n[j] * n[j];
+    }
+    *distance = (d[0] * n[0] + d[1] * n[1] + d[2] * n[2]) / sqrt(area);
+    return finite != 0 ? FOOTPOINT_ERR_NOT_FINITE : area > 0 ? FOOTPOINT_OK : FOOTPOINT_ERR_DEGENERATE;
+}
+
+static void newton(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double *const nodes[5] = {NODES(i)};
+        double u, v, g;
+        status[i] = newton_one(nodes, &u, &v, &g);
+        if (status[i] == FOOTPOINT_OK) {
+            loc[i][0] = u;
+            loc[i][1] = v;
+            gap[i] = g;
+        }
+    }
+}
+
+#define TIER(name)                                                                                                     \
+    static void name##_at(void)                                                                                        \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES; i++)                                                                                \
+            footpoint_quad4_##name##_at(NODES(i), &xi[i], &eta[i]);                                                    \
+    }                                                                                                                  \
+    static void name(void)                                                                                             \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES; i++)                                                                                \
+            status[i] = footpoint_quad4_##name(NODES(i), loc[i], &gap[i]);                                             \
+    }                                                                                                                  \
+    static void name##_n(void)                                                                                         \
+    {                                                                                                                  \
+        footpoint_quad4_##name##_n(CASES, columns, xi, eta);                                                           \
+    }
+TIER(fast)
+TIER(coarse)
+TIER(gauss2)
+TIER(medium)
+TIER(balanced)
+TIER(fine)
+TIER(precise)
+TIER(accurate)
+TIER(full)
+
+static void call_locate(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_locate(NODES(i), loc[i], &gap[i]);
+}
+
+static void call_locate_pairs(void)
+{
+    (void)footpoint_locate_pairs(CASES, xyz[0], (size_t)5 * CASES, seg[0], slave, loc[0], gap, status);
+}
+
+static void call_robust(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_robust(NODES(i), loc[i], &gap[i]);
+}
+
+/* clang-format off */
+#define ROW(name, against) {#name, name, against}
+#define ROWS(name) ROW(name##_at, 0), ROW(name, 1), ROW(name##_n, 0)
+/* clang-format on */
+static const struct call {
+    const char *name;
+    void (*run)(void);
+    int against; /* row that it is compared with */
+} calls[] = {
+    ROW(newton_at, 0),
+    ROW(newton, 1),
+    ROWS(fast),
+    ROWS(coarse),
+    ROWS(gauss2),
+    ROWS(medium),
+    ROWS(balanced),
+    ROWS(fine),
+    ROWS(precise),
+    ROWS(accurate),
+    ROWS(full),
+    {"footpoint_locate", call_locate, 1},
+    {"footpoint_locate_pairs", call_locate_pairs, 1},
+    {"footpoint_robust", call_robust, 1},
+};
+enum { CALLS = sizeof calls / sizeof *calls };
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int main(void)
+{
+    double least[CALLS];
+    for (int i = 0; i < CASES; i++) {
+        hard_draw(0, 1, (uint64_t)i, &cases[i]);
+        for (int k = 0; k < 5; k++)
+            for (int j = 0; j < 3; j++)
+                xyz[5 * i + k][j] = column[3 * k + j][i] = cases[i].x[k][j];
+        for (int k = 0; k < 4; k++)
+            seg[i][k] = 5 * i + k;
+        slave[i] = 5 * i + 4;
+    }
+    for (int k = 0; k < 15; k++)
+        columns[k] = column[k];
+    for (int c = 0; c < CALLS; c++)
+        least[c] = HUGE_VAL;
+    for (int round = 0; round < ROUNDS; round++)
+        for (int c = 0; c < CALLS; c++) {
+            const double start = seconds();
+            calls[c].run();
+            least[c] = fmin(least[c], seconds() - start);
+        }
+    printf("call,ns,ratio\n");
+    for (int c = 0; c < CALLS; c++)
+        printf("%s,%.1f,%.1f\n", calls[c].name, 1e9 * least[c] / CASES, least[calls[c].against] / least[c]);
+    return 0;
+}

@@ -1,0 +1,564 @@
+/* Enclosures and error bounds against exact values: intervals, random programs, known programs, the genomes.  With
+ * FOOTPOINT_LONG set, at a million points each. */
+#include "../../codegen/bound/rounding_bound.h"
+#include "../../codegen/compile/compile.h"
+#include "../../codegen/bound/evidence.h"
+#include "../../codegen/bound/enclosure.h"
+#include "../../codegen/program/evaluate.h"
+#include "../../codegen/bound/rounding.h"
+#include "../support/genome_text.h"
+
+#include <dirent.h>
+#include <float.h>
+#include <math.h>
+
+enum { INPUTS = 3, OPS = 24, PROGRAMS = 400, BOXES = 6, POINTS = 8, INTERVALS = 100000 };
+
+static long sample_count(void)
+{
+    return getenv("FOOTPOINT_LONG") ? 1000000 : 3000;
+}
+
+static double fraction(uint64_t *seed)
+{
+    return (double)(random_next(seed) >> 11) * 0x1p-53;
+}
+
+/* ---- intervals ---- */
+
+/* Zeros, small whole numbers, any exponent, the smallest and the largest. */
+static double odd_number(uint64_t *seed)
+{
+    static const double special[] = {0, 1, -1, 2, 0x1p-1074, -0x1p-1074, DBL_MIN, DBL_MAX, -DBL_MAX, 0.5};
+    const uint64_t kind = random_next(seed) % 4;
+    if (kind == 0)
+        return special[random_next(seed) % 10];
+    if (kind == 1)
+        return (double)(random_next(seed) % 9) - 4;
+    return (2 * fraction(seed) - 1) * ldexp(1, kind == 2 ? 4 : (int)(random_next(seed) % 2000) - 1020);
+}
+
+static struct interval odd_interval(uint64_t *seed)
+{
+    const double a = odd_number(seed), b = random_next(seed) % 4 ? odd_number(seed) : a;
+    return (struct interval){fmin(a, b), fmax(a, b)};
+}
+
+static double inside(struct interval x, uint64_t *seed)
+{
+    const double t = fraction(seed), y = x.lo * (1 - t) + x.hi * t;
+    const uint64_t kind = random_next(seed) % 3;
+    return kind == 0 ? x.lo : kind == 1 ? x.hi : fmin(fmax(y, x.lo), x.hi);
+}
+
+static bool encloses(struct interval x, const arb_t exact)
+{
+    arf_t end;
+    bool good;
+    arf_init(end);
+    arb_get_ubound_arf(end, exact, 128);
+    good = arf_cmp_d(end, x.lo) >= 0;
+    arb_get_lbound_arf(end, exact, 128);
+    good = good && arf_cmp_d(end, x.hi) <= 0;
+    arf_clear(end);
+    return good;
+}
+
+static void test_intervals(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    arb_t a, b, c;
+    arb_init(a);
+    arb_init(b);
+    arb_init(c);
+    for (int i = 0; i < INTERVALS; i++) {
+        const struct interval x = odd_interval(&seed), y = odd_interval(&seed);
+        arb_set_d(a, inside(x, &seed));
+        arb_set_d(b, inside(y, &seed));
+        arb_add(c, a, b, 2200);
+        assert_true(encloses(interval_add(x, y), c));
+        arb_sub(c, a, b, 2200);
+        assert_true(encloses(interval_subtract(x, y), c));
+        arb_mul(c, a, b, 2200);
+        assert_true(encloses(interval_multiply(x, y), c));
+        arb_mul(c, a, a, 2200);
+        assert_true(encloses(interval_square(x), c));
+        arb_div(c, a, b, 2200);
+        assert_true(arb_is_zero(b) || encloses(interval_divide(x, y), c));
+        arb_sqrt(c, a, 2200);
+        assert_true(!arb_is_nonnegative(a) || encloses(interval_root(x), c));
+        arb_abs(c, a);
+        assert_true(encloses(interval_absolute(x), c));
+        assert_true(interval_has(x, interval_middle(x)));
+        assert_true(!signbit(interval_least(x)) && !signbit(interval_least(interval_negative(x))));
+    }
+    arb_clear(a);
+    arb_clear(b);
+    arb_clear(c);
+}
+
+/* ---- random programs ---- */
+
+static const char ranges[] = "footpoint-genome 1\ninput x y z\nrange x -1 2\nrange y 0.5 1\nrange z -3 -0.1\n%s"
+                             "genome g\nr = 0\nend\n";
+
+static int add(struct program *p, struct op op)
+{
+    grow_array(&p->op, p->ops, &p->op_room, sizeof *p->op);
+    p->op[p->ops] = op;
+    return (int)p->ops++;
+}
+
+static void add_constant(struct program *p, uint64_t *seed)
+{
+    const bool quotient = random_next(seed) % 3 == 0;
+    grow_array(&p->constant, p->constants, &p->constant_room, sizeof *p->constant);
+    fmpq_init(&p->constant[p->constants]);
+    fmpq_set_si(&p->constant[p->constants], (slong)(random_next(seed) % 41) - 20, quotient ? 7 : 10);
+    add(p, (struct op){.kind = OP_CONSTANT, .a = -1, .b = -1, .input = (int)p->constants++, .quotient = quotient});
+}
+
+/* All operations are outputs. */
+static struct program *random_program(uint64_t *seed)
+{
+    static const enum op_kind kind[] = {OP_ADD, OP_ADD, OP_SUB, OP_SUB, OP_MUL, OP_MUL,  OP_MUL,
+                                        OP_DIV, OP_NEG, OP_ABS, OP_MIN, OP_MAX, OP_SQRT, OP_PDIV};
+    struct program *p = new_array(1, sizeof *p);
+    p->inputs = INPUTS;
+    for (int i = 0; i < INPUTS; i++)
+        add(p, (struct op){.kind = OP_INPUT, .a = -1, .b = -1, .input = i});
+    while (p->ops < OPS) {
+        if (random_next(seed) % 6 == 0) {
+            add_constant(p, seed);
+            continue;
+        }
+        struct op op = {.kind = kind[random_next(seed) % 14], .b = -1, .input = -1};
+        op.a = (int)(random_next(seed) % p->ops);
+        if (op.kind != OP_NEG && op.kind != OP_ABS && op.kind != OP_SQRT)
+            op.b = (int)(random_next(seed) % p->ops);
+        op.squared = op.kind == OP_MUL && op.a == op.b;
+        add(p, op);
+    }
+    p->output = new_array(p->ops, sizeof *p->output);
+    for (; p->outputs < p->ops; p->outputs++)
+        p->output[p->outputs] = (int)p->outputs;
+    return p;
+}
+
+/* Exact values of operations 0..op, where they have some; false if `op` has none. */
+static bool exact_values(struct program *p, int op, const double *input, arb_ptr exact)
+{
+    const size_t ops = p->ops, outputs = p->outputs;
+    p->ops = p->outputs = (size_t)op + 1;
+    const bool good = point_exact(p, input, exact);
+    p->ops = ops;
+    p->outputs = outputs;
+    return good;
+}
+
+/* A box inside the ranges; often one that ends at 0, which may have a sign. */
+static void random_box(const struct region *r, uint64_t *seed, struct interval *box)
+{
+    for (size_t k = 0; k < r->variables; k++) {
+        const struct interval range = r->range[r->input[k]];
+        const double a = inside(range, seed), b = inside(range, seed), shrink = random_next(seed) % 2 ? 1 : 1e-3;
+        box[k] = (struct interval){fmin(a, a + shrink * (b - a)), fmax(a, a + shrink * (b - a))};
+        if (range.lo <= 0 && range.hi >= 0 && random_next(seed) % 3 == 0) {
+            const double zero = random_next(seed) % 2 ? 0.0 : -0.0;
+            box[k] = box[k].hi > 0 ? (struct interval){zero, box[k].hi} : (struct interval){box[k].lo, zero};
+        }
+    }
+}
+
+struct subject {
+    struct genome_file *file;
+    struct program *program;
+    struct region *region;
+    double *input, *at, *value; /* owned */
+    struct interval *box;       /* owned */
+    arb_ptr exact;              /* owned: by output */
+};
+
+static struct subject subject_new(const char *text, struct program *p)
+{
+    struct subject s = {.file = parse(text), .program = p};
+    s.region = region_new(s.file, p);
+    s.input = new_array(p->inputs, sizeof *s.input);
+    s.at = new_array(p->inputs, sizeof *s.at);
+    s.value = new_array(p->ops, sizeof *s.value);
+    s.box = new_array(p->inputs, sizeof *s.box);
+    s.exact = _arb_vec_init((slong)p->outputs);
+    point_constants(p, s.value);
+    return s;
+}
+
+static void subject_free(struct subject *s)
+{
+    _arb_vec_clear(s->exact, (slong)s->program->outputs);
+    free(s->input);
+    free(s->at);
+    free(s->value);
+    free(s->box);
+    region_free(s->region);
+    program_free(s->program);
+    genome_file_free(s->file);
+}
+
+static void point_in(struct subject *s, uint64_t *seed)
+{
+    for (size_t k = 0; k < s->region->variables; k++)
+        s->at[k] = inside(s->box[k], seed);
+    region_inputs(s->region, s->at, s->input);
+}
+
+static double distance(double x, const arb_t exact)
+{
+    arb_t d;
+    arb_init(d);
+    arb_set_d(d, x);
+    arb_sub(d, d, exact, 128);
+    const double far = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR));
+    arb_clear(d);
+    return isfinite(x) ? far : INFINITY;
+}
+
+/* One box: all values at points of it are in their ranges, and the last one's errors below its bound. */
+static void check_box(struct subject *s, struct forms *w, struct rounding *e, uint64_t *seed, long *bounded)
+{
+    const int last = (int)s->program->ops - 1;
+    if (!forms_evaluate(w, s->box))
+        return;
+    const double bound = rounding_error(e);
+    for (int i = 0; i < POINTS; i++) {
+        struct interval point[INPUTS];
+        bool member = true;
+        point_in(s, seed);
+        for (size_t k = 0; k < s->region->variables; k++) {
+            point[k] = interval_point(s->at[k]);
+            member = member && interval_has(s->box[k], s->input[s->region->input[k]]);
+        }
+        if (!member || !region_holds(s->region, point) || !exact_values(s->program, last, s->input, s->exact))
+            continue;
+        for (int op = 0; op <= last; op++)
+            for (size_t n = 0; n < w->needs; n++)
+                if (w->needed[n] == region_op(s->region, op))
+                    assert_true(encloses(w->range[w->needed[n]], s->exact + op));
+        for (int k = 0; k < 4; k++) {
+            point_double(s->program, s->input, k ? seed : NULL, s->value);
+            const double error = distance(s->value[last], s->exact + last);
+            if (!(error <= bound))
+                fail_msg("error %a, bound %a", error, bound);
+        }
+        *bounded += bound < INFINITY;
+    }
+}
+
+static void check_random_programs(const char *requires)
+{
+    uint64_t seed = 5;
+    long bounded = 0;
+    char text[1000];
+    snprintf(text, sizeof text, ranges, requires);
+    for (int i = 0; i < PROGRAMS; i++) {
+        struct subject s = subject_new(text, random_program(&seed));
+        const int last = region_op(s.region, (int)s.program->ops - 1);
+        struct forms *w = forms_new(s.region, last);
+        struct rounding *e = rounding_new(w, last);
+        for (int k = 0; k < BOXES; k++) {
+            random_box(s.region, &seed, s.box);
+            check_box(&s, w, e, &seed, &bounded);
+        }
+        rounding_free(e);
+        forms_free(w);
+        subject_free(&s);
+    }
+    assert_true(bounded > PROGRAMS); /* enough of them have a bound */
+}
+
+static void test_random_programs(void **state)
+{
+    (void)state;
+    check_random_programs("");
+}
+
+static void test_random_programs_with_requires(void **state)
+{
+    (void)state;
+    check_random_programs("require - x * 0.5 y\nrequire - + 1 x abs - y 0.7\nrequire + * x y * 2 y\n");
+}
+
+/* ---- known programs ---- */
+
+struct known {
+    const char *ranges, *code;
+    double tight; /* the bound is at most so many times the worst error found */
+};
+
+#define BOX_2 "range a -1 1\nrange b -1 1"
+#define BOX_6 "range a 1 2\nrange b 1 2\nrange c 1 2\nrange d -1 1\nrange e -1 1\nrange f -1 1"
+
+static const struct known known[] = {
+    {BOX_2, "*out_r = in_a + in_b;", 2.5},
+    {BOX_2, "*out_r = in_a * in_b;", 2.5},
+    {BOX_2, "*out_r = 1.5 + in_a * (-0.3 + in_a * (0.7 + in_a * 1.1));", 3.5},
+    {BOX_2, "*out_r = in_a * in_a * in_a - 3.0 * in_a * in_b * in_b + 0.1 * in_b;", 4},
+    {BOX_2, "const double t1 = in_a + in_b;\n*out_r = t1 + t1 - in_a * in_b;", 2.5},
+    {BOX_2, "const double t1 = in_a * in_b;\n*out_r = t1 + t1;", 5}, /* fma(a, b, t1) is not exact */
+    {BOX_2, "const double t1 = in_a * in_b;\n*out_r = (t1 - t1) * 1000000.0 + t1;", 5},
+    {BOX_2, "*out_r = in_a / (2.5 + in_b);", 2.5},
+    {BOX_2, "*out_r = (in_a + in_b) / (in_a * in_a + in_b * in_b + 0.1);", 3},
+    {BOX_2, "*out_r = sqrt(in_a * in_a + in_b * in_b);", 2.5}, /* its derivative has no bound at 0 */
+    {BOX_2, "*out_r = sqrt(in_a * in_a + 1.0);", 2.5},
+    {BOX_2, "*out_r = (in_a < 0.3 ? in_a : 0.3) * (in_b > in_a ? in_b : in_a) + fabs(in_a - in_b);", 2.5},
+    {BOX_2, "*out_r = (7.0 / 3.0) * in_a + 0.1 * in_b;", 2.5},
+    {BOX_2, "*out_r = -(in_a * in_a);", 2.5}, /* 0 is at the ends of boxes, and may have a sign */
+    {BOX_2, "const double u1 = 3.0 * in_b;\n*out_r = fabs(in_b) * (u1 < in_a ? u1 : in_a);", 2.5},
+    {BOX_6,
+     "const double t1 = in_a * in_b - in_d * in_e;\nconst double t2 = 1.0 / t1;\n"
+     "*out_r = t2 * (in_f * in_b - in_d * in_c);\n",
+     INFINITY}, /* t1 vanishes at a corner */
+    {BOX_6,
+     "const double t1 = in_a * in_b + in_d * in_e + 1.0;\nconst double t2 = 1.0 / t1;\n"
+     "*out_r = t2 * (in_f * in_b - in_d * in_c);\n",
+     8},
+    {BOX_6 "\nrequire - - * a b * d e 0.5",
+     "const double t1 = in_a * in_b - in_d * in_e;\nconst double t2 = 1.0 / t1;\n"
+     "*out_r = t2 * (in_f * in_b - in_d * in_c);\n",
+     8},
+};
+
+/* Some coordinates anew, each kept with a chance of `keep`; a quarter of the new ones are ends of their ranges. */
+static void move(struct subject *s, double keep, uint64_t *seed)
+{
+    for (size_t k = 0; k < s->region->variables; k++) {
+        const size_t input = s->region->input[k];
+        const struct interval range = s->region->doubles[input];
+        const uint64_t choice = random_next(seed) % 8;
+        if (fraction(seed) < keep)
+            continue;
+        const double x = range.lo + (fraction(seed) + fraction(seed) * 0x1p-51) * (range.hi - range.lo);
+        s->at[k] = choice == 0 ? range.lo : choice == 1 ? range.hi : fmin(x, range.hi);
+    }
+    region_inputs(s->region, s->at, s->input);
+}
+
+static bool in_region(struct subject *s)
+{
+    for (size_t k = 0; k < s->region->variables; k++)
+        s->box[k] = interval_point(s->at[k]);
+    return region_holds(s->region, s->box);
+}
+
+/* The worst error of each output at random points of the region.  Where few points of the box belong to it one leads to
+ * the next: from one to all coordinates are drawn anew, until that leaves the region no more. */
+static void worst_errors(struct subject *s, double *worst)
+{
+    static const double keep[] = {0, 0.5, 0.8, 0.95};
+    enum { TRIES = 200 }; /* for a point */
+    uint64_t seed = 11;
+    long left = 1000000, n = 0;
+    double *from = new_array(s->program->inputs, sizeof *from);
+    for (size_t i = 0; i < s->program->outputs; i++)
+        worst[i] = 0;
+    if (!region_draw(s->region, &seed, 0, &left, s->input))
+        fail_msg("no point of the region was found");
+    for (size_t k = 0; k < s->region->variables; k++)
+        from[k] = s->input[s->region->input[k]];
+    for (left = TRIES * sample_count(); n < sample_count() && left > 0; left--) {
+        memcpy(s->at, from, s->region->variables * sizeof *from);
+        move(s, keep[left % 4], &seed);
+        if (!in_region(s) || !point_exact(s->program, s->input, s->exact))
+            continue;
+        memcpy(from, s->at, s->region->variables * sizeof *from);
+        n++;
+        for (int k = 0; k < 2; k++) {
+            point_double(s->program, s->input, k ? &seed : NULL, s->value);
+            for (size_t i = 0; i < s->program->outputs; i++)
+                worst[i] = fmax(worst[i], distance(s->value[s->program->output[i]], s->exact + i));
+        }
+    }
+    free(from);
+    assert_int_equal(n, sample_count());
+}
+
+static void test_known_programs(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        char text[1000];
+        snprintf(text, sizeof text, "footpoint-genome 1\ninput a b c d e f\n%s\ngenome g\nr = 0\nend\n",
+                 known[i].ranges);
+        struct genome_file *f = parse(text);
+        struct program *p = read_program(f, 0, known[i].code);
+        struct subject s = subject_new(text, p);
+        const double bound = bound_error(s.region, region_op(s.region, p->output[0]), 20000);
+        double worst;
+        worst_errors(&s, &worst);
+        if (!(bound >= worst && (bound <= known[i].tight * worst)))
+            fail_msg("%s: bound %g, worst error %g", known[i].code, bound, worst);
+        subject_free(&s);
+        genome_file_free(f);
+    }
+}
+
+/* ---- the rows that a header tests itself with ---- */
+
+static void check_row(struct subject *s, const char *row, uint64_t *seed)
+{
+    const struct program *p = s->program;
+    double number[64];
+    size_t n = 0;
+    for (const char *at = strchr(row, '{'); *at != '}' && n < 64; n++) {
+        char *end;
+        number[n] = strtod(at + 1, &end);
+        assert_true(end > at + 1 && (*end == ',' || *end == '}'));
+        at = end;
+    }
+    assert_int_equal(n, p->inputs + 2 * p->outputs);
+    for (int k = 0; k < 4; k++) {
+        point_double(p, number, k ? seed : NULL, s->value);
+        for (size_t i = 0; i < p->outputs; i++)
+            assert_true(fabs(s->value[p->output[i]] - number[p->inputs + i]) <= number[p->inputs + p->outputs + i]);
+    }
+}
+
+static void test_rows(void **state)
+{
+    (void)state;
+    static const char text[] = "footpoint-genome 1\ninput x y z\nrange x 0.1 2\nrange y -3 3\n%s"
+                               "require - 2 * x y\ngenome g\nr = / - * x y 0.3 + x * z z\ns = sqrt + 1 * y z\nend\n";
+    uint64_t seed = 1;
+    for (int with = 0; with < 2; with++) {
+        char whole[400], *rows = NULL;
+        size_t size = 0;
+        struct diag d = {0};
+        struct compiled c;
+        struct compile_options o = compile_defaults();
+        o.effort = 0;
+        snprintf(whole, sizeof whole, text, with ? "range z 0 0.25\n" : "");
+        struct genome_file *f = parse(whole);
+        assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
+        struct program *p = read_program(f, 0, c.emission.text);
+        struct subject s = subject_new(whole, p);
+        struct evidence *e =
+            evidence_new(s.file, &s.file->genome[0], p, &(struct evidence_options){.samples = 100, .boxes = 100});
+        FILE *out = open_memstream(&rows, &size);
+        const int n = evidence_print_points(s.file, &s.file->genome[0], p, e, out);
+        fclose(out);
+        assert_int_equal(n, 8);
+        char *row = rows;
+        for (int i = 0; i < n; i++, row = strchr(row, '\n') + 1)
+            check_row(&s, row, &seed);
+        assert_string_equal(row, "");
+        free(rows);
+        free(c.emission.text);
+        evidence_free(e);
+        subject_free(&s);
+        genome_file_free(f);
+    }
+}
+
+/* ---- the generated headers ---- */
+
+/* The header that is made from a file of genomes. */
+static char *read_header(const char *file)
+{
+    char path[600], *text;
+    snprintf(path, sizeof path, "generated/footpoint_%.*s.h", (int)(strlen(file) - strlen(".gen")), file);
+    for (char *c = path; *c; c++)
+        *c = *c == '-' ? '_' : *c;
+    FILE *f = fopen(path, "r");
+    assert_non_null(f);
+    fseek(f, 0, SEEK_END);
+    const size_t size = (size_t)ftell(f);
+    text = new_array(size + 1, 1);
+    rewind(f);
+    assert_int_equal(fread(text, 1, size, f), size);
+    fclose(f);
+    return text;
+}
+
+/* The bound that a header claims for an output of a genome; infinite if it claims none. */
+static double claimed_bound(const char *header, const struct genome *g, size_t output)
+{
+    char start[200], line[200];
+    snprintf(start, sizeof start, "_%s\n *   genome_sha256:", g->name);
+    snprintf(line, sizeof line, "rounding error of %s: <= ", g->out[output].name);
+    const char *banner = strstr(header, start);
+    assert_non_null(banner);
+    const char *end = strstr(banner, "\n *\n"), *claim = strstr(banner, line);
+    if (!end)
+        end = strstr(banner, "\n */");
+    return claim && claim < end ? strtod(claim + strlen(line), NULL) : INFINITY;
+}
+
+static void check_genome(const struct genome_file *f, size_t k, const char *header)
+{
+    const struct compile_options o = compile_defaults();
+    const struct genome *g = &f->genome[k];
+    struct compiled c;
+    struct diag d = {0};
+    char *text = NULL;
+    size_t size = 0;
+    bool claims = false;
+    for (size_t i = 0; i < g->outs; i++)
+        claims = claims || claimed_bound(header, g, i) < INFINITY;
+    if (!claims)
+        return;
+    FILE *copy = open_memstream(&text, &size);
+    genome_print(f, copy);
+    fclose(copy);
+    assert_true(compile_genome(f, g, &o, &c, &d));
+    assert_true(strstr(header, "precision: float") || strstr(header, c.emission.text));
+    struct subject s = subject_new(text, read_program(f, k, c.emission.text));
+    double *worst = new_array(g->outs, sizeof *worst);
+    worst_errors(&s, worst);
+    for (size_t i = 0; i < g->outs; i++) {
+        const double bound = claimed_bound(header, g, i);
+        print_message("%s %s %s: bound %g, worst error %g\n", f->path, g->name, g->out[i].name, bound, worst[i]);
+        assert_true(!(worst[i] > bound));
+    }
+    free(worst);
+    subject_free(&s);
+    free(c.emission.text);
+    free(text);
+}
+
+/* No bound that a header claims is below an error. */
+static void test_headers(void **state)
+{
+    (void)state;
+    static const char folder[] = "evolve/genomes";
+    struct dirent **entry;
+    if (!getenv("FOOTPOINT_LONG"))
+        return; /* a matter of check-long */
+    const int n = scandir(folder, &entry, NULL, alphasort);
+    assert_true(n > 0);
+    for (int i = 0; i < n; i++) {
+        char path[600];
+        struct diag d = {0};
+        snprintf(path, sizeof path, "%s/%s", folder, entry[i]->d_name);
+        struct genome_file *f = strstr(path, ".gen") ? genome_read(path, &d) : NULL;
+        char *header = f ? read_header(entry[i]->d_name) : NULL;
+        for (size_t k = 0; f && k < f->genomes; k++)
+            check_genome(f, k, header);
+        free(header);
+        genome_file_free(f);
+        free(entry[i]);
+    }
+    free(entry);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_intervals),
+        cmocka_unit_test(test_random_programs),
+        cmocka_unit_test(test_random_programs_with_requires),
+        cmocka_unit_test(test_known_programs),
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_headers),
+    };
+    return cmocka_run_group_tests_name("bound", tests, NULL, NULL);
+}

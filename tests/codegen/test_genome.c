@@ -1,0 +1,160 @@
+/* Genome text: what is printed reads back as the same program, and random text ends in a program or a diagnostic. */
+#include "../../codegen/genome/genome.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const char sample[] = "footpoint-genome 1\n"
+                             "note scene made up # not a comment\n"
+                             "input x y\n"
+                             "input z\n"
+                             "let s = + x\n"
+                             "   y # a comment\n"
+                             "let t = sqrt abs s\n"
+                             "exchange x y\n"
+                             "function step x y s t\n"
+                             "genome one\n"
+                             "note error 0.5\n"
+                             "r = % * t -1.5e-2 min x max y 0.25\n"
+                             "q = neg z\n"
+                             "end\n";
+
+static char *print(const struct genome_file *f, size_t *size)
+{
+    char *text;
+    FILE *stream = open_memstream(&text, size);
+    genome_print(f, stream);
+    fclose(stream);
+    return text;
+}
+
+static void test_round_trip(void **state)
+{
+    (void)state;
+    struct diag d;
+    size_t size, again;
+    struct genome_file *f = genome_parse("sample", sample, sizeof sample - 1, &d);
+    assert_non_null(f);
+    char *text = print(f, &size);
+    struct genome_file *g = genome_parse("printed", text, size, &d);
+    assert_non_null(g);
+    char *twice = print(g, &again);
+    assert_string_equal(text, twice);
+    assert_int_equal(f->inputs, 3);
+    assert_int_equal(f->lets, 2);
+    assert_int_equal(g->exchanges, 1);
+    assert_int_equal(genome_find_function(g, "step"), 0);
+    assert_int_equal(g->function[0].to[1], genome_find_symbol(g, "t"));
+    assert_int_equal(g->genome[0].outs, 2);
+    assert_int_equal(g->genome[0].out[0].length, f->genome[0].out[0].length);
+    for (size_t i = 0; i < f->genome[0].out[0].length; i++)
+        assert_int_equal(g->genome[0].out[0].gene[i], f->genome[0].out[0].gene[i]);
+    assert_string_equal(genome_find_note(g->note, g->notes, "scene"), "made up # not a comment");
+    free(text);
+    free(twice);
+    genome_file_free(f);
+    genome_file_free(g);
+}
+
+static void test_long_expression_wraps(void **state)
+{
+    (void)state;
+    enum { N = 5001 };
+    struct diag d;
+    size_t size;
+    int gene[N];
+    struct genome_file *f = genome_file_new("long");
+    genome_add_input(f, "a_rather_long_name");
+    for (int i = 0; i < N; i++)
+        gene[i] = i < N / 2 ? GENE_ADD : GENE_SYMBOL;
+    struct genome *g = genome_add(f, "g");
+    genome_add_expr(&g->out, &g->outs, &g->out_room, "r", gene, N);
+    char *text = print(f, &size);
+    for (const char *line = text; *line;) {
+        const char *end = strchr(line, '\n');
+        assert_true(end - line <= 120);
+        line = end + 1;
+    }
+    struct genome_file *h = genome_parse("long", text, size, &d);
+    assert_non_null(h);
+    assert_memory_equal(h->genome[0].out[0].gene, gene, sizeof gene);
+    free(text);
+    genome_file_free(f);
+    genome_file_free(h);
+}
+
+static void test_span(void **state)
+{
+    (void)state;
+    const int gene[] = {GENE_ADD, GENE_MUL, -1, GENE_SYMBOL, GENE_NEG, GENE_SYMBOL};
+    assert_int_equal(gene_span(gene, 6), 6);
+    assert_int_equal(gene_span(gene + 1, 5), 3);
+    assert_int_equal(gene_span(gene + 4, 2), 2);
+    assert_int_equal(gene_span(gene, 5), 0);
+    assert_int_equal(gene_span(gene, 0), 0);
+}
+
+static void test_functions_of_frames(void **state)
+{
+    (void)state;
+    static const char *const bad[][2] = {
+        {"exchange x", "4:11: error: a value is missing here"},
+        {"exchange x 1", "4:12: error: '1' is not a value"},
+        {"exchange x y z", "4:14: error: 'z' is too much here"},
+        {"exchange x y\nexchange z y", "5:12: error: 'y' or its partner is exchanged already"},
+        {"function", "4:9: error: function without a name"},
+        {"function x x y s s", "4:10: error: name 'x' is defined already"},
+        {"function halves x y s s", "4:10: error: function 'halves' is defined already"},
+        {"function f x y s", "4:17: error: a value is missing here"},
+        {"function f x y s u", "4:18: error: unknown gene 'u'"},
+        {"function f x y s s\nfunction f x y s s", "5:10: error: function 'f' is defined already"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char text[200], wanted[100];
+        struct diag d;
+        snprintf(text, sizeof text, "footpoint-genome 1\ninput x y z\nlet s = + x y\n%s\n", bad[i][0]);
+        snprintf(wanted, sizeof wanted, "frame:%s", bad[i][1]);
+        assert_null(genome_parse("frame", text, strlen(text), &d));
+        assert_string_equal(d.text, wanted);
+    }
+}
+
+/* Every truncation and thousands of mutations of the sample end in a program or in one line. */
+static void test_hostile_text(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    char text[sizeof sample];
+    for (size_t n = 0; n < sizeof sample + 20000; n++) {
+        struct diag d = {0};
+        size_t size = sizeof sample - 1;
+        memcpy(text, sample, sizeof sample);
+        if (n < sizeof sample)
+            size = n;
+        for (int k = 0; n >= sizeof sample && k < 3; k++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            const char *const letters = "+-*/% \n#=x1.e\0\xff"
+                                        "end";
+            text[(seed >> 33) % size] = letters[(seed >> 20) % 18];
+        }
+        struct genome_file *f = genome_parse("hostile", text, size, &d);
+        assert_true(f != NULL ||
+                    (d.code == EXIT_INPUT && strncmp(d.text, "hostile:", 8) == 0 && !strchr(d.text, '\n')));
+        genome_file_free(f);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_long_expression_wraps),
+        cmocka_unit_test(test_span),         cmocka_unit_test(test_functions_of_frames),
+        cmocka_unit_test(test_hostile_text),
+    };
+    return cmocka_run_group_tests_name("genome", tests, NULL, NULL);
+}

@@ -1,0 +1,273 @@
+/* The archive: which member of a front becomes champion, seeds from files, and the front's own file. */
+#include "../../evolve/archive/archive.h"
+#include "../../evolve/common/decimal.h"
+#include "../../evolve/eval/frame.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#define START "/tmp/footpoint_archive_start.gen"
+#define WRITTEN "/tmp/footpoint_archive_front.gen"
+
+/* One tier, "steps", of which p and q are terminals; the champion's constant has more digits than a decimal gene. */
+static const char start_text[] = "footpoint-genome 1\ninput xA yA zA xB yB zB xC yC zC xD yD zD xS yS zS\n"
+                                 "let p = - xS xA\nlet q = - yS yA\n"
+                                 "genome steps\nxi = + 0.12345678901 * p q\neta = q\nend\n"
+                                 "genome other\nxi = * p * p q\nend\n";
+
+static struct archive *archive_of(struct scene *s, const char *start)
+{
+    struct diag d;
+    const size_t n = strlen(start_text);
+    struct genome_file *program =
+        genome_parse("program", start_text, (size_t)(strstr(start_text, "genome steps") - start_text), &d);
+    FILE *f = fopen(START, "w");
+    assert_true(program && f && fwrite(start_text, 1, n, f) == n && fclose(f) == 0);
+    struct archive *a = archive_new(s, program, start, &d);
+    assert_non_null(a);
+    return a;
+}
+
+/* Samples at random; xi = p q, eta = q. */
+static struct columns table_of(struct sample_set *set)
+{
+    struct columns c = columns_new(set->n, 15 + 2 + 2);
+    for (size_t i = 0; i < set->n; i++) {
+        const double p = set->s[i].xs[0] - set->s[i].x[0][0], q = set->s[i].xs[1] - set->s[i].x[0][1];
+        columns_at(&c, 15)[i] = p;
+        columns_at(&c, 16)[i] = q;
+        columns_at(&c, 17)[i] = p * q;
+        columns_at(&c, 18)[i] = q;
+    }
+    return c;
+}
+
+struct fixture {
+    struct scene scene;
+    struct tier tier;
+    struct sample_set set;
+    struct columns table;
+    struct judge *judge;
+    struct plan plan;
+};
+
+static int setup(void **state)
+{
+    static char *terminal[] = {"p", "q"}, precision[] = "double";
+    struct fixture *f = new_array(1, sizeof *f);
+    f->tier = (struct tier){.name = "steps", .frame = "test", .terminal = terminal, .terminals = 2, .max_length = 9};
+    f->scene = (struct scene){.name = "test",
+                              .segment = segment_find("quad4"),
+                              .norm = NORM_MEAN,
+                              .precision = precision,
+                              .tier = &f->tier,
+                              .tiers = 1};
+    f->set.s = new_array(100, sizeof *f->set.s);
+    for (f->set.n = 0; f->set.n < 100; f->set.n++) {
+        memcpy(f->set.s[f->set.n].x, (double[4][3]){{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 12 * sizeof(double));
+        f->set.s[f->set.n].xs[0] = (double)f->set.n / 100;
+        f->set.s[f->set.n].xs[1] = 1 - (double)(f->set.n % 7) / 3;
+    }
+    f->table = table_of(&f->set);
+    f->judge = judge_new(NULL, &f->table, NORM_MEAN);
+    f->judge->decimal = true;
+    f->plan = plan_default();
+    *state = f;
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    struct fixture *f = *state;
+    judge_free(f->judge);
+    columns_free(&f->table);
+    sample_set_free(&f->set);
+    free(f);
+    unlink(START);
+    unlink(WRITTEN);
+    return 0;
+}
+
+enum { P = GENE_SYMBOL + 15, Q = GENE_SYMBOL + 16 };
+
+static void offer(struct fixture *f, struct archive *a, const int *gene, size_t length)
+{
+    const struct tree t = {(int *)gene, length};
+    const double error = judge_error(f->judge, &t, 17, INFINITY);
+    archive_offer(a, &f->plan, 0, 0, &t, error, ORIGIN_RANDOM);
+}
+
+/* Nothing better: the champion's genes stay as they were read.  Better: it is outdone, and its new constants are exact.
+ */
+static void champions_yield_to_the_better_alone(void **state)
+{
+    struct fixture *f = *state;
+    struct archive *a = archive_of(&f->scene, START);
+    archive_judge(a, &f->plan, f->judge, 0);
+    const struct champion *c = &a->champion[0][0];
+    assert_true(fabs(c->error - 0.12345678901) < 1e-15 && c->cost == 4); /* p and q are differences */
+    const int worse[] = {GENE_MUL, P, P}, better[] = {GENE_ADD, decimal_gene(0.125e-3), GENE_MUL, Q, P};
+    offer(f, a, worse, 3);
+    archive_crown(a, &f->plan);
+    assert_false(c->bred);
+    assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.12345678901");
+    offer(f, a, better, 5);
+    archive_crown(a, &f->plan);
+    assert_true(c->bred && c->tree.length == 5);
+    assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.000125");
+    assert_true(fabs(c->error - 0.125e-3) < 1e-15);
+    assert_false(a->champion[0][1].bred);
+    archive_free(a);
+}
+
+/* A budget takes the lowest error within it, even from a better champion that exceeds it. */
+static void budgets_decide(void **state)
+{
+    struct fixture *f = *state;
+    const int cheap[] = {GENE_ADD, Q, decimal_gene(-0.1)}, free_of_cost[] = {Q};
+    f->tier.budget = 2; /* q is a difference */
+    struct archive *a = archive_of(&f->scene, START);
+    archive_judge(a, &f->plan, f->judge, 0);
+    offer(f, a, free_of_cost, 1);
+    offer(f, a, cheap, 3);
+    archive_crown(a, &f->plan);
+    const struct champion *c = &a->champion[0][0];
+    assert_true(c->bred && c->cost <= 2);
+    assert_true(c->error == front_error(a->front[0][0], 2));
+    archive_free(a);
+    f->tier.budget = 0;
+}
+
+static void parsimony_decides_without_a_budget(void **state)
+{
+    struct fixture *f = *state;
+    const int dear[] = {GENE_ADD, GENE_MUL, P, P, GENE_MUL, P, GENE_SUB, Q, P};
+    f->plan.parsimony = 0.3;
+    struct archive *a = archive_of(&f->scene, NULL);
+    archive_judge(a, &f->plan, f->judge, 0);
+    offer(f, a, (const int[]){decimal_gene(0.3)}, 1);
+    offer(f, a, (const int[]){GENE_MUL, P, Q}, 3);
+    offer(f, a, dear, 9);
+    archive_crown(a, &f->plan);
+    assert_int_equal(a->champion[0][0].tree.length, 3);
+    assert_true(a->champion[0][0].error == 0);
+    archive_free(a);
+}
+
+static void seeds_go_where_they_fit(void **state)
+{
+    struct fixture *f = *state;
+    struct diag d;
+    struct tree *seed;
+    struct archive *a = archive_of(&f->scene, START);
+    assert_int_equal(archive_seeds(a, 0, 0, 9, &seed), 1); /* the champion */
+    assert_true(decimal_valid(seed[0].gene[1]) && decimal_value(seed[0].gene[1]) == 0.1234568);
+    free(seed);
+    assert_true(archive_read_seeds(a, START, &d));
+    assert_int_equal(archive_seeds(a, 0, 0, 9, &seed), 3); /* and both genomes of the file */
+    free(seed);
+    assert_int_equal(archive_seeds(a, 0, 1, 9, &seed), 2);
+    free(seed);
+    assert_int_equal(archive_seeds(a, 0, 0, 4, &seed), 0);
+    free(seed);
+    archive_add_seed(a, 0, 0, &(struct tree){(int[]){GENE_SYMBOL}, 1}); /* xA is no terminal */
+    assert_int_equal(archive_seeds(a, 0, 0, 9, &seed), 3);
+    free(seed);
+    archive_judge(a, &f->plan, f->judge, 0);
+    assert_int_equal(front_count(a->front[0][0]), front_count(a->old[0][0]));
+    assert_false(archive_read_seeds(a, "/nowhere/seeds.gen", &d));
+    FILE *file = fopen(START, "w");
+    fputs("footpoint-genome 1\ninput alien\ngenome g\nxi = alien\nend\n", file);
+    fclose(file);
+    assert_false(archive_read_seeds(a, START, &d));
+    assert_non_null(strstr(d.text, "'xi' uses 'alien'"));
+    archive_free(a);
+}
+
+/* eta is q to rounding, xi is no terminal: eta alone needs nothing evolved, and the genome says so. */
+static void exact_values_are_taken(void **state)
+{
+    struct fixture *f = *state;
+    struct diag d;
+    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
+    const struct run_facts facts = {1, 0, 1};
+    f->scene.shapes = (struct shapes){.aspect = 1};
+    f->scene.source = SOURCE_RANDOM;
+    columns_at(&f->table, 18)[7] += 1e-11;
+    for (int known = 0; known < 2; known++) {
+        struct archive *a = archive_of(&f->scene, known ? START : NULL);
+        const struct champion *c = a->champion[0];
+        archive_find_exact(a, &f->plan, &f->table, 1e-12);
+        assert_true(c[0].exact == 0 && c[1].exact == 0);
+        f->tier.budget = 0.5; /* q is a difference */
+        archive_find_exact(a, &f->plan, &f->table, 1e-10);
+        assert_int_equal(c[1].exact, 0);
+        f->tier.budget = 0;
+        archive_find_exact(a, &f->plan, &f->table, 1e-10);
+        assert_true(c[0].exact == 0 && c[1].exact == Q);
+        archive_judge(a, &f->plan, f->judge, 0);
+        assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[1].cost == 1 && c[1].bred == !known);
+        const int product[] = {GENE_MUL, P, Q}, constant[] = {decimal_gene(0.1)};
+        archive_offer(a, &f->plan, 0, 1, &(struct tree){(int *)constant, 1}, 0, ORIGIN_RANDOM);
+        offer(f, a, product, 3);
+        archive_crown(a, &f->plan);
+        assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[0].tree.length == 3);
+        if (!archive_write(a, WRITTEN, &facts, heldout, &d))
+            fail_msg("%s", d.text);
+        struct genome_file *g = genome_read(WRITTEN, &d);
+        assert_non_null(g);
+        assert_non_null(genome_find_note(g->genome[0].note, g->genome[0].notes, "exact_eta"));
+        assert_null(genome_find_note(g->genome[0].note, g->genome[0].notes, "found_eta"));
+        assert_null(genome_find_note(g->genome[0].note, g->genome[0].notes, "exact_xi"));
+        genome_file_free(g);
+        archive_free(a);
+    }
+}
+
+/* The front's file holds a genome for each member, which reads back to the same expression. */
+static void fronts_are_written(void **state)
+{
+    struct fixture *f = *state;
+    struct diag d;
+    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
+    struct archive *a = archive_of(&f->scene, START);
+    f->scene.shapes = (struct shapes){.aspect = 1};
+    f->scene.source = SOURCE_RANDOM;
+    archive_judge(a, &f->plan, f->judge, 0);
+    offer(f, a, (const int[]){GENE_MUL, decimal_gene(0.5), Q}, 3);
+    if (!archive_write_front(a, WRITTEN, heldout, &d))
+        fail_msg("%s", d.text);
+    struct genome_file *g = genome_read(WRITTEN, &d);
+    assert_non_null(g);
+    const size_t xi = front_count(a->front[0][0]), eta = front_count(a->front[0][1]);
+    assert_int_equal(g->genomes, xi + eta);
+    for (size_t i = 0; i < xi; i++) {
+        const struct member *m = front_member(a->front[0][0], i);
+        char name[40];
+        snprintf(name, sizeof name, "steps_xi_c%.0f", m->cost);
+        assert_string_equal(g->genome[i].name, name);
+        assert_int_equal(g->genome[i].out[0].length, m->tree.length);
+        assert_non_null(genome_find_note(g->genome[i].note, g->genome[i].notes, "heldout_random"));
+    }
+    genome_file_free(g);
+    archive_free(a);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(champions_yield_to_the_better_alone, setup, teardown),
+        cmocka_unit_test_setup_teardown(budgets_decide, setup, teardown),
+        cmocka_unit_test_setup_teardown(parsimony_decides_without_a_budget, setup, teardown),
+        cmocka_unit_test_setup_teardown(seeds_go_where_they_fit, setup, teardown),
+        cmocka_unit_test_setup_teardown(exact_values_are_taken, setup, teardown),
+        cmocka_unit_test_setup_teardown(fronts_are_written, setup, teardown),
+    };
+    return cmocka_run_group_tests_name("archive", tests, NULL, NULL);
+}

@@ -1,0 +1,301 @@
+/* Islands: same seed, same result; known targets are found; seeds and guests are never lost to something worse. */
+#include "../../evolve/common/decimal.h"
+#include "../../evolve/island/island.h"
+#include "../../evolve/common/stream.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { SAMPLES = 500, TARGET = 2, MAX_LENGTH = 25 };
+
+struct fixture {
+    struct genome_file *program;
+    struct columns table; /* x, y, x y + 0.5 */
+    struct judge *judge;
+    struct gene_set genes;
+};
+
+static int setup(void **state)
+{
+    static int symbol[] = {GENE_SYMBOL, GENE_SYMBOL + 1}, operation[] = {GENE_ADD, GENE_SUB, GENE_MUL}, constant[21];
+    struct fixture *f = new_array(1, sizeof *f);
+    gsl_rng *rng = stream_new();
+    stream_key(rng, 11, 0, 0, 0);
+    f->table = columns_new(SAMPLES, TARGET + 1);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        const double x = 2 * gsl_rng_uniform(rng) - 1, y = 2 * gsl_rng_uniform(rng) - 1;
+        columns_at(&f->table, 0)[i] = x;
+        columns_at(&f->table, 1)[i] = y;
+        columns_at(&f->table, TARGET)[i] = x * y + 0.5;
+    }
+    for (int k = 0; k <= 20; k++)
+        constant[k] = decimal_gene((k - 10) / 10.0);
+    f->program = genome_file_new("test");
+    f->genes = (struct gene_set){symbol, 2, constant, 21, operation, 3, 0};
+    f->judge = judge_new(f->program, &f->table, NORM_MEAN);
+    f->judge->decimal = true;
+    gsl_rng_free(rng);
+    *state = f;
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    struct fixture *f = *state;
+    judge_free(f->judge);
+    columns_free(&f->table);
+    genome_file_free(f->program);
+    free(f);
+    return 0;
+}
+
+static struct goal goal_of(const struct fixture *f, uint64_t place)
+{
+    return (struct goal){.target = TARGET, .max_length = MAX_LENGTH, .genes = &f->genes, .place = place};
+}
+
+static struct plan plan_of(enum breeding breeding, uint64_t seed, size_t population)
+{
+    struct plan p = breeding == BREED_PAPER ? plan_paper() : plan_default();
+    p.seed = seed;
+    p.population = population;
+    p.migrants = population / 10;
+    return p;
+}
+
+static bool same_operation(const struct tree *t, const struct tree *u)
+{
+    struct counter *c = counter_new(MAX_LENGTH);
+    const bool same = operations_count(c, t, NULL).hash == operations_count(c, u, NULL).hash;
+    counter_free(c);
+    return same;
+}
+
+/* What a report says agrees with the front, whose errors fall as costs rise, and which holds nothing twice. */
+static void check_front(const struct fixture *f, const struct island *is, const int *report)
+{
+    const struct front *front = island_front(is);
+    const int *at = report + 1;
+    double last = INFINITY;
+    assert_int_equal(report[0], front_count(front));
+    for (int k = 0; k < report[0]; k++, at += 1 + at[0]) {
+        const struct member *m = front_member(front, (size_t)k);
+        const struct tree t = {(int *)at + 1, (size_t)at[0]};
+        assert_true(tree_equal(&t, &m->tree));
+        assert_true(gene_span(t.gene, t.length) == t.length && t.length <= MAX_LENGTH);
+        assert_true(m->error < last);
+        assert_true(judge_error(f->judge, &t, TARGET, INFINITY) == m->error);
+        last = m->error;
+        for (int i = 0; i < k; i++)
+            assert_false(same_operation(&front_member(front, (size_t)i)->tree, &t));
+    }
+    assert_true((size_t)(at - report) <= island_report_size(is));
+}
+
+/* An island saved and loaded by another goes on as if nothing had been; a state with a wrong byte is refused or goes
+ * on. */
+static void states_go_on(void **state)
+{
+    const struct fixture *f = *state;
+    for (int breeding = 0; breeding < 2; breeding++) {
+        struct plan plan = plan_of((enum breeding)breeding, 7, 40);
+        plan.patience = 4;
+        const struct goal goal = goal_of(f, 3);
+        struct island *is = island_new(&plan, &goal, f->judge), *other = island_new(&plan, &goal, f->judge);
+        const size_t size = island_state_size(is);
+        unsigned char *bytes = new_array(size, 1), *later = new_array(size, 1);
+        island_start(is, NULL, 0);
+        for (int k = 0; k < 20; k++) {
+            island_save(is, bytes);
+            assert_true(island_load(other, bytes));
+            island_save(other, later);
+            assert_memory_equal(bytes, later, size);
+            island_step(is);
+            island_step(other);
+            island_save(is, bytes);
+            island_save(other, later);
+            assert_memory_equal(bytes, later, size);
+        }
+        size_t refused = 0;
+        for (size_t at = 0; at < 20000; at += 97) {
+            memcpy(later, bytes, size);
+            later[at] ^= 0x81;
+            refused += !island_load(other, later);
+            island_step(other);
+        }
+        assert_true(refused > 10);
+        free(bytes);
+        free(later);
+        island_free(is);
+        island_free(other);
+    }
+}
+
+/* Lowest error of an island after some generations; its report to *report, for the caller to free. */
+static double evolved(const struct fixture *f, const struct plan *plan, uint64_t place, int generations, int **report,
+                      size_t *size)
+{
+    const struct goal goal = goal_of(f, place);
+    struct island *is = island_new(plan, &goal, f->judge);
+    double last = INFINITY;
+    island_start(is, NULL, 0);
+    for (int k = 0; k < generations; k++) {
+        island_step(is);
+        assert_true(island_best(is)->demerit <= last);
+        last = island_best(is)->demerit;
+    }
+    *size = island_report_size(is);
+    *report = new_array(*size, sizeof **report);
+    island_report(is, *report);
+    check_front(f, is, *report);
+    last = front_error(island_front(is), INFINITY);
+    island_free(is);
+    return last;
+}
+
+static void same_seed_same_result(void **state)
+{
+    const struct fixture *f = *state;
+    for (int breeding = 0; breeding < 2; breeding++) {
+        int *first, *second, *other;
+        size_t size;
+        struct plan plan = plan_of((enum breeding)breeding, 4, 60);
+        plan.patience = 3; /* starts anew on the way */
+        const double error = evolved(f, &plan, 0, 15, &first, &size);
+        evolved(f, &plan, 1, 15, &other, &size);
+        assert_true(evolved(f, &plan, 0, 15, &second, &size) == error);
+        assert_memory_equal(first, second, size * sizeof *first);
+        assert_memory_not_equal(first, other, size * sizeof *first);
+        free(first);
+        free(second);
+        free(other);
+    }
+}
+
+/* With most seeds. */
+static void finds_a_known_target(void **state)
+{
+    const struct fixture *f = *state;
+    for (int k = 0; k < 4; k++) {
+        int found = 0;
+        for (uint64_t seed = 1; seed <= 5; seed++) {
+            int *report;
+            size_t size;
+            struct plan plan = plan_of((enum breeding)(k / 2), seed, 200);
+            plan.selection = (enum selection)(k % 2);
+            found += evolved(f, &plan, 0, 60, &report, &size) < 1e-15;
+            free(report);
+        }
+        if (found < 4)
+            fail_msg("breeding %d, selection %d: x y + 0.5 is found with %d seeds of 5", k / 2, k % 2, found);
+    }
+}
+
+/* A seed stays until something better comes, restarts or not; the maximum norm is minimised as well. */
+static void seeds_survive(void **state)
+{
+    const struct fixture *f = *state;
+    int good[] = {GENE_ADD, GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1, decimal_gene(0.5)};
+    int rough[] = {GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1};
+    const struct tree seed[] = {{rough, 3}, {good, 5}};
+    for (int breeding = 0; breeding < 2; breeding++) {
+        struct plan plan = plan_of((enum breeding)breeding, 1, 20);
+        plan.patience = 2;
+        const struct goal goal = goal_of(f, 0);
+        struct judge *judge = judge_new(f->program, &f->table, NORM_MAX);
+        judge->decimal = true;
+        struct island *is = island_new(&plan, &goal, judge);
+        island_start(is, seed, 2);
+        for (int k = 0; k < 12; k++)
+            island_step(is);
+        assert_true(island_best(is)->error < 1e-15);
+        assert_true(same_operation(&island_best(is)->tree, &seed[1]));
+        island_free(is);
+        judge_free(judge);
+    }
+}
+
+static void guests_compete(void **state)
+{
+    const struct fixture *f = *state;
+    int seed_gene[] = {GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1};
+    const struct tree seed = {seed_gene, 3};
+    for (int breeding = 0; breeding < 2; breeding++) {
+        struct plan plan = plan_of((enum breeding)breeding, 1, 30);
+        plan.parsimony = 0.01;
+        struct goal goal = goal_of(f, 0), there = goal_of(f, 1), closed = goal_of(f, 2);
+        closed.closed = true;
+        struct island *is = island_new(&plan, &goal, f->judge), *other = island_new(&plan, &there, f->judge);
+        struct island *hermit = island_new(&plan, &closed, f->judge);
+        island_start(is, &seed, 1);
+        island_start(other, NULL, 0);
+        island_start(hermit, NULL, 0);
+        const double best = fmin(island_best(is)->demerit, island_best(other)->demerit);
+        const double alone = island_best(hermit)->demerit;
+        int *parcel = new_array(island_parcel_size(is, 3), sizeof *parcel);
+        island_pack(is, 3, parcel);
+        island_receive(other, 3, parcel);
+        island_receive(other, 3, parcel); /* those that live there already change nothing */
+        island_receive(hermit, 3, parcel);
+        assert_true(breeding == BREED_FRONT ? island_best(other)->demerit <= best
+                                            : island_best(other)->demerit == best);
+        assert_true(island_best(hermit)->demerit == alone);
+        free(parcel);
+        island_free(is);
+        island_free(other);
+        island_free(hermit);
+    }
+}
+
+/* A fit that knows the answer: x y + 0.5. */
+static bool fit_by_magic(struct fits *fitter, const struct tree *in, size_t target, size_t max_length, struct tree *out)
+{
+    const int answer[] = {GENE_ADD, decimal_gene(0.5), GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1};
+    (void)fitter;
+    if (in->length == 1 || target != TARGET || max_length != MAX_LENGTH)
+        return false;
+    memcpy(out->gene, answer, sizeof answer);
+    out->length = 5;
+    return true;
+}
+
+static void fits_are_called(void **state)
+{
+    const struct fixture *f = *state;
+    const struct fitting fit[] = {{.root_terms = fit_by_magic}, {.constants = fit_by_magic}, {.tune = fit_by_magic}};
+    int seed_gene[] = {GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 1};
+    const struct tree seed = {seed_gene, 3};
+    for (int k = 0; k < 3; k++) {
+        struct plan plan = plan_of(BREED_FRONT, 1, 50);
+        plan.fit = 1;
+        plan.tune = k == 2 ? 1 : 0;
+        plan.polish_every = 1;
+        struct goal goal = goal_of(f, 0);
+        goal.fit = &fit[k];
+        struct island *is = island_new(&plan, &goal, f->judge);
+        island_start(is, &seed, 1);
+        for (int generation = 0; generation < 3; generation++)
+            island_step(is);
+        if (!(front_error(island_front(is), 2) < 1e-15))
+            fail_msg("fit %d is not used", k);
+        island_free(is);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(same_seed_same_result, setup, teardown),
+        cmocka_unit_test_setup_teardown(states_go_on, setup, teardown),
+        cmocka_unit_test_setup_teardown(finds_a_known_target, setup, teardown),
+        cmocka_unit_test_setup_teardown(seeds_survive, setup, teardown),
+        cmocka_unit_test_setup_teardown(guests_compete, setup, teardown),
+        cmocka_unit_test_setup_teardown(fits_are_called, setup, teardown),
+    };
+    return cmocka_run_group_tests_name("island", tests, NULL, NULL);
+}

@@ -1,0 +1,221 @@
+/* Contact meshes that are refused: one case for each diagnostic, and hostile sizes. */
+#include "../support/mesh_model.h"
+
+#define NODES "*NODE, NSET=N\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n"
+#define MODEL NODES "*ELEMENT, TYPE=C3D4, ELSET=E\n1, 1, 2, 3, 4\n*SURFACE, NAME=M\nE, S1\n"
+#define SLAVE "*SURFACE, NAME=S, TYPE=NODE\nN\n"
+#define PAIR "*CONTACT PAIR\nS, M\n"
+#define KNOWN                                                                                                          \
+    "; faces are known of C3D4, C3D10, C3D6, C3D15, C3D8, C3D20, C3D27, S3, S6, S4, S8, S9, STRI3, STRI65, M3D3, "     \
+    "M3D6, M3D4, M3D8, M3D9, R3D3, R3D4, and their variants"
+
+static const struct {
+    const char *text, *expected; /* the diagnostic after the folder's name */
+} bad_models[] = {
+    {"", "model.inp: error: no contact pair: *CONTACT PAIR expected"},
+    {MODEL SLAVE, "model.inp: error: no contact pair: *CONTACT PAIR expected"},
+    {"hello, world\n", "model.inp:1: error: data before the first keyword: not an input file"},
+    {"\n** nothing\n1, 2, 3\n*NODE\n", "model.inp:3: error: data before the first keyword: not an input file"},
+
+    {"*NODE\n1, 0, 0, zero\n", "model.inp:2: error: 'zero' is not a number"},
+    {"*NODE\n1, 0x10, 0, 0\n", "model.inp:2: error: '0x10' is not a number"},
+    {"*NODE\n1, 1 2, 0, 0\n", "model.inp:2: error: '1 2' is not a number"},
+    {"*NODE\n1, 1e, 0, 0\n", "model.inp:2: error: '1e' is not a number"},
+    {"*NODE\n1, 0.00000000000000000000000000000000000000000000000000000000000000000001, 0, 0\n",
+     "model.inp:2: error: '0.00000000000000000000000000000000000000...' is not a number"},
+    {"*NODE\n1, 0, inf, 0\n", "model.inp:2: error: coordinate 'inf' of node 1 is not finite"},
+    {"*NODE\n1, 0, NaN, 0\n", "model.inp:2: error: coordinate 'NaN' of node 1 is not finite"},
+    {"*NODE\n1, 0, 0, -1D999\n", "model.inp:2: error: coordinate '-1D999' of node 1 is not finite"},
+    {"*NODE\none, 0, 0, 0\n", "model.inp:2: error: 'one' is not a whole number from 1 to 2147483647"},
+    {"*NODE\n0, 0, 0, 0\n", "model.inp:2: error: '0' is not a whole number from 1 to 2147483647"},
+    {"*NODE\n-7, 0, 0, 0\n", "model.inp:2: error: '-7' is not a whole number from 1 to 2147483647"},
+    {"*NODE\n1.5, 0, 0, 0\n", "model.inp:2: error: '1.5' is not a whole number from 1 to 2147483647"},
+    {"*NODE\n2147483648, 0, 0, 0\n", "model.inp:2: error: '2147483648' is not a whole number from 1 to 2147483647"},
+    {"*NODE\n, 0, 0, 0\n", "model.inp:2: error: '' is not a whole number from 1 to 2147483647"},
+    {"*NODE\n1, 0, 0, 0\n2, 0, 0, 0\n2, 1, 0, 0\n1, 1, 0, 0\n*NODE\n", "model.inp:4: error: node 2 is defined twice"},
+    {"*NODE, SYSTEM=C\n1, 0, 0, 0\n",
+     "model.inp:1: error: *NODE, SYSTEM=C is not supported: rectangular coordinates only"},
+    {"*NODE, NSET=\n1, 0, 0, 0\n", "model.inp:1: error: name expected"},
+
+    {NODES "*ELEMENT\n1, 1, 2, 3, 4\n", "model.inp:6: error: *ELEMENT has no TYPE="},
+    {NODES "*ELEMENT, TYPE=\n1, 1, 2\n", "model.inp:6: error: *ELEMENT has no TYPE="},
+    {NODES "*ELEMENT, TYPE=CAX8\none, 1, 2\n",
+     "model.inp:7: error: 'one' is not a whole number from 1 to 2147483647"},
+    {NODES SLAVE "*ELEMENT, TYPE=C3D80\n1, 1, 2\n*SURFACE, NAME=M\n1, S1\n" PAIR,
+     "model.inp:11: error: element 1 of a master surface is of type C3D80" KNOWN},
+    {MODEL SLAVE "*ELEMENT, TYPE=CPS8R, ELSET=P\n7, 1, 2,\n3, 4, 1, 2, 3, 4\n*SURFACE, NAME=B\n1, S1\nP, S2\n"
+                 "*CONTACT PAIR\nS, B\n",
+     "model.inp:17: error: element 7 of a master surface is of type CPS8R" KNOWN},
+    {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3\n2, 1, 2, 3, 4\n",
+     "model.inp:7: error: element 1 has 3 nodes, but type C3D4 has 4"},
+    {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2,\n3,\n*NSET, NSET=X\n",
+     "model.inp:7: error: element 1 has 3 nodes, but type C3D4 has 4"},
+    {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, ", "model.inp:7: error: element 1 has 3 nodes, but type C3D4 has 4"},
+    {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4, 5\n",
+     "model.inp:7: error: element 1 has more than the 4 nodes of type C3D4"},
+    {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2,\n3, x\n",
+     "model.inp:8: error: 'x' is not a whole number from 1 to 2147483647"},
+    {NODES "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 40\n", "model.inp:7: error: node 40 of element 1 is not defined"},
+    {NODES "*ELEMENT, TYPE=S3\n1, 1, 2, 3\n1, 1, 3, 4\n", "model.inp:8: error: element 1 is defined twice"},
+
+    {"*NSET, GENERATE\n1, 2\n", "model.inp:1: error: *NSET has no NSET="},
+    {"*ELSET, NSET=A\n1, 2\n", "model.inp:1: error: *ELSET has no ELSET="},
+    {MODEL "*NSET, NSET=A, ELSET=E\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR,
+     "model.inp:10: error: node set made of elements, *NSET, ELSET=: not supported, list the nodes"},
+    {"*NSET, NSET=A, GENERATE\n1\n", "model.inp:2: error: GENERATE needs a first and a last number"},
+    {"*NSET, NSET=A, GENERATE\n1, 2, 0\n", "model.inp:2: error: '0' is not a whole number from 1 to 2147483647"},
+    {"*NSET, NSET=A, GENERATE\n1, 2, 1, 1\n",
+     "model.inp:2: error: GENERATE takes first, last and step; '1' is one too many"},
+    {"*NSET, NSET=A, GENERATE\n9, 2\n", "model.inp:2: error: GENERATE runs from 9 down to 2"},
+    {"*NSET, NSET=A\n1, 99999999999\n", "model.inp:2: error: '99999999999' is not a whole number from 1 to 2147483647"},
+
+    {"*SURFACE\nE, S1\n", "model.inp:1: error: *SURFACE has no NAME="},
+    {MODEL SLAVE "*SURFACE, NAME=B, TYPE=CYLINDER\nSTART, 0, 0\n*CONTACT PAIR\nS, B\n",
+     "model.inp:12: error: surface type is not supported: ELEMENT or NODE"},
+    {MODEL SLAVE "*SURFACE, NAME=B, COMBINE=UNION\nM, M\n*CONTACT PAIR\nS, B\n",
+     "model.inp:12: error: surface with COMBINE= is not supported: list the faces"},
+    {"*SURFACE, NAME=M\nE, S7\n", "model.inp:2: error: face label 'S7' is none of S1 to S6, SPOS and SNEG"},
+    {"*SURFACE, NAME=M\n, S1\n", "model.inp:2: error: name expected"},
+    {MODEL SLAVE "*SURFACE, NAME=B\nE\n*CONTACT PAIR\nS, B\n",
+     "model.inp:13: error: element 1 of type C3D4 is solid and needs a face label, S1 to S4"},
+    {MODEL SLAVE "*SURFACE, NAME=B\n1, S5\n*CONTACT PAIR\nS, B\n",
+     "model.inp:13: error: element 1 of type C3D4 has no face S5"},
+    {MODEL SLAVE "*SURFACE, NAME=B\n1, SPOS\n*CONTACT PAIR\nS, B\n",
+     "model.inp:13: error: element 1 of type C3D4 has no face SPOS"},
+    {NODES SLAVE "*ELEMENT, TYPE=S3\n1, 1, 2, 3\n*SURFACE, NAME=M\n1, S3\n" PAIR,
+     "model.inp:11: error: element 1 of type S3 has no face S3"},
+    {MODEL SLAVE "*SURFACE, NAME=B\n2, S1\n*CONTACT PAIR\nS, B\n", "model.inp:13: error: element 2 is not defined"},
+    {MODEL SLAVE "*SURFACE, NAME=B\nN, S1\n*CONTACT PAIR\nS, B\n",
+     "model.inp:13: error: element set 'N' is not defined"},
+    {MODEL SLAVE "*ELSET, ELSET=C\nE, D\n*SURFACE, NAME=B\nC, S1\n*CONTACT PAIR\nS, B\n",
+     "model.inp:13: error: element set 'D' is not defined"},
+    {MODEL SLAVE "*SURFACE, NAME=B\n*CONTACT PAIR\nS, B\n", "model.inp:12: error: surface 'B' is empty"},
+    {MODEL "*SURFACE, NAME=S, TYPE=NODE\nE\n" PAIR, "model.inp:11: error: node set 'E' is not defined"},
+    {MODEL "*SURFACE, NAME=S, TYPE=NODE\n1\n17\n" PAIR, "model.inp:12: error: node 17 is not defined"},
+    {MODEL "*NSET, NSET=A, GENERATE\n10, 20\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR,
+     "model.inp:11: error: no node from 10 to 20 is defined"},
+    {MODEL "*NSET, NSET=A\nA\n*SURFACE, NAME=S, TYPE=NODE\nA\n" PAIR, "model.inp:12: error: surface 'S' is empty"},
+
+    {MODEL SLAVE "*CONTACT PAIR\n", "model.inp:12: error: *CONTACT PAIR names no surfaces"},
+    {MODEL SLAVE "*CONTACT PAIR\n*STEP\n", "model.inp:12: error: *CONTACT PAIR names no surfaces"},
+    {MODEL SLAVE "*CONTACT PAIR\nS\n", "model.inp:13: error: contact pair needs a slave and a master surface"},
+    {MODEL SLAVE "*CONTACT PAIR\n, M\n", "model.inp:13: error: contact pair needs a slave and a master surface"},
+    {MODEL SLAVE "*CONTACT PAIR\nT, M\n", "model.inp:13: error: surface 'T' is not defined"},
+    {MODEL SLAVE "*CONTACT PAIR\nS, E\n", "model.inp:13: error: surface 'E' is not defined"},
+    {MODEL SLAVE "*CONTACT PAIR\nM, S\n",
+     "model.inp:13: error: master surface 'S' is made of nodes; it must be made of element faces"},
+
+    {"*HEADING\n*INCLUDE\n", "model.inp:2: error: *INCLUDE has no INPUT="},
+    {"*INCLUDE, INPUT=\n", "model.inp:1: error: included file has no name"},
+    {"*INCLUDE, INPUT=missing.inp\n", "model.inp:1: error: cannot read included file 'missing.inp'"},
+    {"*INCLUDE, INPUT=/\n", "model.inp:1: error: cannot read included file '/'"},
+    {"*INCLUDE, INPUT=model.inp\n", "model.inp:1: error: including 'model.inp' again makes a cycle"},
+    {"*HEADING\n*INCLUDE, INPUT=part.inp\n", "part.inp:2: error: including './model.inp' again makes a cycle"},
+    {"*NODE\n1, 0, 0, 0\n*INCLUDE, INPUT=word.inp\n", "word.inp:1: error: 'word' is not a number"},
+
+    {"*HEADING\n*PART, NAME=P\n", "model.inp:2: error: *PART is not supported: an assembly of parts; write the model "
+                                  "flat, without *PART and *INSTANCE"},
+    {"*instance, NAME=P\n", "model.inp:1: error: *INSTANCE is not supported: an assembly of parts; write the model "
+                            "flat, without *PART and *INSTANCE"},
+    {"*Assembly\n", "model.inp:1: error: *ASSEMBLY is not supported: an assembly of parts; write the model flat, "
+                    "without *PART and *INSTANCE"},
+    {"*NGEN\n1, 9\n",
+     "model.inp:1: error: *NGEN is not supported: it makes or moves nodes; list them in global coordinates"},
+    {"*SYSTEM\n1, 2, 3\n",
+     "model.inp:1: error: *SYSTEM is not supported: it makes or moves nodes; list them in global coordinates"},
+    {"*NODE\n\001\377\n", "model.inp:2: error: '?\?' is not a whole number from 1 to 2147483647"},
+};
+
+static void check_refused(const char *path, const char *expected)
+{
+    struct diag d = {0};
+    char full[800];
+    struct mesh *m = mesh_read(path, &d);
+    snprintf(full, sizeof full, "%s/%s", folder, expected);
+    if (m)
+        fail_msg("accepted, instead of: %s", full);
+    assert_string_equal(d.text, full);
+    assert_int_equal(d.code, EXIT_INPUT);
+}
+
+static void diagnostics(void **state)
+{
+    static const char part[] = "*HEADING\n*INCLUDE, INPUT=./model.inp\n", word[] = "2, 0, word\n";
+    (void)state;
+    write_file("part.inp", part, strlen(part));
+    write_file("word.inp", word, strlen(word));
+    for (size_t i = 0; i < sizeof bad_models / sizeof *bad_models; i++) {
+        write_file("model.inp", bad_models[i].text, strlen(bad_models[i].text));
+        check_refused(in_folder("model.inp"), bad_models[i].expected);
+    }
+    static const char nul[] = "*NODE\n1, 0, 0, 0\n2, \0, 0\n";
+    write_file("model.inp", nul, sizeof nul - 1);
+    check_refused(in_folder("model.inp"), "model.inp:3: error: not a text file: NUL byte");
+
+    struct diag d = {0};
+    assert_null(mesh_read("tests/meshes/none.inp", &d));
+    assert_string_equal(d.text, "tests/meshes/none.inp: error: cannot open: No such file or directory");
+    assert_int_equal(d.code, EXIT_SYSTEM);
+    mesh_free(NULL);
+}
+
+/* A file whose two lines include the next one, and so on, doubles at each level. */
+static void many_includes(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20; i++) {
+        char name[32], text[128];
+        snprintf(name, sizeof name, "level%d.inp", i);
+        snprintf(text, sizeof text, "*INCLUDE, INPUT=level%d.inp\n*INCLUDE, INPUT=level%d.inp\n", i + 1, i + 1);
+        write_file(name, text, strlen(text));
+    }
+    write_file("level20.inp", "** end\n", 7);
+    check_refused(in_folder("level0.inp"), "level19.inp:2: error: more than 10000 files included");
+}
+
+/* Hostile sizes: one very long line, very many fields, sets nested and tangled by the thousand. */
+static void hostile_sizes(void **state)
+{
+    const size_t size = 2000000;
+    const int sets = 20000;
+    char *text = malloc(size);
+    struct diag d = {0};
+    (void)state;
+    assert_non_null(text);
+    memset(text, 'x', size);
+    memcpy(text, "*NODE\n", 6);
+    write_file("model.inp", text, size);
+    check_refused(in_folder("model.inp"),
+                  "model.inp:2: error: 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...' is not a whole number from 1 to "
+                  "2147483647");
+    memset(text, ',', size);
+    memcpy(text, "*A", 2);
+    write_file("model.inp", text, size);
+    assert_null(mesh_read(in_folder("model.inp"), &d));
+    memset(text, '*', size);
+    write_file("model.inp", text, size);
+    assert_null(mesh_read(in_folder("model.inp"), &d));
+    free(text);
+
+    FILE *f = fopen(in_folder("model.inp"), "w");
+    assert_non_null(f);
+    fprintf(f, MODEL SLAVE);
+    for (int i = 0; i < sets; i++)
+        fprintf(f, "*NSET, NSET=A%d\nA%d, A%d, A0\n", i, i + 1, i);
+    fprintf(f, "*NSET, NSET=A%d\n2\n*SURFACE, NAME=T, TYPE=NODE\nA0\n*CONTACT PAIR\nT, M\n", sets);
+    assert_int_equal(fclose(f), 0);
+    struct mesh *m = read_model(in_folder("model.inp"));
+    assert_int_equal(m->pair[0].slaves, 1);
+    assert_int_equal(m->label[m->pair[0].slave[0]], 2);
+    mesh_free(m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(diagnostics),
+        cmocka_unit_test(many_includes),
+        cmocka_unit_test(hostile_sizes),
+    };
+    return cmocka_run_group_tests_name("mesh diagnostics", tests, make_folder, remove_folder);
+}

@@ -1,0 +1,240 @@
+/* Genetic operators keep genomes complete, within their length, and made of the genes of their set. */
+#include "../../evolve/common/decimal.h"
+#include "../../evolve/common/stream.h"
+#include "../../evolve/genotype/tree.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { POPULATION = 50, MAX_LENGTH = 41, OPERATIONS = 100000 };
+
+static int symbol[] = {GENE_SYMBOL, GENE_SYMBOL + 1, GENE_SYMBOL + 2};
+static int constant[] = {-1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12};
+static int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
+static const struct gene_set set = {symbol, 3, constant, 12, operation, 4, 0};
+
+static bool contains(const int *gene, size_t n, int wanted)
+{
+    for (size_t i = 0; i < n; i++)
+        if (gene[i] == wanted)
+            return true;
+    return false;
+}
+
+static void check_tree(const struct tree *t, size_t max, const char *what, int step)
+{
+    if (t->length < 1 || t->length > max || gene_span(t->gene, t->length) != t->length)
+        fail_msg("%s, operation %d: %zu genes, the first tree has %zu", what, step, t->length,
+                 gene_span(t->gene, t->length));
+    for (size_t i = 0; i < t->length; i++)
+        if (!contains(symbol, 3, t->gene[i]) && !contains(constant, 12, t->gene[i]) &&
+            !contains(operation, 4, t->gene[i]) && t->gene[i] != GENE_NEG)
+            fail_msg("%s, operation %d: gene %d is not in the set", what, step, t->gene[i]);
+}
+
+static void operators_keep_genomes_valid(void **state)
+{
+    (void)state;
+    static int gene[POPULATION + 2][MAX_LENGTH];
+    struct tree tree[POPULATION + 2];
+    gsl_rng *rng = stream_new();
+    stream_key(rng, 3, 0, 0, 0);
+    for (int i = 0; i < POPULATION + 2; i++)
+        tree[i].gene = gene[i];
+    for (int i = 0; i < POPULATION; i++) {
+        tree_random(rng, &set, i % 9, i % 2 == 0, MAX_LENGTH, &tree[i]);
+        check_tree(&tree[i], MAX_LENGTH, "random", i);
+    }
+    memcpy(gene[0], (int[]){GENE_NEG, GENE_MUL, GENE_SYMBOL, -1}, 4 * sizeof(int)); /* a seed may bring this operator */
+    tree[0].length = 4;
+    struct tree *child_a = &tree[POPULATION], *child_b = &tree[POPULATION + 1];
+    for (int step = 0; step < OPERATIONS; step++) {
+        struct tree *a = &tree[gsl_rng_uniform_int(rng, POPULATION)], *b = &tree[gsl_rng_uniform_int(rng, POPULATION)];
+        switch (gsl_rng_uniform_int(rng, 3)) {
+        case 0:
+            tree_cross(rng, a, b, MAX_LENGTH, child_a, child_b);
+            check_tree(child_a, MAX_LENGTH, "cross", step);
+            check_tree(child_b, MAX_LENGTH, "cross", step);
+            tree_copy(child_a, a);
+            tree_copy(child_b, b);
+            break;
+        case 1:
+            tree_mutate_branch(rng, &set, a, MAX_LENGTH, child_a);
+            check_tree(child_a, MAX_LENGTH, "branch", step);
+            tree_copy(child_a, a);
+            break;
+        default:
+            tree_mutate_gene(rng, &set, a);
+            check_tree(a, MAX_LENGTH, "gene", step);
+        }
+    }
+    gsl_rng_free(rng);
+}
+
+/* Of the constants, those that are no numbers of the set are decimal. */
+static void check_edited(const struct tree *t, const char *what, int step)
+{
+    if (t->length < 1 || t->length > MAX_LENGTH || gene_span(t->gene, t->length) != t->length)
+        fail_msg("%s, operation %d: %zu genes, the first tree has %zu", what, step, t->length,
+                 gene_span(t->gene, t->length));
+    for (size_t i = 0; i < t->length; i++)
+        if (!contains(symbol, 3, t->gene[i]) && !contains(operation, 4, t->gene[i]) && t->gene[i] != GENE_NEG &&
+            !decimal_valid(t->gene[i]))
+            fail_msg("%s, operation %d: gene %d", what, step, t->gene[i]);
+}
+
+static bool edit(gsl_rng *rng, const struct gene_set *s, int which, const struct tree *a, const struct tree *b,
+                 struct tree *child)
+{
+    switch (which) {
+    case 0:
+        return tree_graft(rng, a, b, MAX_LENGTH, child);
+    case 1:
+        return tree_mutate_twig(rng, s, a, MAX_LENGTH, child);
+    case 2:
+        return tree_wrap(rng, s, a, MAX_LENGTH, child);
+    case 3:
+        return tree_hoist(rng, a, child) && child->length < a->length;
+    case 4:
+        return tree_shrink(rng, a, child) && child->length < a->length;
+    case 5:
+        return tree_add_term(rng, s, a, b, MAX_LENGTH, child) && child->length >= a->length + 4;
+    case 6:
+        return tree_drop_term(rng, a, child) && child->length + 2 <= a->length;
+    default:
+        return tree_shift_constant(rng, a, child) && child->length == a->length;
+    }
+}
+
+/* Each operator works most of the time, on trees that it has made itself and never grows too long. */
+static void edits_keep_genomes_valid(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"graft", "twig", "wrap", "hoist", "shrink", "add", "drop", "constant"};
+    static int gene[POPULATION + 1][MAX_LENGTH], decimal[12];
+    struct tree tree[POPULATION + 1];
+    const struct gene_set decimals = {symbol, 3, decimal, 12, operation, 4, 0};
+    int done[8] = {0};
+    gsl_rng *rng = stream_new();
+    stream_key(rng, 4, 0, 0, 0);
+    for (int i = 0; i < 12; i++)
+        decimal[i] = decimal_gene(i - 5.5);
+    for (int i = 0; i <= POPULATION; i++) {
+        tree[i].gene = gene[i];
+        tree_random(rng, &decimals, i % 6, i % 2 == 0, MAX_LENGTH, &tree[i]);
+    }
+    memcpy(gene[0], (int[]){GENE_NEG, GENE_MUL, GENE_SYMBOL, -1}, 4 * sizeof(int)); /* a seed may bring this operator */
+    tree[0].length = 4;
+    struct tree *child = &tree[POPULATION];
+    for (int step = 0; step < OPERATIONS; step++) {
+        struct tree *a = &tree[gsl_rng_uniform_int(rng, POPULATION)], *b = &tree[gsl_rng_uniform_int(rng, POPULATION)];
+        const int which = (int)gsl_rng_uniform_int(rng, 8);
+        if (!edit(rng, &decimals, which, a, b, child))
+            continue;
+        check_edited(child, name[which], step);
+        tree_copy(child, a);
+        done[which]++;
+    }
+    for (int i = 0; i < 8; i++)
+        if (done[i] < OPERATIONS / 8 / 4)
+            fail_msg("%s: only %d times", name[i], done[i]);
+    gsl_rng_free(rng);
+}
+
+/* (x + y) - x z less a term, in all ways; no other tree comes out. */
+static void terms_are_dropped_whole(void **state)
+{
+    (void)state;
+    int gene[] = {GENE_SUB, GENE_ADD, GENE_SYMBOL, GENE_SYMBOL + 1, GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 2}, to[7];
+    const struct tree t = {gene, 7};
+    struct tree child = {to, 0};
+    bool seen[3] = {false};
+    gsl_rng *rng = stream_new();
+    stream_key(rng, 2, 0, 0, 0);
+    for (int k = 0; k < 200; k++) {
+        assert_true(tree_drop_term(rng, &t, &child));
+        if (child.length == 3)
+            seen[0] = contains(&to[0], 1, GENE_ADD); /* x + y */
+        else
+            seen[to[1] == GENE_SYMBOL ? 1 : 2] = child.length == 5 && to[0] == GENE_SUB;
+    }
+    assert_true(seen[0] && seen[1] && seen[2]);
+    assert_false(tree_drop_term(rng, &(struct tree){gene + 4, 3}, &child));
+    gsl_rng_free(rng);
+}
+
+/* Genes of the two children together are those of the two parents, when both fit. */
+static void crossover_exchanges(void **state)
+{
+    (void)state;
+    int a_gene[7] = {GENE_MUL, GENE_SYMBOL, GENE_ADD, -1, GENE_SYMBOL + 1}, b_gene[3] = {GENE_SUB, -2, GENE_SYMBOL + 2};
+    int c_gene[8], d_gene[8];
+    const struct tree a = {a_gene, 5}, b = {b_gene, 3};
+    struct tree c = {c_gene, 0}, d = {d_gene, 0};
+    gsl_rng *rng = stream_new();
+    for (uint64_t k = 0; k < 1000; k++) {
+        int sum = 0;
+        stream_key(rng, 5, k, 0, 0);
+        tree_cross(rng, &a, &b, 8, &c, &d);
+        assert_int_equal(c.length + d.length, 8);
+        for (size_t i = 0; i < 8; i++)
+            sum += i < c.length ? c.gene[i] : d.gene[i - c.length];
+        assert_int_equal(sum, GENE_MUL + GENE_ADD + GENE_SUB + 3 * GENE_SYMBOL + 1 + 2 - 1 - 2);
+    }
+    gsl_rng_free(rng);
+}
+
+static void smallest_limits(void **state)
+{
+    (void)state;
+    int gene[3], other[3];
+    struct tree t = {gene, 0}, child = {other, 0}, twin = {(int[3]){0}, 0};
+    gsl_rng *rng = stream_new();
+    stream_key(rng, 9, 0, 0, 0);
+    for (size_t max = 1; max <= 3; max++)
+        for (int k = 0; k < 200; k++) {
+            tree_random(rng, &set, 5, true, max, &t);
+            check_tree(&t, max, "random", k);
+            tree_mutate_branch(rng, &set, &t, max, &child);
+            check_tree(&child, max, "branch", k);
+            tree_cross(rng, &t, &t, max, &child, &twin);
+            check_tree(&child, max, "cross", k);
+            check_tree(&twin, max, "cross", k);
+        }
+    gsl_rng_free(rng);
+}
+
+/* Full trees have all leaves at their depth; hashes tell trees apart. */
+static void shapes_and_hashes(void **state)
+{
+    (void)state;
+    int gene[63], same_gene[63];
+    struct tree t = {gene, 0}, same = {same_gene, 0};
+    gsl_rng *rng = stream_new();
+    stream_key(rng, 1, 0, 0, 0);
+    tree_random(rng, &set, 5, true, 63, &t);
+    assert_int_equal(t.length, 63);
+    tree_copy(&t, &same);
+    assert_true(tree_equal(&t, &same) && tree_hash(&t) == tree_hash(&same));
+    same.gene[62] = same.gene[62] == -1 ? -2 : -1;
+    assert_false(tree_equal(&t, &same));
+    assert_true(tree_hash(&t) != tree_hash(&same));
+    gsl_rng_free(rng);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(operators_keep_genomes_valid),
+        cmocka_unit_test(edits_keep_genomes_valid),
+        cmocka_unit_test(terms_are_dropped_whole),
+        cmocka_unit_test(crossover_exchanges),
+        cmocka_unit_test(smallest_limits),
+        cmocka_unit_test(shapes_and_hashes),
+    };
+    return cmocka_run_group_tests_name("tree", tests, NULL, NULL);
+}

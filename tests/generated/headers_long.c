@@ -1,0 +1,27 @@
+/* The same text as the headers', read with long double for double: what their rounding errors are measured against. */
+#include "headers_long.h"
+
+#include "../bench/bench_kinds.h"
+
+#include <math.h>
+
+#define double long double
+#define sqrt sqrtl
+#define fabs fabsl
+#define frexp frexpl
+#define ldexp ldexpl
+#include "methods.h"
+
+#define METHOD(scene, kind, name, mul, div, add, sqrt)                                                                 \
+    static void at_##name(const double *const *x, const double *xs, double *xi, double *eta)                           \
+    {                                                                                                                  \
+        name##_at(NODES_OF_##kind(x, xs), xi, eta);                                                                    \
+    }
+#include "methods.inc"
+#undef METHOD
+
+void (*const headers_long[])(const double *const *x, const double *xs, double *xi, double *eta) = {
+#define METHOD(scene, kind, name, mul, div, add, sqrt) at_##name,
+#include "methods.inc"
+#undef METHOD
+};

@@ -1,0 +1,196 @@
+/* Statuses of every function of one generated header, whatever flags this is compiled with: C99 and C++11.
+ * tests/cli/statuses.sh writes the file that includes this one, and before it the header and the macros
+ *     R           double or float             NODES, VECTORS, CORNERS   of the segment; VECTORS with the slave node
+ *     ARGUMENTS   of a call, from vectors x   FUNCTIONS(F)              F(name) for each function
+ *     ORDER       places below, one a vector  EXTREME                   largest power of 2 that edges are made of
+ * and wide_NAME(x, loc), which is NAME_at in the numbers of tests/generated/wide_number.h, where corners may have any order
+ * (WIDE).  EXACT: the compiler keeps the order of operations. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef int checked(const R (*x)[3], R loc[2], R *gap);
+typedef void wide_at(const __float128 (*x)[3], __float128 loc[2]);
+
+#define WRAP(name)                                                                                                     \
+    static int call_##name(const R(*x)[3], R loc[2], R *gap)                                                           \
+    {                                                                                                                  \
+        return name(ARGUMENTS, loc, gap);                                                                              \
+    }
+FUNCTIONS(WRAP)
+#ifdef WIDE
+#define ROW(name) {#name, call_##name, wide_##name},
+#else
+#define ROW(name) {#name, call_##name, NULL},
+#endif
+static const struct {
+    const char *name;
+    checked *call;
+    wide_at *wide;
+} function[] = {FUNCTIONS(ROW)};
+enum { FUNCTION_COUNT = sizeof function / sizeof *function };
+
+/* Nodes A to I of a quadrilateral; a slave node; the middle of BC, a normal. */
+static const double place[12][3] = {{0, 0, 0},
+                                    {1, 0, 0},
+                                    {1.125, 1, 0},
+                                    {0, 0.875, 0.0625},
+                                    {0.5, 0, 0},
+                                    {1.0625, 0.5, 0},
+                                    {0.5625, 0.9375, 0.03125},
+                                    {0, 0.4375, 0.03125},
+                                    {0.53125, 0.46875, 0.015625},
+                                    {0.25, 0.3125, 0.03125},
+                                    {0.5625, 0.5, 0.03125},
+                                    {0, 0, 1}};
+static const int order[VECTORS] = {ORDER};
+static int failures;
+
+static void complain(int f, const char *what, int a, int b, int status)
+{
+    if (failures++ < 20)
+        printf("%s: %s %d %d: status %d\n", function[f].name, what, a, b, status);
+}
+
+static void take_places(R x[VECTORS][3])
+{
+    int i, j;
+    for (i = 0; i < VECTORS; i++)
+        for (j = 0; j < 3; j++)
+            x[i][j] = (R)place[order[i]][j];
+}
+
+/* Nodes times 2^power; normals keep their length. */
+static void resize(R x[VECTORS][3], int power)
+{
+    int i, j;
+    for (i = 0; i < VECTORS; i++)
+        for (j = 0; j < 3 && (i < NODES || i == VECTORS - 1); j++)
+            x[i][j] = (R)ldexp((double)x[i][j], power);
+}
+
+static void expect(int f, const R (*x)[3], int expected, const char *what, int a, int b)
+{
+    R loc[2] = {7, 7}, gap = 7;
+    const int status = function[f].call(x, loc, &gap);
+    if (status != expected ||
+        (status != FOOTPOINT_OK && memcmp(&loc[0], &loc[1], sizeof gap) | memcmp(&loc[0], &gap, sizeof gap)) ||
+        (status == FOOTPOINT_OK && gap == 7))
+        complain(f, what, a, b, status);
+}
+
+/* NaN of either sign and both infinities, made of their bits. */
+static void test_not_finite(int f)
+{
+    static const unsigned char high[4][2] = {{0x7f, 0xf8}, {0xff, 0xf8}, {0x7f, 0xf0}, {0xff, 0xf0}};
+    int i, j, b;
+    for (i = 0; i < VECTORS; i++)
+        for (j = 0; j < 3; j++)
+            for (b = 0; b < 4; b++) {
+                R x[VECTORS][3];
+                unsigned char bytes[sizeof(R)] = {0};
+                take_places(x);
+                bytes[sizeof(R) - 1] = high[b][0];
+                bytes[sizeof(R) - 2] = (unsigned char)(sizeof(R) == 4 && b > 1 ? 0x80 : high[b][1]);
+                memcpy(&x[i][j], bytes, sizeof bytes);
+                expect(f, x, FOOTPOINT_ERR_NOT_FINITE, "not finite", i, j);
+            }
+}
+
+/* All nodes in one point, on a line, and corners that coincide crosswise so that nothing is left between them. */
+static void test_no_area(int f)
+{
+    static const double along[11] = {0, 1, 3, 2, 0.5, 2, 2.5, 1, 1.5, 1, 2.25};
+    int power, i, j;
+    for (power = -EXTREME; power <= EXTREME; power += EXTREME / 4) {
+        R x[VECTORS][3];
+        take_places(x);
+        for (i = 0; i < NODES; i++)
+            for (j = 0; j < 3; j++)
+                x[i][j] = 1;
+        resize(x, power);
+        expect(f, x, FOOTPOINT_ERR_DEGENERATE, "a point", power, 0);
+        take_places(x);
+        for (i = 0; i < NODES; i++)
+            for (j = 0; j < 3; j++)
+                x[i][j] = (R)(along[order[i]] * (j + 1));
+        resize(x, power);
+        expect(f, x, FOOTPOINT_ERR_DEGENERATE, "a line", power, 0);
+    }
+}
+
+/* The same bits in every unit of length. */
+static void test_sizes(int f)
+{
+    R x[VECTORS][3], loc[2], gap;
+    int power;
+    take_places(x);
+    if (function[f].call(x, loc, &gap) != FOOTPOINT_OK) {
+        complain(f, "ordinary", 0, 0, 0);
+        return;
+    }
+    for (power = -EXTREME; power <= EXTREME; power++) {
+        R l[2], g;
+        int status;
+        take_places(x);
+        resize(x, power);
+        status = function[f].call(x, l, &g);
+        g = (R)ldexp((double)g, -power);
+        if (status != FOOTPOINT_OK || memcmp(l, loc, sizeof l) != 0 || memcmp(&g, &gap, sizeof g) != 0)
+            complain(f, "size", power, 0, status);
+    }
+}
+
+/* Needles and slave nodes far away: what is returned with FOOTPOINT_OK is what the expression is without overflow and
+ * underflow, of any size. */
+static void test_shapes(int f)
+{
+    enum { STEPS = 24 };
+    int thin, far, size, i, j;
+    for (thin = 0; thin <= EXTREME; thin += EXTREME / STEPS)
+        for (far = 0; far <= EXTREME; far += EXTREME / STEPS) {
+            R x[VECTORS][3];
+            __float128 y[VECTORS][3], w[2];
+            take_places(x);
+            for (i = 0; i < VECTORS; i++)
+                for (j = 0; j < 3; j++) {
+                    if (j > 0 && (i < NODES || i == VECTORS - 1))
+                        x[i][j] = (R)ldexp((double)x[i][j], -thin);
+                    if (i == VECTORS - 1)
+                        x[i][j] = (R)ldexp((double)x[i][j], far);
+                    y[i][j] = x[i][j];
+                }
+            function[f].wide(y, w);
+            for (size = -EXTREME; size <= EXTREME; size += EXTREME / 4) {
+                R z[VECTORS][3], loc[2], gap;
+                memcpy(z, x, sizeof z);
+                resize(z, size);
+                if (function[f].call(z, loc, &gap) != FOOTPOINT_OK)
+                    continue;
+                for (i = 0; i < 2; i++) {
+                    const __float128 off = w[i] - loc[i], unit = 1 + (w[i] < 0 ? -w[i] : w[i]);
+                    if (!(off < 1e-12 * unit && -off < 1e-12 * unit)) {
+                        printf("%g instead of %g\n", (double)loc[i], (double)w[i]);
+                        complain(f, "shape", thin, far, size);
+                        break;
+                    }
+                }
+            }
+        }
+}
+
+int main(void)
+{
+    int f;
+    for (f = 0; f < FUNCTION_COUNT; f++) {
+        test_not_finite(f);
+        test_no_area(f);
+        test_sizes(f);
+#if defined EXACT && defined WIDE
+        test_shapes(f);
+#endif
+    }
+    if (failures)
+        printf("%d failures\n", failures);
+    return failures != 0;
+}

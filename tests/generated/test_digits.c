@@ -1,0 +1,152 @@
+/* Digits far from the origin: segments are moved by a hundred, ten thousand and a million edges, and the rounding errors
+ * of every function stay what they are at the origin; so does the gap.  They are measured against the function itself in
+ * long double, on the coordinates as they have been rounded, relative to a node. */
+#include "../../evolve/input/scene.h"
+#include "../../evolve/surface/surface.h"
+#include "../../runtime/footpoint.h"
+#include "../support/error_stats.h"
+#include "headers_long.h"
+#include "../bench/bench_kinds.h"
+#include "methods.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { SAMPLES = 6000, MOVES = 4 };
+
+/* By how many edges; every coordinate goes far. */
+static const double far[MOVES] = {0, 1e2, 1e4, 1e6}, way[3] = {0.61, -0.53, 0.59};
+
+#define FACTOR 1.6   /* between the errors far from the origin and at it, mean and 99 %: samples of them */
+#define OF_GAP 1e-15 /* over the length of an edge */
+
+typedef void straight(const double *const *x, const double *xs, double *xi, double *eta);
+typedef int checked(const double *const *x, const double *xs, double loc[2], double *gap);
+
+#define METHOD(scene, kind, name, mul, div, add, sqrt)                                                                 \
+    static void straight_##name(const double *const *x, const double *xs, double *xi, double *eta)                     \
+    {                                                                                                                  \
+        name##_at(NODES_OF_##kind(x, xs), xi, eta);                                                                    \
+    }                                                                                                                  \
+    static int checked_##name(const double *const *x, const double *xs, double loc[2], double *gap)                    \
+    {                                                                                                                  \
+        return name(NODES_OF_##kind(x, xs), loc, gap);                                                                 \
+    }
+#include "methods.inc"
+#undef METHOD
+
+static const struct method {
+    const char *scene, *name;
+    straight *at;
+    checked *locate;
+} methods[] = {
+#define METHOD(scene, kind, name, mul, div, add, sqrt) {scene, #name, straight_##name, checked_##name},
+#include "methods.inc"
+#undef METHOD
+};
+
+enum { METHODS = sizeof methods / sizeof *methods };
+
+/* A sample moved; and relative to its first node, which far from the origin is exact.  Normals stay. */
+struct moved {
+    double x[SEGMENT_VECTORS + 1][3], near[SEGMENT_VECTORS + 1][3], edge;
+    const double *at[SEGMENT_VECTORS + 1], *near_at[SEGMENT_VECTORS + 1]; /* the slave node last */
+};
+
+static void move(const struct segment_kind *kind, const struct sample *s, double edges, struct moved *m)
+{
+    const size_t vectors = segment_vectors(kind), nodes = strlen(kind->nodes);
+    m->edge = 0;
+    for (int k = 0; k < 3; k++)
+        m->edge = hypot(m->edge, s->x[1][k] - s->x[0][k]);
+    for (size_t i = 0; i <= vectors; i++)
+        for (int k = 0; k < 3; k++) {
+            const double here = i < vectors ? s->x[i][k] : s->xs[k];
+            const bool point = i < nodes || i == vectors;
+            m->x[i][k] = point ? here - s->x[0][k] + edges * m->edge * way[k] : here;
+            m->near[i][k] = point ? m->x[i][k] - m->x[0][k] : here;
+        }
+    for (size_t i = 0; i <= vectors; i++) {
+        m->at[i] = m->x[i];
+        m->near_at[i] = m->near[i];
+    }
+}
+
+/* How far off xi or eta is, the larger of the two. */
+static double error_of(size_t method, size_t vectors, const struct moved *m)
+{
+    long double near[SEGMENT_VECTORS + 1][3], loc[2];
+    const long double *at[SEGMENT_VECTORS + 1];
+    double xi, eta;
+    for (size_t i = 0; i <= vectors; i++) {
+        for (int k = 0; k < 3; k++)
+            near[i][k] = (long double)m->near[i][k];
+        at[i] = near[i];
+    }
+    methods[method].at(m->at, m->at[vectors], &xi, &eta);
+    headers_long[method](at, at[vectors], &loc[0], &loc[1]);
+    return fmax(fabs(xi - (double)loc[0]), fabs(eta - (double)loc[1]));
+}
+
+static void check_gap(size_t method, size_t vectors, const struct moved *m, double edges)
+{
+    double loc[2], gap, near_loc[2], near_gap;
+    assert_int_equal(methods[method].locate(m->at, m->at[vectors], loc, &gap), FOOTPOINT_OK);
+    assert_int_equal(methods[method].locate(m->near_at, m->near_at[vectors], near_loc, &near_gap), FOOTPOINT_OK);
+    if (!(fabs(gap - near_gap) <= OF_GAP * m->edge))
+        fail_msg("%s, %g edges away: gap %a, near %a, edge %g", methods[method].name, edges, gap, near_gap, m->edge);
+}
+
+static void check_method(size_t method, const struct scene *scene, const struct sample_set *set)
+{
+    const size_t n = set->n < SAMPLES ? set->n : SAMPLES, vectors = segment_vectors(scene->segment);
+    struct error_stats first = {.mean = 0};
+    double *error = new_array(n, sizeof *error);
+    for (int k = 0; k < MOVES; k++) {
+        for (size_t i = 0; i < n; i++) {
+            struct moved m;
+            move(scene->segment, &set->s[i], far[k], &m);
+            error[i] = error_of(method, vectors, &m);
+            if (scene->order == CORNERS_ANY && i % 16 == 0)
+                check_gap(method, vectors, &m, far[k]);
+        }
+        const struct error_stats e = error_stats_of(error, n);
+        if (k == 0)
+            first = e;
+        if (!(e.mean <= FACTOR * first.mean && e.p99 <= FACTOR * first.p99))
+            fail_msg("%s, %g edges away: mean %.1e, 99 %% %.1e; at the origin %.1e, %.1e", methods[method].name, far[k],
+                     e.mean, e.p99, first.mean, first.p99);
+    }
+    free(error);
+}
+
+static void test_scene(void **state)
+{
+    struct diag d = {0};
+    struct scene *scene = scene_read(".", *state, &d);
+    struct sample_set set = {0};
+    if (!scene || !scene_samples(scene, PART_HELDOUT_RANDOM, &set, &d))
+        fail_msg("%s", d.text);
+    for (size_t i = 0; i < METHODS; i++)
+        if (strcmp(methods[i].scene, scene->name) == 0)
+            check_method(i, scene, &set);
+    sample_set_free(&set);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[METHODS];
+    size_t n = 0;
+    for (size_t i = 0; i < METHODS; i++)
+        if (i == 0 || strcmp(methods[i].scene, methods[i - 1].scene) != 0)
+            tests[n++] =
+                (struct CMUnitTest){methods[i].scene, test_scene, NULL, NULL, (void *)(uintptr_t)methods[i].scene};
+    return _cmocka_run_group_tests("digits", tests, n, NULL, NULL);
+}

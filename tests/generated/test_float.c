@@ -1,0 +1,224 @@
+/* Code in float: the committed header is measured again on its scene's held-out samples, whose coordinates are floats,
+ * and shows the figures of its banner; what it computes depends on neither place nor size; and what its checked
+ * functions vouch for is as good as they say.  Hard cases are in tests/hard/. */
+#include "../../codegen/genome/genome.h"
+#include "../../evolve/input/scene.h"
+#include "../../generated/footpoint_quad4_float.h"
+#include "../../runtime/footpoint.h"
+#include "../support/error_stats.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* Fused operations are as good, but not the same. */
+#ifdef __FP_FAST_FMAF
+#define AGREE 0.5
+#else
+#define AGREE 1e-3
+#endif
+
+typedef void straight(const float *xA, const float *xB, const float *xC, const float *xD, const float *xS, float *xi,
+                      float *eta);
+typedef int checked(const float *xA, const float *xB, const float *xC, const float *xD, const float *xS, float loc[2],
+                    float *gap);
+
+#define FUNCTION(name, WORST, refused)                                                                                 \
+    {                                                                                                                  \
+#name, footpoint_quad4_float_##name##_at, footpoint_quad4_float_##name, footpoint_quad4_float_##name##_sure,   \
+            (double)FOOTPOINT_QUAD4_FLOAT_##WORST##_WORST, refused                                                     \
+    }
+static const struct function {
+    const char *name;
+    straight *at;
+    checked *bare, *sure;
+    double worst;
+    double refused; /* part of the scene's samples that NAME_sure may not be sure of */
+} functions[] = {FUNCTION(fast, FAST, 0.6),        FUNCTION(coarse, COARSE, 0.15),     FUNCTION(gauss2, GAUSS2, 0.05),
+                 FUNCTION(medium, MEDIUM, 0.01),   FUNCTION(balanced, BALANCED, 2e-3), FUNCTION(fine, FINE, 5e-4),
+                 FUNCTION(precise, PRECISE, 1e-4), FUNCTION(accurate, ACCURATE, 0.4)};
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+static struct sample_set set[2];
+static const char *const part_name[2] = {"heldout", "heldout_random"};
+
+/* Nodes and the slave node, the slave node last. */
+static void set_single(const struct sample *s, float x[5][3])
+{
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 3; k++)
+            x[i][k] = (float)(i < 4 ? s->x[i][k] : s->xs[k]);
+}
+
+static int draw(void **state)
+{
+    struct diag d;
+    struct scene *scene = scene_read(".", "quad4-float", &d);
+    (void)state;
+    if (!scene || !scene_samples(scene, PART_HELDOUT, &set[0], &d) ||
+        !scene_samples(scene, PART_HELDOUT_RANDOM, &set[1], &d))
+        fail_msg("%s", d.text);
+    scene_free(scene);
+    return 0;
+}
+
+static int forget(void **state)
+{
+    (void)state;
+    sample_set_free(&set[0]);
+    sample_set_free(&set[1]);
+    return 0;
+}
+
+static void coordinates_are_floats(void **state)
+{
+    (void)state;
+    for (int part = 0; part < 2; part++)
+        for (size_t i = 0; i < set[part].n; i++) {
+            float x[5][3];
+            set_single(&set[part].s[i], x);
+            for (int k = 0; k < 15; k++)
+                assert_true((double)x[k / 3][k % 3] ==
+                            (k < 12 ? set[part].s[i].x[k / 3][k % 3] : set[part].s[i].xs[k % 3]));
+        }
+}
+
+/* The banner's line of a function: "KEY: mean A, 99 % B, worst of N C". */
+static void read_banner(const char *text, const char *function, const char *key, struct error_stats *e, size_t *n)
+{
+    char name[80], line[80];
+    snprintf(name, sizeof name, " * footpoint_quad4_float_%s\n", function);
+    snprintf(line, sizeof line, " *   %s: mean ", key);
+    const char *at = strstr(text, name);
+    assert_non_null(at);
+    at = strstr(at, line);
+    assert_non_null(at);
+    assert_int_equal(
+        sscanf(at + strlen(line), "%lf, 99 %% %lf, worst of %zu %lf", &e->mean, &e->p99, n, &e->max), 4);
+}
+
+static void banner_tells_errors_of_the_float_code(void **state)
+{
+    size_t size;
+    struct diag d;
+    char *text = read_text("generated/footpoint_quad4_float.h", &size, &d);
+    (void)state;
+    assert_non_null(text);
+    for (int f = 0; f < FUNCTIONS; f++)
+        for (int part = 0; part < 2; part++) {
+            const size_t n = set[part].n;
+            double *error[2] = {new_array(n, sizeof(double)), new_array(n, sizeof(double))};
+            for (size_t i = 0; i < n; i++) {
+                const struct sample *s = &set[part].s[i];
+                float x[5][3], loc[2];
+                set_single(s, x);
+                functions[f].at(x[0], x[1], x[2], x[3], x[4], &loc[0], &loc[1]);
+                error[0][i] = fabs((double)loc[0] - s->xi);
+                error[1][i] = fabs((double)loc[1] - s->eta);
+            }
+            for (int k = 0; k < 2; k++) {
+                const struct error_stats e = error_stats_of(error[k], n);
+                struct error_stats stated;
+                char key[40];
+                size_t count;
+                snprintf(key, sizeof key, "%s_%s", part_name[part], k ? "eta" : "xi");
+                read_banner(text, functions[f].name, key, &stated, &count);
+                assert_int_equal(count, n);
+                assert_int_equal(e.failures, 0);
+                if (!(fabs(e.mean - stated.mean) <= AGREE * stated.mean &&
+                      fabs(e.p99 - stated.p99) <= AGREE * stated.p99 &&
+                      fabs(e.max - stated.max) <= 2 * AGREE * stated.max))
+                    fail_msg("%s %s: measured mean %g p99 %g max %g, the banner says %g %g %g", functions[f].name, key,
+                             e.mean, e.p99, e.max, stated.mean, stated.p99, stated.max);
+                free(error[k]);
+            }
+        }
+    free(text);
+}
+
+/* What is vouched for is as good as stated; of the scene's samples little is not. */
+static void sure_answers_are_as_good_as_the_banner(void **state)
+{
+    (void)state;
+    for (int f = 0; f < FUNCTIONS; f++) {
+        size_t asked = 0, refused = 0;
+        for (int part = 0; part < 2; part++)
+            for (size_t i = 0; i < set[part].n; i += 4, asked++) {
+                const struct sample *s = &set[part].s[i];
+                float x[5][3], loc[2] = {7, 7}, gap = 7, bare[2], bare_gap;
+                set_single(s, x);
+                assert_int_equal(functions[f].bare(x[0], x[1], x[2], x[3], x[4], bare, &bare_gap), FOOTPOINT_OK);
+                const int status = functions[f].sure(x[0], x[1], x[2], x[3], x[4], loc, &gap);
+                if (status == FOOTPOINT_OK) {
+                    assert_true(loc[0] == bare[0] && loc[1] == bare[1] && gap == bare_gap);
+                    assert_true(fmax(fabs((double)loc[0] - s->xi), fabs((double)loc[1] - s->eta)) <=
+                                functions[f].worst);
+                    continue;
+                }
+                assert_int_equal(status, FOOTPOINT_ERR_DOMAIN);
+                assert_true(loc[0] == 7 && loc[1] == 7 && gap == 7);
+                refused++;
+            }
+        print_message("%s: not sure of %zu in %zu\n", functions[f].name, refused, asked);
+        assert_true((double)refused <= functions[f].refused * (double)asked);
+    }
+}
+
+/* Of the same segment 2^-13 to 2^13 times as large (1e-4 to 1e4), the same numbers to the bit. */
+static void size_does_not_matter(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < set[0].n; i += 997)
+        for (int f = 0; f < FUNCTIONS; f++) {
+            float x[5][3], first[2], loc[2], gap, g;
+            set_single(&set[0].s[i], x);
+            assert_int_equal(functions[f].bare(x[0], x[1], x[2], x[3], x[4], first, &gap), FOOTPOINT_OK);
+            for (int power = -13; power <= 13; power += 13) {
+                float y[5][3];
+                for (int k = 0; k < 15; k++)
+                    y[k / 3][k % 3] = ldexpf(x[k / 3][k % 3], power);
+                assert_int_equal(functions[f].bare(y[0], y[1], y[2], y[3], y[4], loc, &g), FOOTPOINT_OK);
+                assert_true(loc[0] == first[0] && loc[1] == first[1] && g == ldexpf(gap, power));
+            }
+        }
+}
+
+static void loops_agree_with_single_calls(void **state)
+{
+    enum { N = 1000 };
+    static float column[15][N], xi[N], eta[N];
+    const float *x[15];
+    (void)state;
+    for (int k = 0; k < 15; k++)
+        x[k] = column[k];
+    for (size_t i = 0; i < N; i++) {
+        float one[5][3];
+        set_single(&set[1].s[i], one);
+        for (int k = 0; k < 15; k++)
+            column[k][i] = one[k / 3][k % 3];
+    }
+    footpoint_quad4_float_accurate_n(N, x, xi, eta);
+    for (size_t i = 0; i < N; i++) {
+        const struct sample *s = &set[1].s[i];
+        const double off = fmax(fabs((double)xi[i] - s->xi), fabs((double)eta[i] - s->eta));
+        assert_true(off <= (double)FOOTPOINT_QUAD4_FLOAT_ACCURATE_WORST);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(coordinates_are_floats),
+        cmocka_unit_test(banner_tells_errors_of_the_float_code),
+        cmocka_unit_test(sure_answers_are_as_good_as_the_banner),
+        cmocka_unit_test(size_does_not_matter),
+        cmocka_unit_test(loops_agree_with_single_calls),
+    };
+    return cmocka_run_group_tests_name("float", tests, draw, forget);
+}

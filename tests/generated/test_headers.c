@@ -1,0 +1,274 @@
+/* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene
+ * and must show the figures of its banner; and the checked function must agree with the unchecked one however the
+ * corners are numbered. */
+#include "../../evolve/eval/frame.h"
+#include "../../evolve/input/scene.h"
+#include "../../evolve/surface/surface.h"
+#include "../../runtime/footpoint.h"
+#include "../support/error_stats.h"
+#include "../bench/bench_kinds.h"
+#include "methods.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* Nodes as a pointer to each, whatever their number. */
+typedef void straight(const double *const *x, const double *xs, double *xi, double *eta);
+typedef int checked(const double *const *x, const double *xs, double loc[2], double *gap);
+
+#define METHOD(scene, kind, name, mul, div, add, sqrt)                                                                 \
+    static void straight_##name(const double *const *x, const double *xs, double *xi, double *eta)                     \
+    {                                                                                                                  \
+        name##_at(NODES_OF_##kind(x, xs), xi, eta);                                                                    \
+    }                                                                                                                  \
+    static int checked_##name(const double *const *x, const double *xs, double loc[2], double *gap)                    \
+    {                                                                                                                  \
+        return name(NODES_OF_##kind(x, xs), loc, gap);                                                                 \
+    }
+#include "methods.inc"
+#undef METHOD
+
+static const struct method {
+    const char *scene, *name;
+    straight *at;
+    checked *locate;
+} methods[] = {
+#define METHOD(scene, kind, name, mul, div, add, sqrt) {scene, #name, straight_##name, checked_##name},
+#include "methods.inc"
+#undef METHOD
+};
+
+enum { METHODS = sizeof methods / sizeof *methods, COMPARED = 50000 };
+#define ROUNDING 1e-11 /* of xi and eta; beyond 1, where steps go astray, it grows with the square */
+
+static void at_sample(const struct method *m, const struct sample *s, double loc[2])
+{
+    const double *x[SEGMENT_VECTORS];
+    for (int k = 0; k < SEGMENT_VECTORS; k++)
+        x[k] = s->x[k];
+    m->at(x, s->xs, &loc[0], &loc[1]);
+}
+
+/* Genome of a method of scene file `f`: function footpoint_<scene>_<genome>, with _ for - in the scene's name. */
+static const struct genome *find_genome(const struct genome_file *f, const struct method *m)
+{
+    const size_t prefix = strlen("footpoint_") + strlen(m->scene) + 1;
+    for (size_t i = 0; i < f->genomes; i++)
+        if (strcmp(m->name + prefix, f->genome[i].name) == 0)
+            return &f->genome[i];
+    return NULL;
+}
+
+static void check_note(const struct genome *g, const char *key, const struct error_stats *e)
+{
+    double mean, p99, max;
+    size_t n;
+    const char *text = genome_find_note(g->note, g->notes, key);
+    assert_non_null(text);
+    assert_int_equal(sscanf(text, "n %zu mean %lf p99 %lf max %lf", &n, &mean, &p99, &max), 4);
+    const double stated[3] = {mean, p99, max}, measured[3] = {e->mean, e->p99, e->max};
+    for (int i = 0; i < 3;
+         i++) /* three decimals in the text; below 1e-12 rounding errors depend on the order of sums */
+        if (!(fabs(measured[i] - stated[i]) <= 1e-3 * stated[i] + 1e-12))
+            fail_msg("%s %s: the banner says %g, measured %g", g->name, key, stated[i], measured[i]);
+    assert_int_equal(e->failures, 0);
+}
+
+static void measure(const struct method *m, const struct genome *g, const struct sample_set *set, const char *part)
+{
+    double *error[2];
+    char key[60];
+    for (int k = 0; k < 2; k++)
+        error[k] = calloc(set->n, sizeof **error);
+    for (size_t i = 0; i < set->n; i++) {
+        const struct sample *s = &set->s[i];
+        double loc[2];
+        at_sample(m, s, loc);
+        error[0][i] = fabs(loc[0] - s->xi);
+        error[1][i] = fabs(loc[1] - s->eta);
+    }
+    for (int k = 0; k < 2; k++) {
+        const struct error_stats e = error_stats_of(error[k], set->n);
+        snprintf(key, sizeof key, "%s_%s", part, k ? "eta" : "xi");
+        check_note(g, key, &e);
+        free(error[k]);
+    }
+}
+
+/* The code in double against the genome in double, gene by gene: they differ by rounding alone. */
+static void compare_with_genome(const struct method *m, const struct genome_file *f, const struct genome *g,
+                                const struct sample_set *set)
+{
+    const size_t n = set->n < COMPARED ? set->n : COMPARED;
+    struct kernel *kernel = kernel_new_widest();
+    struct columns table = frame_columns(kernel, f, set->s, n);
+    double *value[2];
+    for (int k = 0; k < 2; k++) {
+        const struct kernel_task task = {g->out[k].gene, g->out[k].length, f->constant, &table};
+        value[k] = new_array(n, sizeof *value[k]);
+        kernel_values(kernel, &task, value[k]);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const struct sample *s = &set->s[i];
+        double loc[2];
+        at_sample(m, s, loc);
+        for (int k = 0; k < 2; k++)
+            if (!(fabs(loc[k] - value[k][i]) <= ROUNDING * fmax(1, value[k][i] * value[k][i])))
+                fail_msg("%s, sample %zu: code %a, genome %a", m->name, i, loc[k], value[k][i]);
+    }
+    free(value[0]);
+    free(value[1]);
+    columns_free(&table);
+    kernel_free(kernel);
+}
+
+/* The gap is that of the surface at the xi and eta found. */
+static void check_gap(const struct method *m, const struct segment_kind *kind, const struct sample *s,
+                      const double loc[2], double gap, double size)
+{
+    double x[SEGMENT_VECTORS][3], r[3], n[3], there = 0;
+    memcpy(x, s->x, sizeof x);
+    assert_true(surface_normal(surface_find(kind), x, loc[0], loc[1], r, n));
+    for (int k = 0; k < 3; k++)
+        there += (s->xs[k] - r[k]) * n[k];
+    if (!(fabs(gap - there) <= size * 1e-11))
+        fail_msg("%s: gap %a, on the surface %a", m->name, gap, there);
+}
+
+/* The checked function agrees with the unchecked one, and its gap is right at first order. */
+static void check(const struct method *m, const struct segment_kind *kind, const struct sample *s)
+{
+    const double *x[SEGMENT_VECTORS];
+    double loc[2], first[2], gap, size = 0;
+    for (int k = 0; k < SEGMENT_VECTORS; k++)
+        x[k] = s->x[k];
+    at_sample(m, s, first);
+    assert_int_equal(m->locate(x, s->xs, loc, &gap), FOOTPOINT_OK);
+    for (int k = 0; k < 3; k++)
+        size += fabs(s->x[1][k] - s->x[0][k]) + fabs(s->x[2][k] - s->x[0][k]);
+    const double off = fabs(loc[0] - s->xi) + fabs(loc[1] - s->eta);
+#ifdef __FMA__ /* where compilers fuse operations each in its own way */
+    assert_true(fabs(loc[0] - first[0]) + fabs(loc[1] - first[1]) <= 1e-12);
+#else
+    assert_true(loc[0] == first[0] && loc[1] == first[1]);
+#endif
+    if (!(fabs(gap - s->gap) <= size * (1e-12 + 20 * off)))
+        fail_msg("%s: gap %a, certain %a, with xi, eta off by %g", m->name, gap, s->gap, off);
+    check_gap(m, kind, s, loc, gap, size);
+}
+
+/* Rotations and reflections of the numbering give the same point of the segment. */
+static void renumber(const struct method *m, const struct sample *s)
+{
+    const double *const first_x[4] = {s->x[0], s->x[1], s->x[2], s->x[3]};
+    double loc[2], gap, first[2];
+    assert_int_equal(m->locate(first_x, s->xs, first, &gap), FOOTPOINT_OK);
+    for (int turn = 0; turn < 4; turn++) {
+        const double *const x[4] = {s->x[turn], s->x[(turn + 1) % 4], s->x[(turn + 2) % 4], s->x[(turn + 3) % 4]};
+        double g;
+        assert_int_equal(m->locate(x, s->xs, loc, &g), FOOTPOINT_OK);
+        const double xi = turn == 0 ? loc[0] : turn == 1 ? -loc[1] : turn == 2 ? -loc[0] : loc[1];
+        const double eta = turn == 0 ? loc[1] : turn == 1 ? loc[0] : turn == 2 ? -loc[1] : -loc[0];
+        if (!(fabs(xi - first[0]) <= 1e-9 && fabs(eta - first[1]) <= 1e-9 && fabs(g - gap) <= 1e-9 * (1 + fabs(gap))))
+            fail_msg("%s turn %d: (%a,%a) not (%a,%a)", m->name, turn, xi, eta, first[0], first[1]);
+    }
+}
+
+static void check_scene(const char *name)
+{
+    struct diag d = {0};
+    char path[300];
+    snprintf(path, sizeof path, "evolve/genomes/%s.gen", name);
+    struct genome_file *f = genome_read(path, &d);
+    struct scene *scene = f ? scene_read(".", name, &d) : NULL;
+    for (int p = 0; scene && p < HELDOUT_PARTS; p++) {
+        struct sample_set set = {0};
+        if (!scene_has(scene, heldout_part[p].part))
+            continue;
+        if (!scene_samples(scene, heldout_part[p].part, &set, &d))
+            fail_msg("%s", d.text);
+        for (size_t i = 0; i < METHODS; i++) {
+            if (strcmp(methods[i].scene, name) != 0)
+                continue;
+            const struct genome *g = find_genome(f, &methods[i]);
+            assert_non_null(g);
+            measure(&methods[i], g, &set, heldout_part[p].name);
+            compare_with_genome(&methods[i], f, g, &set);
+            for (size_t k = 0; p == 1 && k < set.n; k += 1 + set.n / 500) /* off the grid: there corners tie */
+                if (scene->order == CORNERS_ANY)
+                    check(&methods[i], scene->segment, &set.s[k]);
+                else
+                    renumber(&methods[i], &set.s[k]);
+        }
+        sample_set_free(&set);
+    }
+    if (!scene)
+        fail_msg("%s", d.text);
+    scene_free(scene);
+    genome_file_free(f);
+}
+
+static void test_scene(void **state)
+{
+    check_scene(*state);
+}
+
+/* Faces an edge of which has no length, its mid-side node on its ends: they have an area everywhere else, and the foot
+ * points inside are found by the most accurate function of each kind. */
+static void test_collapsed(void **state)
+{
+    static const char *const best[][2] = {{"quad4", "footpoint_quad4_full"},
+                                          {"quad8", "footpoint_quad8_full"},
+                                          {"quad9", "footpoint_quad9_full"}};
+    static const double place[4][3] = {{0, 0, 0}, {1, 0, 0.0625}, {1.125, 0.875, 0}, {0.0625, 1, 0.0625}};
+    (void)state;
+    for (size_t b = 0; b < sizeof best / sizeof *best; b++)
+        for (int edge = 0; edge < 4; edge++) {
+            const struct segment_kind *kind = segment_find(best[b][0]);
+            const struct method *m = methods;
+            double x[SEGMENT_VECTORS][3] = {{0}};
+            const double *at[SEGMENT_VECTORS];
+            while (strcmp(m->name, best[b][1]) != 0)
+                m++;
+            for (int i = 0; i < SEGMENT_VECTORS; i++)
+                at[i] = x[i];
+            memcpy(x, place, sizeof place);
+            memcpy(x[edge], x[(edge + 1) % 4], sizeof x[0]);
+            for (int i = 0; i < 4; i++)
+                for (int k = 0; k < 3; k++) {
+                    x[4 + i][k] = (x[i][k] + x[(i + 1) % 4][k]) / 2 + (k == 2 && i != edge ? 0.03125 : 0);
+                    x[8][k] += x[i][k] / 4;
+                }
+            for (double xi = -0.5; xi <= 0.5; xi += 0.25)
+                for (double eta = -0.5; eta <= 0.5; eta += 0.25) {
+                    double r[3], n[3], xs[3], loc[2], gap;
+                    assert_true(surface_normal(surface_find(kind), x, xi, eta, r, n));
+                    for (int k = 0; k < 3; k++)
+                        xs[k] = r[k] + 0.03125 * n[k];
+                    const int status = m->locate(at, xs, loc, &gap);
+                    if (status != FOOTPOINT_OK ||
+                        !(fabs(loc[0] - xi) <= 1e-9 && fabs(loc[1] - eta) <= 1e-9 && fabs(gap - 0.03125) <= 1e-9))
+                        fail_msg("%s, edge %d, (%g,%g): status %d, (%g,%g), gap %g", m->name, edge, xi, eta, status,
+                                 loc[0], loc[1], gap);
+                }
+        }
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[METHODS + 1];
+    size_t n = 0;
+    tests[n++] = (struct CMUnitTest)cmocka_unit_test(test_collapsed);
+    for (size_t i = 0; i < METHODS; i++)
+        if (i == 0 || strcmp(methods[i].scene, methods[i - 1].scene) != 0)
+            tests[n++] =
+                (struct CMUnitTest){methods[i].scene, test_scene, NULL, NULL, (void *)(uintptr_t)methods[i].scene};
+    return _cmocka_run_group_tests("headers", tests, n, NULL, NULL);
+}

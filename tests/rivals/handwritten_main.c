@@ -1,0 +1,243 @@
+/* Speed of the emitted functions against the same formulas written by hand (handwritten.h), and against the genomes'
+ * values computed one by one as they stand (as_written.h, which as_written.awk makes): CSV, one line for each method
+ * and mode, for tests/long/handwritten.sh.
+ *
+ * All three are compiled alike, and inlined alike into a function of one search, "scalar", and into a loop over columns
+ * of coordinates, "batch".  They take turns, ROUNDS times, and a ratio is the median over the rounds of another one's
+ * time over ours in the same round: what else the machine does falls on both. */
+
+/* Clang leaves the larger ones out of line otherwise, and the loops without vectors. */
+#define FOOTPOINT_FN static inline __attribute__((always_inline))
+#include "../../generated/footpoint_blocks_quad4.h"
+#include "../../generated/footpoint_paper_quad4.h"
+#include "../../generated/footpoint_punch_quad4.h"
+#include "../../generated/footpoint_quad4.h"
+#include "../../generated/footpoint_whole_quad4.h"
+#include "as_written.h"
+#include "handwritten.h"
+#include "../support/ordinary_quad.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+/* A block, and its results, stay in the first cache; its columns are no power of two apart. */
+enum { SAMPLES = 120, BLOCKS = 24, REPEATS = 2, ROUNDS = 101 };
+#define TOLERANCE 1e-12 /* between what the three find, in xi and eta */
+
+static struct block {
+    struct quad quad[SAMPLES];
+    double x[15][SAMPLES]; /* the same by columns: coordinates of A, B, C, D, S */
+    double found[2][SAMPLES];
+} blocks[BLOCKS];
+
+struct search {
+    void (*one)(const struct quad *q, double found[2]);
+    void (*batch)(struct block *b);
+};
+
+#define DEFINE(function)                                                                                               \
+    __attribute__((noinline)) static void one_##function(const struct quad *q, double found[2])                        \
+    {                                                                                                                  \
+        function(q->x[0], q->x[1], q->x[2], q->x[3], q->xs, &found[0], &found[1]);                                     \
+    }                                                                                                                  \
+    __attribute__((noinline)) static void batch_##function(struct block *s)                                            \
+    {                                                                                                                  \
+        for (int i = 0; i < SAMPLES; i++) {                                                                            \
+            const double xA[3] = {s->x[0][i], s->x[1][i], s->x[2][i]}, xB[3] = {s->x[3][i], s->x[4][i], s->x[5][i]};   \
+            const double xC[3] = {s->x[6][i], s->x[7][i], s->x[8][i]}, xD[3] = {s->x[9][i], s->x[10][i], s->x[11][i]}; \
+            const double xS[3] = {s->x[12][i], s->x[13][i], s->x[14][i]};                                              \
+            function(xA, xB, xC, xD, xS, &s->found[0][i], &s->found[1][i]);                                            \
+        }                                                                                                              \
+    }
+/* What nobody would write by hand is compared with its genome as written alone. */
+#define METHODS(M)                                                                                                     \
+    M(blocks_quad4_fast, hand_fast)                                                                                    \
+    M(blocks_quad4_coarse, hand_coarse)                                                                                \
+    M(blocks_quad4_gauss2, hand_gauss2)                                                                                \
+    M(blocks_quad4_medium, hand_medium)                                                                                \
+    M(blocks_quad4_balanced, hand_balanced)                                                                            \
+    M(blocks_quad4_fine, hand_fine)                                                                                    \
+    M(blocks_quad4_accurate, hand_precise)                                                                             \
+    M(paper_quad4_gauss, hand_paper_gauss)                                                                             \
+    M(paper_quad4_fast, written_paper_quad4_fast)                                                                      \
+    M(paper_quad4_taper, hand_paper_taper)                                                                             \
+    M(paper_quad4_gauss2, hand_paper_gauss2)                                                                           \
+    M(paper_quad4_coarse, written_paper_quad4_coarse)                                                                  \
+    M(paper_quad4_newton, hand_paper_newton)                                                                           \
+    M(paper_quad4_medium, hand_paper_medium)                                                                           \
+    M(paper_quad4_balanced, hand_paper_balanced)                                                                       \
+    M(paper_quad4_fine, hand_paper_fine)                                                                               \
+    M(paper_quad4_precise, hand_paper_precise)                                                                         \
+    M(paper_quad4_accurate, hand_paper_accurate)                                                                       \
+    M(paper_quad4_full, hand_paper_full)                                                                               \
+    M(punch_quad4_fast, hand_fast)                                                                                     \
+    M(punch_quad4_coarse, hand_coarse)                                                                                 \
+    M(punch_quad4_gauss2, hand_gauss2)                                                                                 \
+    M(punch_quad4_medium, hand_medium)                                                                                 \
+    M(punch_quad4_balanced, hand_balanced)                                                                             \
+    M(punch_quad4_fine, hand_fine)                                                                                     \
+    M(punch_quad4_accurate, hand_precise)                                                                              \
+    M(quad4_fast, hand_fast)                                                                                           \
+    M(quad4_coarse, hand_coarse)                                                                                       \
+    M(quad4_gauss2, hand_gauss2)                                                                                       \
+    M(quad4_medium, hand_medium)                                                                                       \
+    M(quad4_balanced, hand_balanced)                                                                                   \
+    M(quad4_fine, hand_fine)                                                                                           \
+    M(quad4_precise, hand_precise)                                                                                     \
+    M(quad4_accurate, hand_accurate)                                                                                   \
+    M(quad4_full, hand_full)                                                                                           \
+    M(whole_quad4_gauss, hand_whole_gauss)                                                                             \
+    M(whole_quad4_fast, written_whole_quad4_fast)                                                                      \
+    M(whole_quad4_taper, hand_whole_taper)                                                                             \
+    M(whole_quad4_gauss2, hand_whole_gauss2)                                                                           \
+    M(whole_quad4_coarse, written_whole_quad4_coarse)                                                                  \
+    M(whole_quad4_newton, hand_whole_newton)                                                                           \
+    M(whole_quad4_medium, hand_whole_medium)                                                                           \
+    M(whole_quad4_balanced, hand_whole_balanced)                                                                       \
+    M(whole_quad4_fine, hand_whole_fine)                                                                               \
+    M(whole_quad4_precise, hand_whole_precise)                                                                         \
+    M(whole_quad4_accurate, hand_whole_accurate)                                                                       \
+    M(whole_quad4_full, hand_whole_full)
+
+/* A name of its own for the hand-written one of each method, which several may share. */
+#define DEFINE_HAND(name, hand)                                                                                        \
+    FOOTPOINT_FN void by_hand_##name(HAND_NODES, double *xi, double *eta)                                              \
+    {                                                                                                                  \
+        hand(xA, xB, xC, xD, xS, xi, eta);                                                                             \
+    }
+METHODS(DEFINE_HAND)
+
+#define DEFINE_METHOD(name, hand) DEFINE(footpoint_##name##_at) DEFINE(by_hand_##name) DEFINE(written_##name)
+METHODS(DEFINE_METHOD)
+
+enum { OURS, HAND, WRITTEN, RIVALS };
+enum mode { SCALAR, BATCH, MODES };
+static const char *const mode_name[MODES] = {"scalar", "batch"};
+
+static const struct method {
+    const char *name;
+    struct search search[RIVALS];
+} methods[] = {
+#define SEARCH(function)                                                                                               \
+    {                                                                                                                  \
+        one_##function, batch_##function                                                                               \
+    }
+#define METHOD(name, hand) {#name, {SEARCH(footpoint_##name##_at), SEARCH(by_hand_##name), SEARCH(written_##name)}},
+    METHODS(METHOD)};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void run(const struct search *search, enum mode mode, struct block *b)
+{
+    if (mode == BATCH) {
+        search->batch(b);
+        return;
+    }
+    for (int i = 0; i < SAMPLES; i++) {
+        double found[2];
+        search->one(&b->quad[i], found);
+        b->found[0][i] = found[0];
+        b->found[1][i] = found[1];
+    }
+}
+
+/* Nanoseconds per search. */
+static double time_turn(const struct search *search, enum mode mode)
+{
+    const double start = now();
+    for (int k = 0; k < BLOCKS; k++)
+        for (int repeat = 0; repeat < REPEATS; repeat++)
+            run(search, mode, &blocks[k]);
+    return 1e9 * (now() - start) / (BLOCKS * REPEATS * SAMPLES);
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *x)
+{
+    qsort(x, ROUNDS, sizeof *x, compare_doubles);
+    return x[ROUNDS / 2];
+}
+
+/* ns: medians; ratio: of each one's time to ours. */
+static void measure(const struct method *m, enum mode mode, double ns[RIVALS], double ratio[RIVALS])
+{
+    static double time[RIVALS][ROUNDS], quotient[RIVALS][ROUNDS];
+    for (int round = 0; round < ROUNDS; round++) {
+        for (int turn = 0; turn < RIVALS; turn++) {
+            const int r = (turn + round) % RIVALS;
+            time[r][round] = time_turn(&m->search[r], mode);
+        }
+        for (int r = 0; r < RIVALS; r++)
+            quotient[r][round] = time[r][round] / time[OURS][round];
+    }
+    for (int r = 0; r < RIVALS; r++) {
+        ns[r] = median(time[r]);
+        ratio[r] = median(quotient[r]);
+    }
+}
+
+/* Largest difference between what the searches of a method find. */
+static double disagreement(const struct method *m)
+{
+    double most = 0, ours[2][SAMPLES];
+    for (int k = 0; k < BLOCKS; k++)
+        for (int r = 0; r < RIVALS * MODES; r++) {
+            run(&m->search[r / MODES], (enum mode)(r % MODES), &blocks[k]);
+            if (r == 0)
+                memcpy(ours, blocks[k].found, sizeof ours);
+            for (int i = 0; i < 2 * SAMPLES; i++) {
+                const double difference =
+                    fabs(blocks[k].found[i / SAMPLES][i % SAMPLES] - ours[i / SAMPLES][i % SAMPLES]);
+                most = difference <= most ? most : difference; /* NaN counts as more */
+            }
+        }
+    return most;
+}
+
+/* Ordinary segments with A the corner of the foot point's quarter, as the genomes of the paper's scene want it. */
+static void draw_samples(void)
+{
+    for (int i = 0; i < BLOCKS * SAMPLES; i++) {
+        struct block *b = &blocks[i / SAMPLES];
+        struct quad q = quad_draw(&quad_ordinary, (uint64_t)i);
+        while (q.xi > 0 || q.eta > 0)
+            q = quad_turn_corners(&q);
+        b->quad[i % SAMPLES] = q;
+        for (int k = 0; k < 15; k++)
+            b->x[k][i % SAMPLES] = k < 12 ? q.x[k / 3][k % 3] : q.xs[k - 12];
+    }
+}
+
+int main(void)
+{
+    bool agree = true;
+    draw_samples();
+    puts("method,mode,ns,ns_hand,ns_written,ratio_hand,ratio_written");
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        const double difference = disagreement(&methods[i]);
+        if (!(difference <= TOLERANCE))
+            fprintf(stderr, "%s: the formulas differ by %.1e\n", methods[i].name, difference);
+        agree &= difference <= TOLERANCE;
+        for (int mode = 0; mode < MODES; mode++) {
+            double ns[RIVALS], ratio[RIVALS];
+            measure(&methods[i], (enum mode)mode, ns, ratio);
+            printf("%s,%s,%.2f,%.2f,%.2f,%.3f,%.3f\n", methods[i].name, mode_name[mode], ns[OURS], ns[HAND],
+                   ns[WRITTEN], ratio[HAND], ratio[WRITTEN]);
+        }
+    }
+    return !agree;
+}

@@ -1,0 +1,137 @@
+/* The hand-written searches on Gregory patches do what they say: the same surface as the runtime's, the same foot point
+ * as the reference. */
+#include "../../codegen/genome/base.h"
+#include "../../evolve/samples/body_samples.h"
+#include "rivals_gregory.h"
+
+#include "../../runtime/geometry/footpoint-gregory-geometry.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static struct patch_set samples;
+
+static int setup(void **state)
+{
+    (void)state;
+    smooth_samples(&(struct smooth){5, 0.2, PATCH_GREGORY}, PART_TRAINING, 2000, &samples);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    patch_set_free(&samples);
+    return 0;
+}
+
+static void compare(rival_lanes ours, const double theirs[3], double factor, double tolerance)
+{
+    for (int k = 0; k < 3; k++)
+        assert_true(fabs(ours[k] - factor * theirs[k]) <= tolerance);
+}
+
+static void test_jet(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < samples.n; i++) {
+        const double(*x)[3] = (const double(*)[3])samples.s[i].x, (*n)[3] = (const double(*)[3])samples.s[i].n;
+        /* Corners too, but for the second derivatives that are 0/0 there. */
+        const int corner = i % 100 == 0;
+        const double xi = corner ? -1 : samples.s[i].xi, eta = corner ? 1 : samples.s[i].eta;
+        struct footpoint_gregory g;
+        struct footpoint_jet jet;
+        struct rival_patch patch;
+        struct rival_jet fast;
+        assert_int_equal(footpoint_gregory_points(x, n, &g), FOOTPOINT_OK);
+        footpoint_gregory_jet(&g, xi, eta, &jet);
+        rival_patch_of(x, n, &patch);
+        rival_patch_jet(&patch, 0.5 + 0.5 * xi, 0.5 + 0.5 * eta, 1, &fast);
+        assert_memory_equal(patch.origin, g.net.origin, sizeof patch.origin);
+        compare(fast.r, jet.r, 1, 1e-14);
+        compare(fast.u, jet.r_xi, 2, 1e-13);
+        compare(fast.v, jet.r_eta, 2, 1e-13);
+        if (corner)
+            continue;
+        compare(fast.uu, jet.r_xixi, 4, 1e-12);
+        compare(fast.uv, jet.r_xieta, 4, 1e-12);
+        compare(fast.vv, jet.r_etaeta, 4, 1e-12);
+    }
+}
+
+/* Bezier patches: their jets, and Newton's iteration ends at the certain foot point. */
+static void test_bezier(void **state)
+{
+    struct patch_set set = {0};
+    size_t converged = 0;
+    (void)state;
+    smooth_samples(&(struct smooth){6, 0.2, PATCH_BEZIER}, PART_TRAINING, 1000, &set);
+    for (size_t i = 0; i < set.n; i++) {
+        const struct patch_sample *s = &set.s[i];
+        const double(*x)[3] = (const double(*)[3])s->x, (*n)[3] = (const double(*)[3])s->n;
+        struct footpoint_bezier b;
+        struct footpoint_jet jet;
+        struct rival_patch patch;
+        struct rival_jet fast;
+        struct rival_point p = rival_facet_foot(x, n, s->xs, RIVAL_CENTRE);
+        assert_int_equal(footpoint_bezier_points(x, n, &b), FOOTPOINT_OK);
+        footpoint_bezier_jet(&b, s->xi, s->eta, &jet);
+        rival_bezier_of(x, n, &patch);
+        rival_patch_jet(&patch, 0.5 + 0.5 * s->xi, 0.5 + 0.5 * s->eta, 1, &fast);
+        compare(fast.r, jet.r, 1, 1e-14);
+        compare(fast.u, jet.r_xi, 2, 1e-13);
+        compare(fast.v, jet.r_eta, 2, 1e-13);
+        compare(fast.uu, jet.r_xixi, 4, 1e-12);
+        compare(fast.uv, jet.r_xieta, 4, 1e-12);
+        compare(fast.vv, jet.r_etaeta, 4, 1e-12);
+        if (rival_patch_converge(&patch, s->xs, 0, 50, 1e-10, &p) &&
+            fabs(2 * p.u - 1 - s->xi) + fabs(2 * p.v - 1 - s->eta) < 1e-12)
+            converged++;
+    }
+    assert_true(converged >= set.n - 2);
+    patch_set_free(&set);
+}
+
+static void test_searches(void **state)
+{
+    (void)state;
+    double miss[3] = {0}, along_normals = 0;
+    size_t converged = 0, near = 0;
+    for (size_t i = 0; i < samples.n; i++) {
+        const struct patch_sample *s = &samples.s[i];
+        const double u = 0.5 + 0.5 * s->xi, v = 0.5 + 0.5 * s->eta;
+        struct rival_patch patch;
+        struct rival_point p = rival_facet_foot((const double(*)[3])s->x, (const double(*)[3])s->n, s->xs,
+                                                RIVAL_CENTRE),
+                           q;
+        rival_patch_of((const double(*)[3])s->x, (const double(*)[3])s->n, &patch);
+        miss[0] += fabs(p.u - u) + fabs(p.v - v);
+        q = rival_patch_steps(&patch, s->xs, 1, 0, p);
+        miss[1] += fabs(q.u - u) + fabs(q.v - v);
+        q = rival_patch_steps(&patch, s->xs, 2, 0, p);
+        miss[2] += fabs(q.u - u) + fabs(q.v - v);
+        q = rival_patch_steps(&patch, s->xs, 0, 3, p);
+        near += fabs(q.u - u) + fabs(q.v - v) < 1e-5;
+        q = rival_normal_foot((const double(*)[3])s->x, (const double(*)[3])s->n, s->xs, RIVAL_CENTRE);
+        along_normals += fabs(q.u - u) + fabs(q.v - v);
+        if (rival_patch_converge(&patch, s->xs, 0, 50, 1e-10, &p) && fabs(p.u - u) + fabs(p.v - v) < 1e-12)
+            converged++;
+    }
+    assert_true(converged >= samples.n - 2);
+    assert_true(near >= samples.n * 99 / 100);
+    assert_true(along_normals < 0.5 * miss[0]);
+    assert_true(miss[1] < 0.2 * miss[0] && miss[2] < 0.2 * miss[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_jet), cmocka_unit_test(test_bezier),
+                                       cmocka_unit_test(test_searches)};
+    return cmocka_run_group_tests_name("rivals_gregory", tests, setup, teardown);
+}

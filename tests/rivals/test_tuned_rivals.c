@@ -1,0 +1,209 @@
+/* The rivals that are tuned to a scene, those that iterate until they stand, and their forms for columns. */
+#include "newton_lanes.h"
+#include "../support/ordinary_quad.h"
+#include "rivals_tuned.h"
+#include "trust_region.h"
+
+#include "../../evolve/surface/foot_bilinear.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+enum { SEGMENTS = 512 };
+static const double tolerance = 1e-9;
+
+#define NODES(q) (q).x[0], (q).x[1], (q).x[2], (q).x[3], (q).xs
+
+static void close_to(double a, double b)
+{
+    if (!(fabs(a - b) <= tolerance))
+        fail_msg("%a instead of %a", a, b);
+}
+
+/* From the middle, in the whole segment, a tuned iteration is the one from the centre. */
+static void test_centre(void **state)
+{
+    struct rival_tuning t = {.s = 0.5, .t = 0.5};
+    t.clamp.plain = (struct rival_box){{-0.5, -0.5}, {0.5, 0.5}};
+    t.clamp.scaled = (struct rival_box){{-1, -1}, {1, 1}};
+    (void)state;
+    for (uint64_t number = 0; number < SEGMENTS; number++) {
+        const struct quad q = quad_draw(&quad_ordinary, number);
+        double xi, eta, same_xi, same_eta;
+#define COMPARE(name)                                                                                                  \
+    rival_##name##_centre(NODES(q), &xi, &eta);                                                                        \
+    rival_##name##_best(NODES(q), &t, &same_xi, &same_eta);                                                            \
+    close_to(same_xi, xi);                                                                                             \
+    close_to(same_eta, eta);                                                                                           \
+    rival_##name##_centre_clamped(NODES(q), &xi, &eta);                                                                \
+    rival_##name##_best_clamped(NODES(q), &t, &same_xi, &same_eta);                                                    \
+    close_to(same_xi, xi);                                                                                             \
+    close_to(same_eta, eta);
+        COMPARE(gn1)
+        COMPARE(gn4)
+        COMPARE(gn1n3)
+        COMPARE(gn2n1)
+        COMPARE(n1)
+    }
+}
+
+/* From the answer itself, nothing moves. */
+static void test_start(void **state)
+{
+    (void)state;
+    for (uint64_t number = 0; number < SEGMENTS; number++) {
+        const struct quad q = quad_draw(&quad_ordinary, number);
+        const struct rival_tuning t = {.s = 0.5 * (1 + q.xi), .t = 0.5 * (1 + q.eta), .xi0 = q.xi, .eta0 = q.eta};
+        double xi, eta;
+        rival_gn1_best(NODES(q), &t, &xi, &eta);
+        close_to(xi, q.xi);
+        close_to(eta, q.eta);
+        rival_n2_best(NODES(q), &t, &xi, &eta);
+        close_to(xi, q.xi);
+        close_to(eta, q.eta);
+    }
+}
+
+/* The inputs are those of section 3.1: distances are kept, and A, B, D are where they belong. */
+static void test_similarity(void **state)
+{
+    (void)state;
+    for (uint64_t number = 0; number < SEGMENTS; number++) {
+        const struct quad q = quad_draw(&quad_ordinary, number);
+        double x[RIVAL_INPUTS], ab[3], ac[3], ad[3], as[3], sc[3];
+        rival_similarity(NODES(q), 1, x);
+        for (int i = 0; i < 3; i++) {
+            ab[i] = q.x[1][i] - q.x[0][i];
+            ac[i] = q.x[2][i] - q.x[0][i];
+            ad[i] = q.x[3][i] - q.x[0][i];
+            as[i] = q.xs[i] - q.x[0][i];
+            sc[i] = ac[i] - as[i];
+        }
+        const double unit = rival_dot(ab, ab);
+        const double c[3] = {x[RIVAL_XC], x[RIVAL_YC], x[RIVAL_ZC]}, s[3] = {x[RIVAL_XS], x[RIVAL_YS], x[RIVAL_ZS]};
+        const double d[3] = {x[RIVAL_XD], x[RIVAL_YD], 0}, cs[3] = {c[0] - s[0], c[1] - s[1], c[2] - s[2]};
+        close_to(rival_dot(c, c), rival_dot(ac, ac) / unit);
+        close_to(rival_dot(s, s), rival_dot(as, as) / unit);
+        close_to(rival_dot(d, d), rival_dot(ad, ad) / unit);
+        close_to(rival_dot(cs, cs), rival_dot(sc, sc) / unit);
+        close_to(rival_dot(c, d), rival_dot(ac, ad) / unit);
+        assert_true(d[1] > 0);
+    }
+}
+
+/* Horner's form has every monomial once. */
+static void test_polynomials(void **state)
+{
+    const struct quad q = quad_draw(&quad_ordinary, 7);
+    double x[RIVAL_INPUTS], xi, eta;
+    struct rival_tuning t = {.s = 0};
+    (void)state;
+    rival_similarity(NODES(q), 1, x);
+    for (int i = 0; i < RIVAL_TERMS; i++) {
+        t.xi[i] = 1 + 0.1 * i;
+        t.eta[i] = -t.xi[i];
+    }
+    double sum = t.xi[0], square_sum = t.xi[0];
+    int at = 1, square_at = 1;
+    for (int i = 0; i < RIVAL_INPUTS; i++) {
+        sum += t.xi[at++] * x[i];
+        square_sum += t.xi[square_at++] * x[i];
+        for (int j = i; j < RIVAL_INPUTS; j++) {
+            sum += t.xi[at++] * x[i] * x[j];
+            square_sum += t.xi[square_at++] * x[i] * x[j];
+            for (int k = j; k < RIVAL_INPUTS; k++)
+                sum += t.xi[at++] * x[i] * x[j] * x[k];
+        }
+    }
+    assert_int_equal(at, RIVAL_TERMS);
+    assert_int_equal(square_at, 45);
+    rival_cubic(NODES(q), &t, &xi, &eta);
+    close_to(xi, sum);
+    close_to(eta, -sum);
+    rival_quadratic(NODES(q), &t, &xi, &eta);
+    close_to(xi, square_sum);
+    close_to(eta, -square_sum);
+}
+
+/* Each lane finds what its sample finds alone, however long the others take. */
+static void test_lanes(void **state)
+{
+    const struct quad_limits limits = {0.45, 0.4, 0.8, 1.5};
+    (void)state;
+    for (uint64_t first = 0; first < SEGMENTS; first += NEWTON_LANES) {
+        double columns[15][NEWTON_LANES];
+        const double *x[15];
+        struct newton_lanes lanes;
+        for (int from_start = 0; from_start < 2; from_start++) {
+            for (int k = 0; k < 15; k++)
+                x[k] = columns[k];
+            for (uint64_t i = 0; i < NEWTON_LANES; i++) {
+                const struct quad q = quad_draw(&limits, first + i);
+                for (int k = 0; k < 15; k++)
+                    columns[k][i] = k < 12 ? q.x[k / 3][k % 3] : q.xs[k - 12];
+                lanes.u[i] = q.xi + 0.02;
+                lanes.v[i] = q.eta - 0.01;
+            }
+            newton_lanes_run(&lanes, x, from_start, RIVAL_NEWTON_TOLERANCE);
+            for (uint64_t i = 0; i < NEWTON_LANES; i++) {
+                const struct quad q = quad_draw(&limits, first + i);
+                double xi = q.xi + 0.02, eta = q.eta - 0.01;
+                const int n = from_start
+                                  ? rival_newton_from(NODES(q), RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, &xi, &eta)
+                                  : rival_newton(NODES(q), RIVAL_STEPS_MAX, RIVAL_NEWTON_TOLERANCE, &xi, &eta);
+                assert_int_equal(n == 0, lanes.moving[i] > 0);
+                if (n) {
+                    close_to(lanes.u[i], xi);
+                    close_to(lanes.v[i], eta);
+                }
+            }
+        }
+    }
+}
+
+/* In the box; the closest point of it where that lies inside; never farther off than the middle or a corner's edge. */
+static void test_trust_region(void **state)
+{
+    const struct quad_limits limits = {0.45, 0.4, 0.8, 1.5};
+    const struct rival_box box = {{-1, -1}, {1, 1}};
+    const double lo[2] = {-1, -1}, hi[2] = {1, 1};
+    int inside = 0;
+    (void)state;
+    for (uint64_t number = 0; number < SEGMENTS; number++) {
+        const struct quad q = quad_draw(&limits, number);
+        struct sample s = {.xi = 0};
+        struct rival_basis b;
+        double xi, eta;
+        assert_true(rival_trust_region(NODES(q), &box, RIVAL_STEPS_MAX, TRUST_REGION_TOLERANCE, &xi, &eta) > 0);
+        assert_true(xi >= -1 && xi <= 1 && eta >= -1 && eta <= 1);
+        rival_basis_centre(NODES(q), &b);
+        const struct rival_products g = rival_products_of(&b, RIVAL_MANY);
+        const double height = trust_height(&g, (struct rival_point){xi, eta});
+        for (int i = -10; i <= 10; i++)
+            for (int k = -1; k <= 1; k++) { /* along both middle lines and the edges */
+                assert_true(height <= trust_height(&g, (struct rival_point){0.1 * i, k}) + tolerance * g.g11);
+                assert_true(height <= trust_height(&g, (struct rival_point){k, 0.1 * i}) + tolerance * g.g11);
+            }
+        for (int i = 0; i < 15; i++)
+            (i < 12 ? s.x[i / 3] : s.xs)[i % 3] = i < 12 ? q.x[i / 3][i % 3] : q.xs[i - 12];
+        if (reference_foot(&s, lo, hi)) {
+            close_to(xi, s.xi);
+            close_to(eta, s.eta);
+            inside++;
+        }
+    }
+    assert_in_range(inside, SEGMENTS / 4, SEGMENTS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_centre),     cmocka_unit_test(test_start),
+                                       cmocka_unit_test(test_similarity), cmocka_unit_test(test_polynomials),
+                                       cmocka_unit_test(test_lanes),      cmocka_unit_test(test_trust_region)};
+    return cmocka_run_group_tests_name("tuned rivals", tests, NULL, NULL);
+}

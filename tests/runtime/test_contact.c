@@ -1,0 +1,213 @@
+/* Contact of one pair: choice of the segment (3), (4), normal (6), gap (9), forces (10), (11). */
+#include "../../runtime/geometry/footpoint-quad4-geometry.h"
+#include "../support/ordinary_quad.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+enum { SEGMENTS = 300 };
+#define UNTOUCHED 77.25
+
+/* ---- normal, gap, forces ---- */
+
+static void test_normal(void **state)
+{
+    const double O[3] = {1, 1, 1}, X[3] = {3, 1, 1}, Y[3] = {1, 5, 1}, X2[3] = {7, 1, 1}, bad[3] = {0, (double)NAN, 0};
+    double m[3];
+    (void)state;
+    assert_int_equal(footpoint_normal(O, X, Y, m), FOOTPOINT_OK);
+    assert_true(m[0] == 0 && m[1] == 0 && m[2] == 1);
+    assert_int_equal(footpoint_normal(O, Y, X, m), FOOTPOINT_OK);
+    assert_true(m[2] == -1);
+    m[0] = m[1] = m[2] = UNTOUCHED;
+    assert_int_equal(footpoint_normal(O, X, X2, m), FOOTPOINT_ERR_DEGENERATE);
+    assert_int_equal(footpoint_normal(O, O, X, m), FOOTPOINT_ERR_DEGENERATE);
+    assert_int_equal(footpoint_normal(O, bad, X, m), FOOTPOINT_ERR_NOT_FINITE);
+    assert_true(m[0] == UNTOUCHED && m[1] == UNTOUCHED && m[2] == UNTOUCHED);
+}
+
+/* With the segment's own normal, (9) is its signed gap; with another unit vector, the projection of xS - r. */
+static void test_gap(void **state)
+{
+    (void)state;
+    for (uint64_t i = 0; i < SEGMENTS; i++) {
+        const struct quad q = quad_draw(&quad_ordinary, i);
+        const double loc[2] = {q.xi, q.eta}, bad[2] = {(double)NAN, 0}, z[3] = {0, 0, 1};
+        double n[3], r[3], gap = UNTOUCHED;
+        const double *A = q.x[0], *B = q.x[1], *C = q.x[2], *D = q.x[3];
+        assert_int_equal(footpoint_gap(A, B, C, D, q.xs, bad, z, &gap), FOOTPOINT_ERR_NOT_FINITE);
+        assert_true(gap == UNTOUCHED);
+        assert_int_equal(footpoint_quad4_normal(A, B, C, D, q.xi, q.eta, n), FOOTPOINT_OK);
+        assert_int_equal(footpoint_gap(A, B, C, D, q.xs, loc, n, &gap), FOOTPOINT_OK);
+        assert_true(fabs(gap - q.gap) < 1e-11);
+        footpoint_quad4_position(A, B, C, D, q.xi, q.eta, r);
+        assert_int_equal(footpoint_gap(A, B, C, D, q.xs, loc, z, &gap), FOOTPOINT_OK);
+        assert_true(fabs(gap - (q.xs[2] - r[2])) < 1e-11);
+    }
+}
+
+static void test_forces_balance(void **state)
+{
+    const double k = 250;
+    (void)state;
+    for (uint64_t i = 0; i < SEGMENTS; i++) {
+        const struct quad q = quad_draw(&quad_ordinary, i);
+        const double loc[2] = {q.xi, q.eta};
+        double n[3], fs[3], fm[4][3], sum[3], moment[3];
+        assert_int_equal(footpoint_quad4_normal(q.x[0], q.x[1], q.x[2], q.x[3], q.xi, q.eta, n), FOOTPOINT_OK);
+        assert_int_equal(footpoint_force(q.gap, k, n, loc, fs, fm), FOOTPOINT_OK);
+        for (int c = 0; c < 3; c++) {
+            const int u = (c + 1) % 3, v = (c + 2) % 3;
+            /* (10): out of the segment, and nothing across a gap. */
+            assert_true(fabs(fs[c] - (q.gap < 0 ? -q.gap * k * n[c] : 0)) < 1e-12);
+            sum[c] = fs[c];
+            moment[c] = q.xs[u] * fs[v] - q.xs[v] * fs[u];
+            for (int j = 0; j < 4; j++) {
+                sum[c] += fm[j][c];
+                moment[c] += q.x[j][u] * fm[j][v] - q.x[j][v] * fm[j][u];
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            assert_true(fabs(sum[c]) <= 1e-12 * k);
+            assert_true(fabs(moment[c]) <= 1e-9 * k);
+        }
+    }
+}
+
+static void test_force_open(void **state)
+{
+    const double m[3] = {0, 0, 1}, loc[2] = {0.5, -0.5}, open[2] = {0, 0.25};
+    double fs[3], fm[4][3];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        fs[2] = fm[3][2] = UNTOUCHED;
+        assert_int_equal(footpoint_force(open[i], 10, m, loc, fs, fm), FOOTPOINT_OK);
+        for (int c = 0; c < 3; c++)
+            assert_true(fs[c] == 0 && fm[0][c] == 0 && fm[1][c] == 0 && fm[2][c] == 0 && fm[3][c] == 0);
+    }
+}
+
+static void test_force_refused(void **state)
+{
+    const double m[3] = {0, 0, 1}, loc[2] = {0.5, -0.5}, nan = (double)NAN;
+    const double bad_m[3] = {0, 0, nan}, bad_loc[2] = {(double)INFINITY, 0};
+    double fs[3] = {UNTOUCHED, UNTOUCHED, UNTOUCHED}, fm[4][3] = {{UNTOUCHED}};
+    (void)state;
+    assert_int_equal(footpoint_force(nan, 10, m, loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(footpoint_force(-1, nan, m, loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(footpoint_force(-1, 10, bad_m, loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(footpoint_force(-1, 10, m, bad_loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(footpoint_force(-1, -10, m, loc, fs, fm), FOOTPOINT_ERR_ARGUMENT);
+    assert_true(fs[0] == UNTOUCHED && fs[2] == UNTOUCHED && fm[0][0] == UNTOUCHED);
+}
+
+/* ---- which segment ---- */
+
+/* Four unit squares around node 4, each starting from another corner. */
+static const double patch[9][3] = {{-1, -1, 0}, {0, -1, 0}, {1, -1, 0}, {-1, 0, 0}, {0, 0, 0},
+                                   {1, 0, 0},   {-1, 1, 0}, {0, 1, 0},  {1, 1, 0}};
+static const int around[4][4] = {{4, 5, 8, 7}, {3, 4, 7, 6}, {0, 1, 4, 3}, {5, 4, 1, 2}};
+
+static void check_chosen(const double *xyz, const double xs[3], int expected)
+{
+    int chosen = -7;
+    const int status = footpoint_select_segment(xyz, 4, 4, around[0], xs, &chosen);
+    if (status == FOOTPOINT_OK && chosen == expected)
+        return;
+    print_error("slave node %a %a %a: status %d, segment %d instead of %d\n", xs[0], xs[1], xs[2], status, chosen,
+                expected);
+    fail();
+}
+
+static void test_select_inside(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        const double xs[3] = {k == 0 || k == 3 ? 0.3 : -0.3, k < 2 ? 0.6 : -0.6, 0.2};
+        check_chosen(patch[0], xs, k);
+    }
+}
+
+/* Over an edge, the first of its two segments; over the node, the first of all. */
+static void test_select_ties(void **state)
+{
+    const double edge[4][3] = {{0, 0.5, 0.1}, {-0.5, 0, 0.1}, {0, -0.5, 0.1}, {0.5, 0, -0.1}}, node[3] = {0, 0, 0.2};
+    static const int expected[4] = {0, 1, 2, 0};
+    (void)state;
+    for (int k = 0; k < 4; k++)
+        check_chosen(patch[0], edge[k], expected[k]);
+    check_chosen(patch[0], node, 0);
+    check_chosen(patch[0], patch[4], 0);
+}
+
+static void turn(double axis[3][3], const double x[3], double y[3])
+{
+    for (int k = 0; k < 3; k++)
+        y[k] = axis[0][k] * x[0] + axis[1][k] * x[1] + axis[2][k] * x[2];
+}
+
+/* Rounding must not lose a slave node over an edge, however the patch lies in space. */
+static void test_select_turned(void **state)
+{
+    static const double on_edge[4][2] = {{0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    static const int expected[4] = {0, 1, 2, 0};
+    (void)state;
+    for (uint64_t i = 0; i < SEGMENTS; i++) {
+        const struct quad q = quad_draw(&quad_ordinary, i);
+        const double t = 0.05 + 0.9 * (double)i / SEGMENTS, *e = on_edge[i % 4];
+        const double place[3] = {t * e[0], t * e[1], 0.3}, inside[3] = {0.3 * t, -0.4 * t, 0.1};
+        double axis[3][3], xyz[9][3], xs[3], length = 0;
+        /* An orthonormal frame from the random segment. */
+        for (int k = 0; k < 3; k++) {
+            axis[0][k] = q.x[1][k] - q.x[0][k];
+            length += axis[0][k] * axis[0][k];
+        }
+        for (int k = 0; k < 3; k++)
+            axis[0][k] /= sqrt(length);
+        assert_int_equal(footpoint_normal(q.x[0], q.x[1], q.x[3], axis[2]), FOOTPOINT_OK);
+        for (int k = 0; k < 3; k++)
+            axis[1][k] = axis[2][(k + 1) % 3] * axis[0][(k + 2) % 3] - axis[2][(k + 2) % 3] * axis[0][(k + 1) % 3];
+        for (int n = 0; n < 9; n++)
+            turn(axis, patch[n], xyz[n]);
+        turn(axis, place, xs);
+        check_chosen(xyz[0], xs, expected[i % 4]);
+        turn(axis, inside, xs);
+        check_chosen(xyz[0], xs, 3);
+    }
+}
+
+static void test_select_refused(void **state)
+{
+    const double xs[3] = {-0.5, -0.5, 0}, bad[3] = {0, 0, (double)INFINITY};
+    static const int negative[4] = {4, -1, 8, 7}, collapsed[4] = {4, 5, 8, 5};
+    double broken[9][3];
+    int chosen = -7;
+    (void)state;
+    for (int n = 0; n < 27; n++)
+        broken[n / 3][n % 3] = n == 15 ? (double)NAN : patch[n / 3][n % 3];
+    assert_int_equal(footpoint_select_segment(patch[0], 4, 2, around[0], xs, &chosen), FOOTPOINT_ERR_DOMAIN);
+    assert_int_equal(footpoint_select_segment(patch[0], 4, 0, NULL, xs, &chosen), FOOTPOINT_ERR_DOMAIN);
+    assert_int_equal(footpoint_select_segment(patch[0], 4, 1, collapsed, xs, &chosen), FOOTPOINT_ERR_DOMAIN);
+    assert_int_equal(footpoint_select_segment(patch[0], 4, -1, around[0], xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_select_segment(patch[0], -1, 4, around[0], xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_select_segment(patch[0], 0, 4, around[0], xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_select_segment(patch[0], 4, 1, negative, xs, &chosen), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_select_segment(patch[0], 4, 4, around[0], bad, &chosen), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(footpoint_select_segment(broken[0], 4, 4, around[0], xs, &chosen), FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(chosen, -7);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_normal),         cmocka_unit_test(test_gap),
+                                       cmocka_unit_test(test_forces_balance), cmocka_unit_test(test_force_open),
+                                       cmocka_unit_test(test_force_refused),  cmocka_unit_test(test_select_inside),
+                                       cmocka_unit_test(test_select_ties),    cmocka_unit_test(test_select_turned),
+                                       cmocka_unit_test(test_select_refused)};
+    return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
+}
