@@ -2,7 +2,9 @@
  * indices are in range, and that all come out well, take the short way; all others are gathered and judged pair by
  * pair, and those that do not come out well then are searched by themselves. */
 #include "batch_block.h"
+
 #include "../geometry/vector.h"
+#include "../search/locate.h"
 
 /* Where answers go: one of loc, locf. */
 struct answers {
@@ -268,4 +270,21 @@ size_t footpoint_locate_prepared(const struct footpoint_segment *segment, enum f
         failed += store_judged(&to, &b, first, count);
     }
     return failed;
+}
+
+_Static_assert(sizeof(int) == sizeof(int32_t), "indices of 32 bits");
+
+size_t footpoint_locate_pairs(size_t n, const double *xyz, size_t nodes, const int *seg, const int *slave, double *loc,
+                              double *gap, int *status)
+{
+    const struct footpoint_pairs p = {.n = n,
+                                      .nodes = nodes,
+                                      .x = xyz,
+                                      .y = nodes ? xyz + 1 : NULL,
+                                      .z = nodes ? xyz + 2 : NULL,
+                                      .stride = 3,
+                                      .seg = seg,
+                                      .slave = slave,
+                                      .sure = 1};
+    return footpoint_locate_batch(&p, FOOTPOINT_ACCURATE, loc, gap, status);
 }

@@ -41,9 +41,6 @@ struct lanes {
 #pragma GCC visibility push(hidden)
 #endif
 
-/* Nodes x[0] to x[4] by themselves: what the function of the tier gives, `sure` as for batches. */
-int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const *x, double loc[2], double *gap);
-
 /* The set that suits this machine best. */
 const struct lanes *footpoint_batch_lanes(void);
 

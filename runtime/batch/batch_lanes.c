@@ -7,8 +7,8 @@
 #define FOOTPOINT_FN static inline
 #endif
 
-#include "batch_gather.h"
 #include "../certain/check.h"
+#include "batch_gather.h"
 
 #include "../../generated/footpoint_quad4.h"
 
@@ -109,9 +109,9 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
         const double xi2 = add_square(ab, square(dc, fused), fused), eta2 = add_square(ad, square(bc, fused), fused);
         const double size = xi2 + eta2, far = add_square(as, size, fused);
         bad |= (uint64_t)b->status[i] | footpoint_detail_below(size, 2.0 * FOOTPOINT_QUAD4_LEAST) |
-               footpoint_detail_below(0.5 / FOOTPOINT_QUAD4_LEAST, size) | footpoint_detail_bits(nn - 1e-15 * xi2 * eta2) |
-               footpoint_detail_below(nn, 1e-150) | footpoint_detail_below(1e150, far) |
-               footpoint_detail_below(9.0, fabs(b->xi[i]) + fabs(b->eta[i]));
+               footpoint_detail_below(0.5 / FOOTPOINT_QUAD4_LEAST, size) |
+               footpoint_detail_bits(nn - 1e-15 * xi2 * eta2) | footpoint_detail_below(nn, 1e-150) |
+               footpoint_detail_below(1e150, far) | footpoint_detail_below(9.0, fabs(b->xi[i]) + fabs(b->eta[i]));
         if (gap) {
             double d[3];
             for (int k = 0; k < 3; k++)
@@ -146,8 +146,7 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
         for (size_t i = 0; i < count; i++) {                                                                           \
             NODES_OF(b, c, prepared, i);                                                                               \
             double at[2];                                                                                              \
-            b->status[i] =                                                                                             \
-                (int64_t)footpoint_detail_footpoint_quad4_##tier(xA, xB, xC, xD, xS, &at[0], &at[1]);                  \
+            b->status[i] = (int64_t)footpoint_detail_footpoint_quad4_##tier(xA, xB, xC, xD, xS, &at[0], &at[1]);       \
             xi[i] = at[0];                                                                                             \
             eta[i] = at[1];                                                                                            \
         }                                                                                                              \

@@ -9,9 +9,9 @@
 #define FOOTPOINT_BILINEAR_H
 
 #include "../footpoint.h"
+#include "../geometry/vector.h"
 #include "ieee.h"
 #include "twofold.h"
-#include "../geometry/vector.h"
 
 #include <float.h>
 

@@ -1,248 +1,32 @@
-/* All stationary points of the distance to a bilinear segment.  Given t = (1 + eta)/2, (7) is linear in s = (1 + xi)/2:
- * with a = (1-t) AB + t DC and e = (xS - xA) - t AD it reads s = p/Q, p = a . e, Q = a . a.  Then (8), times Q^2, is a
- * quintic in t,
- *     P = (Q AD + p c) . (Q e - p a) = 0,   c = DC - AB,
- * and each of its roots where a is not 0 gives one point, so there are five at most.  P is formed with twice the
- * precision from differences of nodes, which are exact: its coefficients are known to 1e-27 of the sizes of their
- * terms.  roots.c tells its roots apart.
+/* All stationary points of the distance to a bilinear segment, from the roots of the quintics of both families of lines
+ * (lines.h).  Each root of a family where a is not 0 gives one point, so there are five at most.  Where a has next to no
+ * length, as at a collapsed edge, P says little: so it is done with lines along xi and with lines along eta.
  *
- * Where a has next to no length, as at a collapsed edge, P says little: so the same is done with xi and eta exchanged.
- * A stationary point is found by one of the two, or it lies in an interval of each of which nothing is known; for such
- * pairs of intervals that (7), (8) do not exclude there is one point that stands for what is there. */
+ * Every stationary point lies in an interval of either family.  It is found by one of the two; or it stands in the list
+ * by bounds on where it is, for what rounding leaves; or it lies in an interval of each of which nothing is known: for
+ * such pairs of intervals that (7), (8) do not exclude there is one point that stands for what is there. */
 #include "stationary.h"
-#include "roots.h"
+#include "lines.h"
 
 #include <string.h>
 
-#define ERROR 0x1p-90    /* of coefficients and their halvings, in units of the sum of the sizes of all terms */
-#define BEYOND 0x1p-37   /* points that far outside, in s and t, count as on the edge */
-#define START 0x1p-18    /* width of an interval in t from which Newton's method is tried */
-#define END 0x1p-80      /* ... and to which it is narrowed if that fails: next to a pinch s changes that quickly */
-#define APART 1e-9       /* a point that near to one that the other family found is the same, in xi and eta */
-#define MARGIN 0x1p-40   /* for the rounding of bounds */
-#define SMALL 0x1p-50    /* ... of s and t */
-#define CANCELED 0x1p-96 /* ... of p, over the lengths of a and e */
-#define SLICE 0.125      /* of an interval, which is cut off at its end if nothing is there */
-#define SHARP 1e-10      /* a reach below is that of one point */
+#define START 0x1p-18  /* width of an interval in t from which Newton's method is tried */
+#define END 0x1p-80    /* ... and to which it is narrowed if that fails: next to a pinch s changes that quickly */
+#define APART 1e-9     /* a point that near to one that the other family found is the same, in xi and eta */
+#define MARGIN 0x1p-40 /* for the rounding of bounds */
+#define SMALL 0x1p-50  /* ... of s and t */
+#define SLICE 0.125    /* of an interval, which is cut off at its end if nothing is there */
+#define SHARP 1e-10    /* a reach below is that of one point */
 
 enum { CUTS = 400, PARTS = 64 };
-
-/* The lines of one family, by t from -BEYOND (0) to 1 + BEYOND (1): direction and xS minus the start, linear in t. */
-struct lines {
-    struct twofold along[2][3], e[2][3], across[3], twist[3];
-};
 
 struct family {
     struct lines lines;
     struct roots_interval interval[ROOTS_MOST];
     int settled[ROOTS_MOST];      /* 1 if the root of the interval is outside, or listed and sharp */
     double box[ROOTS_MOST][2][2]; /* ... bounds on (1 + z)/2 of what is not */
-    int count, exchanged;
+    int count;
 };
-
-static void extend(struct twofold from[3], double by, const struct twofold d[3])
-{
-    for (int i = 0; i < 3; i++)
-        from[i] = twofold_add(from[i], twofold_scale(by, d[i]));
-}
-
-static void lines_of(const double *const x[5], int exponent, int exchanged, struct lines *l)
-{
-    const int next = exchanged ? 3 : 1, side = exchanged ? 1 : 3;
-    for (int i = 0; i < 3; i++) {
-        l->along[0][i] = bilinear_difference(x[next][i], x[0][i], exponent);
-        l->along[1][i] = bilinear_difference(x[2][i], x[side][i], exponent);
-        l->across[i] = bilinear_difference(x[side][i], x[0][i], exponent);
-        l->e[0][i] = bilinear_difference(x[4][i], x[0][i], exponent);
-        l->e[1][i] = bilinear_difference(x[4][i], x[side][i], exponent);
-        l->twist[i] = twofold_subtract(l->along[1][i], l->along[0][i]);
-    }
-    extend(l->along[0], -BEYOND, l->twist);
-    extend(l->along[1], BEYOND, l->twist);
-    extend(l->e[0], BEYOND, l->across);
-    extend(l->e[1], -BEYOND, l->across);
-}
-
-/* ---- the quintic ---- */
-
-static double length(const struct twofold a[3])
-{
-    return sqrt(a[0].high * a[0].high + a[1].high * a[1].high + a[2].high * a[2].high);
-}
-
-/* Polynomials are sums of c[k] t^k (1-t)^(n-k).  product += u v. */
-static void add_product(int m, const struct twofold u[], int n, const struct twofold v[], struct twofold product[])
-{
-    for (int i = 0; i <= m; i++)
-        for (int j = 0; j <= n; j++)
-            product[i + j] = twofold_add(product[i + j], twofold_multiply(u[i], v[j]));
-}
-
-/* The same of sizes. */
-static void add_size(int m, const double u[], int n, const double v[], double product[])
-{
-    for (int i = 0; i <= m; i++)
-        for (int j = 0; j <= n; j++)
-            product[i + j] += u[i] * v[j];
-}
-
-/* The product P of (Q AD + p c) and (Q e - p a), vectors of degrees 2 and 3. */
-static void product_of(const struct lines *l, struct twofold product[])
-{
-    struct twofold q[3] = {{0.0, 0.0}}, p[3] = {{0.0, 0.0}};
-    for (int i = 0; i < 3; i++) {
-        const struct twofold a[2] = {l->along[0][i], l->along[1][i]}, e[2] = {l->e[0][i], l->e[1][i]};
-        add_product(1, a, 1, a, q);
-        add_product(1, a, 1, e, p);
-    }
-    for (int i = 0; i < 3; i++) {
-        const struct twofold minus_a[2] = {twofold_scale(-1.0, l->along[0][i]), twofold_scale(-1.0, l->along[1][i])};
-        const struct twofold e[2] = {l->e[0][i], l->e[1][i]};
-        struct twofold u[3] = {{0.0, 0.0}}, v[4] = {{0.0, 0.0}};
-        add_product(2, q, 0, &l->across[i], u);
-        add_product(2, p, 0, &l->twist[i], u);
-        add_product(2, q, 1, e, v);
-        add_product(2, p, 1, minus_a, v);
-        add_product(2, u, 3, v, product);
-    }
-}
-
-static void size_of(const struct lines *l, double product[])
-{
-    const double across = length(l->across), twist = length(l->twist);
-    const double a[2] = {length(l->along[0]) + BEYOND * twist, length(l->along[1]) + BEYOND * twist};
-    const double e[2] = {length(l->e[0]) + BEYOND * across, length(l->e[1]) + BEYOND * across};
-    double q[3] = {0.0}, p[3] = {0.0}, u[3] = {0.0}, v[4] = {0.0};
-    add_size(1, a, 1, a, q);
-    add_size(1, a, 1, e, p);
-    add_size(2, q, 0, &across, u);
-    add_size(2, p, 0, &twist, u);
-    add_size(2, q, 1, e, v);
-    add_size(2, p, 1, a, v);
-    add_size(2, u, 3, v, product);
-}
-
-static void isolate(const double *const x[5], int exponent, int exchanged, struct family *family)
-{
-    static const double binomial[ROOTS_DEGREE + 1] = {1.0, 5.0, 10.0, 10.0, 5.0, 1.0};
-    struct roots_polynomial p = {{{0.0, 0.0}}, {0.0}};
-    lines_of(x, exponent, exchanged, &family->lines);
-    product_of(&family->lines, p.c);
-    size_of(&family->lines, p.error);
-    for (int k = 0; k <= ROOTS_DEGREE; k++) {
-        p.c[k] = twofold_divide(p.c[k], twofold_of(binomial[k]));
-        p.error[k] = p.error[k] / binomial[k] * ERROR + 0x1p-900; /* the latter for underflow */
-    }
-    family->count = footpoint_roots_isolate(&p, family->interval);
-    family->exchanged = exchanged;
-}
-
-/* ---- from roots to points ---- */
-
-static void at_line(const struct twofold ends[2][3], struct twofold t, struct twofold at[3])
-{
-    for (int i = 0; i < 3; i++)
-        at[i] = twofold_add(ends[0][i], twofold_multiply(t, twofold_subtract(ends[1][i], ends[0][i])));
-}
-
-static double clamp_near(double z)
-{
-    return fabs(z) <= 1.0 + 2.0 * BEYOND ? bilinear_clamp(z) : z;
-}
-
-/* xi and eta of the point of line t that is nearest to xS; xi or eta, on its line, may be anything. */
-static void point_of_line(const struct family *family, struct twofold t, double z[2])
-{
-    struct twofold a[3], e[3];
-    at_line(family->lines.along, t, a);
-    at_line(family->lines.e, t, e);
-    const double across = t.high * (1.0 + 2.0 * BEYOND) - BEYOND;
-    const struct twofold square = twofold_dot(a, a), s = twofold_divide(twofold_dot(a, e), square);
-    z[family->exchanged] = square.high > 0.0 ? clamp_near(2.0 * s.high - 1.0) : 0.0;
-    z[!family->exchanged] = bilinear_clamp(2.0 * across - 1.0);
-}
-
-/* The t at a part, from 0 to 1, of an interval. */
-static struct twofold line_in(const struct roots_interval *interval, double part)
-{
-    return twofold_add(interval->low, twofold_of(part * interval->width));
-}
-
-/* The interval of (1 + z)/2 that an interval of t is. */
-static void place_of(const struct roots_interval *interval, double place[2])
-{
-    place[0] = (1.0 + 2.0 * BEYOND) * interval->low.high - BEYOND;
-    place[1] = place[0] + (1.0 + 2.0 * BEYOND) * interval->width;
-}
-
-/* The t of a point. */
-static double line_of(const struct family *family, const double z[2])
-{
-    return (0.5 * (1.0 + z[!family->exchanged]) + BEYOND) / (1.0 + 2.0 * BEYOND);
-}
-
-/* The ends of an interval: a and e there. */
-static void at_ends(const struct family *family, const struct roots_interval *interval, struct twofold a[2][3],
-                    struct twofold e[2][3])
-{
-    for (int k = 0; k < 2; k++) {
-        at_line(family->lines.along, line_in(interval, k), a[k]);
-        at_line(family->lines.e, line_in(interval, k), e[k]);
-    }
-}
-
-/* Bounds on s = p/Q over an interval of t, and on Q from below: a ratio of quadratics in Bernstein's form is a mean of
- * the ratios of their coefficients, if those of Q are positive.  From 0 to 1 and 0 if they are not. */
-static double bound_place(const struct family *family, const struct roots_interval *interval, double s[2])
-{
-    struct twofold a[2][3], e[2][3];
-    at_ends(family, interval, a, e);
-    const double size = bilinear_larger(length(e[0]), length(e[1]));
-    const struct twofold q[3] = {twofold_dot(a[0], a[0]), twofold_dot(a[0], a[1]), twofold_dot(a[1], a[1])};
-    const struct twofold p[3] = {twofold_dot(a[0], e[0]),
-                                 twofold_scale(0.5, twofold_add(twofold_dot(a[0], e[1]), twofold_dot(a[1], e[0]))),
-                                 twofold_dot(a[1], e[1])};
-    double least = q[0].high;
-    s[0] = INFINITY;
-    s[1] = -INFINITY;
-    for (int k = 0; k < 3; k++) {
-        const double place = twofold_divide(p[k], q[k]).high;
-        const double error = SMALL * (1.0 + fabs(place)) + CANCELED * size / sqrt(q[k].high);
-        least = bilinear_smaller(least, q[k].high);
-        s[0] = bilinear_smaller(s[0], place - error);
-        s[1] = bilinear_larger(s[1], place + error);
-    }
-    if (least > 0.0 && q[1].high > MARGIN * MARGIN * sqrt(q[0].high * q[2].high) && isfinite(s[0]) && isfinite(s[1]))
-        return least;
-    s[0] = 0.0;
-    s[1] = 1.0;
-    return 0.0;
-}
-
-/* Whether p - Q > 0 or p < 0, that is s > 1 or s < 0, all over an interval of t. */
-static int is_outside(const struct lines *l, const struct roots_interval *interval)
-{
-    const double low = interval->low.high, high = low + interval->width;
-    double a[2][3], e[2][3], p[3], q[3];
-    for (int i = 0; i < 3; i++) {
-        const double da = l->along[1][i].high - l->along[0][i].high, de = l->e[1][i].high - l->e[0][i].high;
-        a[0][i] = l->along[0][i].high + low * da;
-        a[1][i] = l->along[0][i].high + high * da;
-        e[0][i] = l->e[0][i].high + low * de;
-        e[1][i] = l->e[0][i].high + high * de;
-    }
-    const double size = length(l->along[0]) + length(l->along[1]);
-    const double margin = (MARGIN + BEYOND) * size * (size + length(l->e[0]) + length(l->e[1]));
-    int above = 1, below = 1;
-    p[0] = vector_dot(a[0], e[0]), p[1] = 0.5 * (vector_dot(a[0], e[1]) + vector_dot(a[1], e[0]));
-    p[2] = vector_dot(a[1], e[1]);
-    q[0] = vector_dot(a[0], a[0]), q[1] = vector_dot(a[0], a[1]), q[2] = vector_dot(a[1], a[1]);
-    for (int k = 0; k < 3; k++) {
-        above &= p[k] - q[k] > margin;
-        below &= p[k] < -margin;
-    }
-    return above || below;
-}
 
 static double between(const double *const x[5], const struct bilinear *f, const double z[2], const double y[2])
 {
@@ -265,20 +49,21 @@ static int is_inside(const double z[2])
 static int settle(const double *const x[5], const struct bilinear *f, const struct family *family,
                   const struct roots_interval *interval, double z[2])
 {
-    const int along = family->exchanged, across = !along;
+    const int along = family->lines.exchanged, across = !along;
     double to[2] = {z[0], z[1]}, place[2], radius;
     if (!is_inside(z) || !footpoint_bilinear_refine(x, f, to, &radius))
         return 0;
-    const double m[2] = {f->m1, f->m2}, t = line_of(family, to) - interval->low.high;
+    const double m[2] = {f->m1, f->m2}, t = lines_through(&family->lines, to) - interval->low.high;
     const double slack = radius / m[across] + DBL_EPSILON;
     if (!(slack < t && t < interval->width - slack)) {
         const double s = 0.5 * (1.0 + to[along]), loose = radius / m[along] + DBL_EPSILON;
-        if (!(bound_place(family, interval, place) > 0.0 && -slack <= t && t <= interval->width + slack &&
-              place[1] - place[0] <= APART && place[0] - loose <= s && s <= place[1] + loose))
+        if (!(footpoint_lines_bound(&family->lines, interval, place) > 0.0 && -slack <= t &&
+              t <= interval->width + slack && place[1] - place[0] <= APART && place[0] - loose <= s &&
+              s <= place[1] + loose))
             return 0;
     }
-    z[0] = clamp_near(to[0]);
-    z[1] = clamp_near(to[1]);
+    z[0] = lines_clamp(to[0]);
+    z[1] = lines_clamp(to[1]);
     return 1;
 }
 
@@ -287,7 +72,7 @@ static int is_known(const struct family *family, const struct roots_interval *in
                     const struct stationary_point point[], int count)
 {
     for (int k = 0; k < count; k++) {
-        const double t = line_of(family, point[k].z) - interval->low.high;
+        const double t = lines_through(&family->lines, point[k].z) - interval->low.high;
         if (point[k].reach <= 0.0 && APART < t && t < interval->width - APART)
             return 1;
     }
@@ -315,35 +100,36 @@ static int represent(const double *const x[5], const struct bilinear *f, const s
     struct twofold a[2][3], e[2][3], middle[2][3], opposite[3];
     struct bilinear_wide w;
     double s[2], extent[2];
-    const double square = bound_place(family, interval, s);
-    s[0] = bilinear_larger(s[0], within ? bilinear_larger(within[0], 0.0) : 0.0) - BEYOND;
-    s[1] = bilinear_smaller(s[1], within ? bilinear_smaller(within[1], 1.0) : 1.0) + BEYOND;
+    const double square = footpoint_lines_bound(&family->lines, interval, s);
+    s[0] = bilinear_larger(s[0], within ? bilinear_larger(within[0], 0.0) : 0.0) - LINES_BEYOND;
+    s[1] = bilinear_smaller(s[1], within ? bilinear_smaller(within[1], 1.0) : 1.0) + LINES_BEYOND;
     if (s[0] > s[1])
         return 0;
-    at_ends(family, interval, a, e);
+    for (int k = 0; k < 2; k++)
+        footpoint_lines_at(l, lines_part(interval, k), a[k], e[k]);
     for (int i = 0; i < 3; i++)
         opposite[i] = twofold_add(l->across[i], l->twist[i]);
     point->z[0] = bilinear_clamp(point->z[0]);
     point->z[1] = bilinear_clamp(point->z[1]);
-    const double at = 0.5 * (1.0 + point->z[family->exchanged]);
-    const double along = bilinear_larger(length(a[0]), length(a[1])) * bilinear_larger(s[1] - at, at - s[0]);
-    const double across = bilinear_larger(length(l->across), length(opposite)) * interval->width;
+    const double at = 0.5 * (1.0 + point->z[family->lines.exchanged]);
+    const double along =
+        bilinear_larger(lines_length(a[0]), lines_length(a[1])) * bilinear_larger(s[1] - at, at - s[0]);
+    const double across = bilinear_larger(lines_length(l->across), lines_length(opposite)) * interval->width;
     point->reach = (along + across) / f->m;
-    point->box[family->exchanged][0] = s[0];
-    point->box[family->exchanged][1] = s[1];
-    place_of(interval, point->box[!family->exchanged]);
-    extent[family->exchanged] = 2.0 * bilinear_larger(s[1] - at, at - s[0]);
-    extent[!family->exchanged] = 2.0 * interval->width;
+    point->box[family->lines.exchanged][0] = s[0];
+    point->box[family->lines.exchanged][1] = s[1];
+    lines_place(interval, point->box[!family->lines.exchanged]);
+    extent[family->lines.exchanged] = 2.0 * bilinear_larger(s[1] - at, at - s[0]);
+    extent[!family->lines.exchanged] = 2.0 * interval->width;
     footpoint_bilinear_wide_at(x, f->exponent, point->z, &w);
     point->variation = bilinear_smaller(point->reach, vary(f, &w, extent[0], extent[1], point->reach));
     if (!(square > 0.0))
         return 1;
-    at_line(l->along, line_in(interval, 0.5), middle[0]);
-    at_line(l->e, line_in(interval, 0.5), middle[1]);
+    footpoint_lines_at(l, lines_part(interval, 0.5), middle[0], middle[1]);
     const struct twofold p = twofold_dot(middle[0], middle[1]), q = twofold_dot(middle[0], middle[0]);
     const double height =
         twofold_subtract(twofold_dot(middle[1], middle[1]), twofold_divide(twofold_multiply(p, p), q)).high;
-    const double change = 2.0 * (1.0 + 2.0 * BEYOND) * interval->most * interval->width / (square * square);
+    const double change = 2.0 * (1.0 + 2.0 * LINES_BEYOND) * interval->most * interval->width / (square * square);
     const double there = sqrt(twofold_dot(w.d, w.d).high), least = sqrt(bilinear_larger(height - change, 0.0));
     const double most = sqrt(bilinear_larger(height + change, 0.0));
     point->variation = bilinear_smaller(point->reach, bilinear_larger(fabs(most - there), fabs(there - least)) / f->m);
@@ -358,22 +144,22 @@ static int find(const double *const x[5], const struct bilinear *f, const struct
     double place[2];
     for (int k = 0; k < 3; k++) {
         footpoint_roots_narrow(interval, width[k]);
-        if (is_outside(&family->lines, interval))
+        if (footpoint_lines_outside(&family->lines, interval))
             return 0;
     }
     point->reach = point->variation = 0.0;
-    point->across = !family->exchanged;
+    point->across = !family->lines.exchanged;
     point->several = 0;
-    place_of(interval, place);
+    lines_place(interval, place);
     point->alone[0] = 2.0 * place[0] - 1.0 + APART;
     point->alone[1] = 2.0 * place[1] - 1.0 - APART;
     for (int exactly = 0; exactly < 2; exactly++) {
-        point_of_line(family, line_in(interval, 0.5), point->z);
+        footpoint_lines_point(&family->lines, lines_part(interval, 0.5), point->z);
         if (settle(x, f, family, interval, point->z))
             return is_inside(point->z);
         footpoint_roots_narrow(interval, END);
     }
-    point_of_line(family, footpoint_roots_middle(interval), point->z);
+    footpoint_lines_point(&family->lines, footpoint_roots_middle(interval), point->z);
     return represent(x, f, family, interval, NULL, point);
 }
 
@@ -398,12 +184,12 @@ static int is_pair_excluded(const struct bilinear *f, const struct roots_interva
 {
     double z[2], w[2], place[2];
     for (int k = 0; k < 2; k++) {
-        place_of(&pair[k], place);
+        lines_place(&pair[k], place);
         z[!k] = place[0] + place[1] - 1.0;
-        w[!k] = place[1] - place[0] + 2.0 * BEYOND;
+        w[!k] = place[1] - place[0] + 2.0 * LINES_BEYOND;
     }
     const double first = z[!cut] - w[!cut], width = 2.0 * w[!cut] / parts;
-    w[!cut] = 0.5 * width + 2.0 * BEYOND;
+    w[!cut] = 0.5 * width + 2.0 * LINES_BEYOND;
     for (int i = 0; i < parts; i++) {
         const double at = first + width * (i + 0.5), y[2] = {cut ? at : z[0], cut ? z[1] : at};
         if (!is_excluded(f, y, w))
@@ -446,8 +232,8 @@ static int find_pair(const double *const x[5], const struct bilinear *f, const s
     for (int k = 0; k < 2; k++) {
         double within[2];
         by[k] = by[0];
-        place_of(&pair[!k], within);
-        point_of_line(&family[k], line_in(&pair[k], 0.5), by[k].z);
+        lines_place(&pair[!k], within);
+        footpoint_lines_point(&family[k].lines, lines_part(&pair[k], 0.5), by[k].z);
         if (!represent(x, f, &family[k], &pair[k], within, &by[k]))
             return 0;
     }
@@ -527,7 +313,7 @@ static int list_single(const double *const x[5], const struct bilinear *f, struc
         family[k].settled[i] = interval->single && is_known(&family[k], interval, point, k == 0 ? 0 : first);
         family[k].box[i][k][0] = 0.0;
         family[k].box[i][k][1] = 1.0;
-        place_of(interval, family[k].box[i][!k]);
+        lines_place(interval, family[k].box[i][!k]);
         if (!interval->single || family[k].settled[i])
             continue;
         const int found = find(x, f, &family[k], interval, new), sharp = found && new->reach <= 0.0;
@@ -556,7 +342,7 @@ int footpoint_bilinear_stationary(const double *const x[5], const struct bilinea
     struct family family[2];
     int count = 0;
     for (int k = 0; k < 2; k++) {
-        isolate(x, f->exponent, k, &family[k]);
+        family[k].count = footpoint_lines_isolate(x, f->exponent, k, &family[k].lines, family[k].interval);
         count = list_single(x, f, family, k, point, count);
     }
     count = drop_settled(&family[1], point, count);

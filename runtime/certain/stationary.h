@@ -13,7 +13,7 @@ struct stationary_point {
     double alone[2];  /* in that interval of z[across] lies no other stationary point; empty if that is not known */
     double box[2][2]; /* bounds on (1 + z)/2 of what it stands for, if it has a reach */
     int across;
-    int several;      /* 1 if it may be none, one or several */
+    int several; /* 1 if it may be none, one or several */
 };
 
 #ifdef __GNUC__

@@ -4,6 +4,8 @@
 #ifndef FOOTPOINT_TWOFOLD_H
 #define FOOTPOINT_TWOFOLD_H
 
+#include "ieee.h"
+
 #include <math.h>
 
 struct twofold {

@@ -81,7 +81,7 @@ for header in $HEADERS; do
 done
 
 # The library's quick search and what goes with it, under the same flags.
-quick="geometry/quad4 geometry/node_normals batch/batch batch/batch_lanes locate newton contact differentiate"
+quick="geometry/quad4 geometry/node_normals batch/batch batch/batch_lanes search/locate search/newton search/contact search/differentiate"
 for compiler in "$CC -std=gnu11 -Ofast" "clang -std=gnu11 -Ofast" "$CC -std=gnu11 -Ofast -march=native" "$CC -std=gnu11 -O2"; do
     sources=$(for f in $quick; do echo "$PWD/runtime/$f.c"; done)
     $compiler -I"$PWD" "$PWD/tests/runtime/library_statuses_main.c" $sources -o "$work/use" -lm > "$work/log" 2>&1 && "$work/use" >> "$work/log" 2>&1

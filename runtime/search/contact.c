@@ -1,7 +1,7 @@
 /* Normal, gap and forces of one contact pair: (6), (9), (10), (11); see footpoint.h. */
-#include "footpoint.h"
-#include "geometry/footpoint-quad4-geometry.h"
-#include "geometry/vector.h"
+#include "../footpoint.h"
+#include "../geometry/footpoint-quad4-geometry.h"
+#include "../geometry/vector.h"
 
 int footpoint_normal(const double corner[3], const double next[3], const double previous[3], double m[3])
 {
@@ -37,7 +37,8 @@ static void react(const double loc[2], const double fs[3], double fm[4][3])
 
 int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3], double fm[4][3])
 {
-    if (!number_finite(gap) || !number_finite(stiffness) || !vector_finite(m) || !number_finite(loc[0]) || !number_finite(loc[1]))
+    if (!number_finite(gap) || !number_finite(stiffness) || !vector_finite(m) || !number_finite(loc[0]) ||
+        !number_finite(loc[1]))
         return FOOTPOINT_ERR_NOT_FINITE;
     if (stiffness < 0.0)
         return FOOTPOINT_ERR_ARGUMENT;

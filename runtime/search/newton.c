@@ -3,9 +3,9 @@
  *     [ r_xi . r_xi             r_xi . r_eta - c3 . d ]
  *     [ r_xi . r_eta - c3 . d   r_eta . r_eta         ].
  * Gauss-Newton drops c3 . d: always a descent direction, hence the first steps. */
-#include "footpoint.h"
-#include "geometry/footpoint-quad4-geometry.h"
-#include "geometry/vector.h"
+#include "../footpoint.h"
+#include "../geometry/footpoint-quad4-geometry.h"
+#include "../geometry/vector.h"
 
 #include <float.h>
 

@@ -1,8 +1,9 @@
-/* The iteration-free search of one pair, and of many in the plainest arrays; see footpoint.h. */
-#include "batch/batch_block.h"
-#include "certain/check.h"
+/* The iteration-free search of one pair; see footpoint.h. */
+#include "locate.h"
 
-#include "../generated/footpoint_quad4.h"
+#include "../certain/check.h"
+
+#include "../../generated/footpoint_quad4.h"
 
 enum { ORDINARY = 32 }; /* powers of 2 that edges may be long without a product of the check leaving its range */
 
@@ -51,21 +52,4 @@ int footpoint_locate(const double xA[3], const double xB[3], const double xC[3],
     loc[1] = eta;
     *gap = g;
     return FOOTPOINT_OK;
-}
-
-_Static_assert(sizeof(int) == sizeof(int32_t), "indices of 32 bits");
-
-size_t footpoint_locate_pairs(size_t n, const double *xyz, size_t nodes, const int *seg, const int *slave, double *loc,
-                              double *gap, int *status)
-{
-    const struct footpoint_pairs p = {.n = n,
-                                      .nodes = nodes,
-                                      .x = xyz,
-                                      .y = nodes ? xyz + 1 : NULL,
-                                      .z = nodes ? xyz + 2 : NULL,
-                                      .stride = 3,
-                                      .seg = seg,
-                                      .slave = slave,
-                                      .sure = 1};
-    return footpoint_locate_batch(&p, FOOTPOINT_ACCURATE, loc, gap, status);
 }

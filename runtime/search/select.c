@@ -2,8 +2,8 @@
  * r x c2 and n are parallel, and the part of t along m drops out of n . (c1 x r) = n . (c1 x t).  So (3) and (4) are
  *     n . (c1 x t) > 0   and   n . (t x c2) > 0,
  * without a root or a division. */
-#include "footpoint.h"
-#include "geometry/vector.h"
+#include "../footpoint.h"
+#include "../geometry/vector.h"
 
 #include <float.h>
 

@@ -1,5 +1,5 @@
 /* Words for status codes; see footpoint.h. */
-#include "footpoint.h"
+#include "../footpoint.h"
 
 const char *footpoint_strerror(int status)
 {

@@ -2,8 +2,8 @@
  * normal and H the Hessian of bilinear.h, the equations a . d = b . d = 0 and a coordinate x of node k give H
  * d(xi,eta)/dx = (phi_k,xi d - phi_k a, phi_k,eta d - phi_k b)  for a corner,   (a, b)  for xS, and, as d is along n
  * there, dgap/dx = -phi_k n for a corner, n for xS.  (What xi and eta do to the gap drops out.) */
-#include "geometry/footpoint-quad4-geometry.h"
-#include "geometry/vector.h"
+#include "../geometry/footpoint-quad4-geometry.h"
+#include "../geometry/vector.h"
 
 #include <float.h>
 
