@@ -81,3 +81,9 @@ END
 flat='<td>5</td><td>3</td><td><b>3</b></td><td>1e-3</td><td>9</td><td>0</td><td>0</td><td>1e-12</td>'
 expect 'table of the hard cases' 0 "<tr><td>flat</td>$flat</tr>" '' \
     sh -c "awk -f tests/report/hard.awk '$work/hard.csv' | grep flat"
+
+# The front alone: methods in the order of their errors, each faster than those after it in one of the modes.
+expect 'the front' 0 '*' '*' "$bench" --quiet --scene $scene
+awk '/^[* ] [a-z]/ && NF > 9 && !/ method / { k = /^\*/; n++; bad += n > 1 && $(9 + k) + 0 > last; last = $(9 + k) + 0 }
+    END { exit !(n > 3 && n < 40 && !bad) }' "$work/stdout"
+report $((! $?)) 'is some dozen lines, the most accurate last'

@@ -1,0 +1,18 @@
+/* What the bench prints of one run: everything, as comma-separated values or as a table, or the front alone. */
+#ifndef FOOTPOINT_BENCH_PRINT_H
+#define FOOTPOINT_BENCH_PRINT_H
+
+#include "bench_measure.h"
+
+/** The header line goes before the first of several runs. */
+void bench_print_csv(const struct scene *scene, const char *sample, const struct bench_table *table,
+                     const struct bench_run *run);
+void bench_print_all(const struct scene *scene, const char *sample, const struct bench_table *table,
+                     const struct bench_run *run);
+
+/** Converged Newton, and the methods that no other one leaves behind: as fast and more accurate, or as accurate and
+ *  faster, one search at a time or over arrays; by the mean error, the larger of those of xi and eta.  A method that
+ *  fails on a sample is left out. */
+void bench_print_front(const struct scene *scene, const struct bench_table *table, const struct bench_run *run);
+
+#endif
