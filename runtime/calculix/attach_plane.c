@@ -1,11 +1,13 @@
 /* The closest point of straight edges and of a plane triangle, clamped; see attach.h. */
-#include "attach.h"
 #include "../certain/twofold.h"
+#include "attach.h"
 
 #include <float.h>
 
 /* The square of the sine of an angle, below which a triangle is a needle. */
 #define NEEDLE 1e-4
+
+enum { REFINEMENTS = 4 };
 
 double footpoint_attach_edges(int n, const double x[][3], const double corner[][2], const double xs[3], double loc[2])
 {
@@ -29,26 +31,35 @@ double footpoint_attach_edges(int n, const double x[][3], const double corner[][
     return best;
 }
 
-/* The foot point on a triangle of next to no area, with twice the digits: 0 if it lies outside, or if there is none. */
+/* The foot point on a triangle of next to no area, with twice the digits, and what they leave in further steps: 0 if it
+ * lies outside, or if there is none. */
 static int find_widely(const double x[3][3], const double xs[3], double loc[2])
 {
-    struct twofold a[3], b[3], d[3];
+    struct twofold a[3], b[3], d[3], u = {0.0, 0.0}, v = {0.0, 0.0};
     for (int i = 0; i < 3; i++) {
         a[i] = twofold_sum(x[1][i], -x[0][i]);
         b[i] = twofold_sum(x[2][i], -x[0][i]);
         d[i] = twofold_sum(xs[i], -x[0][i]);
     }
     const struct twofold aa = twofold_dot(a, a), ab = twofold_dot(a, b), bb = twofold_dot(b, b);
-    const struct twofold ad = twofold_dot(a, d), bd = twofold_dot(b, d);
     const struct twofold area = twofold_subtract(twofold_multiply(aa, bb), twofold_multiply(ab, ab));
     if (!(area.high > 0x1p-90 * aa.high * bb.high))
         return 0;
-    const double u = twofold_divide(twofold_subtract(twofold_multiply(bb, ad), twofold_multiply(ab, bd)), area).high;
-    const double v = twofold_divide(twofold_subtract(twofold_multiply(aa, bd), twofold_multiply(ab, ad)), area).high;
-    if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0))
+    for (int n = 0; n < REFINEMENTS; n++) {
+        const struct twofold ad = twofold_dot(a, d), bd = twofold_dot(b, d);
+        const struct twofold up =
+            twofold_divide(twofold_subtract(twofold_multiply(bb, ad), twofold_multiply(ab, bd)), area);
+        const struct twofold vp =
+            twofold_divide(twofold_subtract(twofold_multiply(aa, bd), twofold_multiply(ab, ad)), area);
+        u = twofold_add(u, up);
+        v = twofold_add(v, vp);
+        for (int i = 0; i < 3; i++)
+            d[i] = twofold_subtract(d[i], twofold_add(twofold_multiply(up, a[i]), twofold_multiply(vp, b[i])));
+    }
+    if (!(u.high >= 0.0 && v.high >= 0.0 && u.high + v.high <= 1.0))
         return 0;
-    loc[0] = u;
-    loc[1] = v;
+    loc[0] = u.high;
+    loc[1] = v.high;
     return 1;
 }
 

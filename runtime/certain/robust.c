@@ -128,7 +128,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
 struct candidate {
     double loc[2], d[3], reach, variation;
     struct twofold square; /* of the distance, which may be less by variation x m where there are several */
-    int edge, least;
+    int edge, least, several;
 };
 
 /* The candidate at its loc: what (7), (8) and the Hessian say with twice the digits, so that what is left is that loc
@@ -168,6 +168,7 @@ static void nearest_of_edge_widely(const double *const x[5], const struct biline
     c->loc[k <= 1] = k & 1 ? 1.0 : -1.0;
     c->edge = 1;
     c->reach = c->variation = 0.0;
+    c->several = 0;
     complete(x, f, c);
 }
 
@@ -183,6 +184,7 @@ static int list_all(const double *const x[5], const struct bilinear *f, struct c
         to->loc[1] = point[k].z[1];
         to->reach = point[k].reach;
         to->variation = point[k].variation;
+        to->several = point[k].several;
         to->edge = 0;
         complete(x, f, to);
     }
@@ -227,12 +229,15 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
     if (!c[best].least)
         return FOOTPOINT_UNPROVED;
     for (int k = 0; k < all; k++)
-        if (sqrt(c[k].square.high) - c[k].variation * f->m < sqrt(c[best].square.high) - TIE * f->m)
+        if (bilinear_larger(sqrt(c[k].square.high) - c[k].variation * f->m, 0.0) <
+            sqrt(c[best].square.high) - TIE * f->m)
             return FOOTPOINT_UNPROVED;
     for (int k = 0; k < all; k++)
         if (k != best && is_tied(f, &c[best], &c[k]))
             return FOOTPOINT_NOT_UNIQUE;
-    return c[best].reach > SAME_POINT ? FOOTPOINT_NOT_UNIQUE : c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+    if (c[best].reach > SAME_POINT)
+        return c[best].several ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_UNPROVED; /* its place is not known to 1e-10 */
+    return c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
 }
 
 /* All corners are one. */

@@ -42,8 +42,9 @@ void judge_select(const struct hard_case *h, const int *at, int count, const str
     const int status = footpoint_select_closest(xyz, 0, count, seg, h[0].x[4], &chosen, &distance);
     a->calls++;
     a->answered += status == FOOTPOINT_OK;
-    a->refused += status != FOOTPOINT_OK;
-    if (status != FOOTPOINT_OK || chosen < 0 || chosen >= count) {
+    a->unproved += status == FOOTPOINT_UNPROVED;
+    a->refused += status != FOOTPOINT_OK && status != FOOTPOINT_UNPROVED;
+    if ((status != FOOTPOINT_OK && status != FOOTPOINT_UNPROVED) || chosen < 0 || chosen >= count) {
         a->why = "refused";
         a->wrong_status++;
         return;
