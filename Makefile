@@ -321,7 +321,7 @@ paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's
 PACKAGES := gcc g++ gfortran clang libc6-dev make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev \
             libflint-arb-dev libmpfr-dev libgmp-dev libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
 # What `make check-long` compares with, fuzzes with and unpacks with; without them it skips those checks.
-PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2
+PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2 chromium
 
 deps-long: PACKAGES += $(PACKAGES_LONG)
 deps deps-long: ## install the packages that are missing (Debian; deps-long: for check-long, too); needs no privileges when all are there

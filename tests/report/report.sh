@@ -1,6 +1,7 @@
 #!/bin/sh
-# report.sh FOLDER: one run of the bench as a page: pictures of time against error of each scene, tables, error maps,
-# and the rivals that lie below our front; then the hard cases.  BENCH_OPTIONS, say "--scene quad4", go to the bench.
+# report.sh FOLDER: one run of the bench as a page.  First the scene quad4, what its picture says, an index and a key to
+# the methods' names; then the hard cases; then each scene with pictures of time against error, tables, error maps and
+# the rivals that lie below our front.  BENCH_OPTIONS, say "--scene quad4", go to the bench.
 folder=$1 BIN=${BIN:-build}
 say() { echo "report: $*" >&2; }
 rm -rf "$folder" && mkdir -p "$folder/maps" || exit 3
@@ -29,13 +30,13 @@ part() { # part SCENE SAMPLE
             picture "$1" "$2" $mode $norm
         done
     done
-    echo '</div><details><summary>All methods</summary>'
+    echo '</div><details><summary>All methods</summary><div class=wide>'
     awk -f tests/report/table.awk -v scene="$1" -v sample="$2" "$folder/bench.csv"
-    echo '</details><details><summary>'
+    echo '</div></details><details><summary>'
     grep "^$1 $2 " "$folder/front.txt" | awk 'END { print NR " rivals below the front" }'
-    echo '</summary><pre>'
+    echo '</summary><div class=wide><pre>'
     grep "^$1 $2 " "$folder/front.txt"
-    echo '</pre></details>'
+    echo '</pre></div></details>'
 }
 
 map() { # map SCENE: its functions in the order of the bench
@@ -52,44 +53,77 @@ map() { # map SCENE: its functions in the order of the bench
     echo '</p>'
 }
 
+samples_of() { awk -F, -v s="$1" '$1 == s && !seen[$2]++ { print $2 }' "$folder/bench.csv"; }
+
+scene_part() { # scene_part SCENE
+    say "pictures of $1"
+    echo "<h2 id=\"$1\">$1</h2>"
+    for sample in $(samples_of "$1"); do
+        part "$1" "$sample"
+    done
+    map "$1"
+}
+
+# The names of the methods, from the table in tests/README.md.
+names() {
+    echo '<div class=wide><table class=words>'
+    awk -F ' *[|] *' '/^\| method \|/ { on = 1 } on && !/^\|/ { exit }
+        on && !/^\|--/ { gsub(/`[^`]*`/, "<code>&</code>"); gsub(/`/, ""); print "<tr><td>" $2 "</td><td>" $3 "</td></tr>" }' \
+        tests/README.md
+    echo '</table></div>'
+}
+
+first=$(echo "$scenes" | grep -x quad4 || echo "$scenes" | head -n 1)
+sample=$(samples_of "$first" | tail -n 1)
 {
     cat << END
 <!DOCTYPE html>
-<html lang="en"><meta charset="utf-8"><title>footpoint: time against error</title>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>footpoint: time against error</title>
 <style>
-body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 1400px; padding: 0 1em; color: #222 }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(560px, 1fr)); gap: 8px }
-img { max-width: 100% } pre { font-size: 12px } summary { cursor: pointer; margin: .4em 0 }
+body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 1400px; padding: 0 1em; color: #222; overflow-wrap: anywhere }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(560px, 100%), 1fr)); gap: 8px }
+img { max-width: 100% } pre { font-size: 12px } summary { cursor: pointer; margin: .4em 0 } .wide { overflow-x: auto; overflow-wrap: normal }
 table { border-collapse: collapse; font-size: 12px }
 td, th { padding: 1px 7px; text-align: right; border-bottom: 1px solid #eee }
-td:first-child { text-align: left } .ours td { font-weight: bold; background: #f3f3f3 }
+td:first-child, .words td { text-align: left } .ours td { font-weight: bold; background: #f3f3f3 }
 </style>
 <h1>Time against error</h1>
+<div class=pictures>
+END
+    picture "$first" "$sample" scalar mean
+    picture "$first" "$sample" batch mean
+    echo '</div>'
+    awk -f tests/report/says.awk -v scene="$first" -v sample="$sample" "$folder/bench.csv"
+    echo '<p>Contents: <a href="#names">names</a>, <a href="#hard">hard cases</a>; the scenes'
+    for scene in $scenes; do
+        echo "<a href=\"#$scene\">$scene</a>"
+    done
+    cat << END
+</p>
 <p>One run, all methods in turn on the same held-out samples, all compiled alike:
 $(awk -F, 'NR == 2 { print $(NF) ", " $(NF - 1) }' "$folder/bench.csv"). <a href="bench.csv">bench.csv</a> holds all.
 Times are medians of the turns, in processor time. The noise of a method is half of the interquartile range of its ratio
 to converged Newton over the rounds, relative to the median; a picture states the median of its methods' noises. Errors
 are the larger of those of xi and eta, against the certain foot point; gaps are over the square root of the segment's
-area.</p>
-<p><b>$(tail -n 1 "$folder/front.txt")</b>, over all scenes, samples, modes and both norms: faster than any function of
+area. <b>$(tail -n 1 "$folder/front.txt")</b>, over all scenes, samples, modes and both norms: faster than any function of
 ours that is as accurate, by more than the noise of the two (<a href="front.txt">front.txt</a>).</p>
+<h2 id="names">Names of the methods</h2>
 END
-    for scene in $scenes; do
-        say "pictures of $scene"
-        echo "<h2>$scene</h2>"
-        for sample in $(awk -F, -v s="$scene" '$1 == s && !seen[$2]++ { print $2 }' "$folder/bench.csv"); do
-            part "$scene" "$sample"
-        done
-        map "$scene"
-    done
+    names
     cat << END
-<h2>Hard cases</h2>
+<h2 id="hard">Hard cases</h2>
 <p>Families of segments and slave nodes that searches fail on, against the truth in extended precision. Wrong: an answer
 too far off without a status, or a status that is not true. An expression, Newton's method and the trust region are
 allowed to; footpoint_locate, footpoint_robust and footpoint_stationary are not, and
 $([ "$hard" = 0 ] && echo 'none of them was' || echo '<b>one of them was</b>') (<a href="hard.csv">hard.csv</a>).</p>
+<div class=wide>
 END
     awk -f tests/report/hard.awk "$folder/hard.csv"
+    echo '</div>'
+    scene_part "$first"
+    for scene in $scenes; do
+        [ "$scene" = "$first" ] || scene_part "$scene"
+    done
 } > "$folder/index.html" || exit 3
 tail -n 1 "$folder/front.txt"
 echo "$folder/index.html"

@@ -1,0 +1,39 @@
+# The report in a real browser, at the widths of a desk and of a telephone: no picture is missing, nothing is cut off.
+. tests/cli/expect.inc
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+if [ -z "$browser" ] || ! command -v gnuplot > /dev/null; then
+    echo 'ok 1 - the report # SKIP no chromium, or no gnuplot (Debian: chromium, gnuplot-nox)'
+    exit 0
+fi
+sed 's/^heldout.*/heldout = 2000;/; s/^training.*/training = 1000;/' evolve/scenes/quad4.scene > "$work/quad4.scene"
+BIN=$BIN BENCH_OPTIONS="--quiet --scene $work/quad4.scene" sh tests/report/report.sh "$work/report" > "$work/log" 2>&1
+good=$?
+[ $good = 0 ] || sed 's/^/# /' "$work/log"
+report $((!good)) 'is made'
+# What the browser makes of it, as a line that it writes into the page.
+cat >> "$work/report/index.html" << 'END'
+<script>
+addEventListener('load', () => {
+    document.querySelectorAll('details').forEach(d => d.open = true)
+    const images = [...document.images], missing = images.filter(i => !i.complete || i.naturalWidth == 0)
+    const cut = [...document.body.querySelectorAll('*')].filter(e => !e.closest('.wide') &&
+        e.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
+    const broken = [...document.querySelectorAll('a[href^="#"]')].filter(a => !document.querySelector(CSS.escape ?
+        '#' + CSS.escape(a.getAttribute('href').slice(1)) : a.getAttribute('href')))
+    document.title = ['seen', innerWidth, images.length, missing.length, cut.length, broken.length,
+        cut.slice(0, 3).map(e => e.tagName + e.className)].join(' ')
+})
+</script>
+END
+for width in 1280 400; do
+    # A window is 500 pixels wide at least: the page is shown in a frame of the width.
+    echo "<!DOCTYPE html><body style='margin:0'><iframe src='report/index.html' width=$width height=9000
+        onload='setTimeout(() => document.title = frames[0].document.title, 1000)'></iframe>" > "$work/frame.html"
+    seen=$("$browser" --headless --no-sandbox --disable-gpu --allow-file-access-from-files --virtual-time-budget=20000 \
+        --window-size=1400,9100 --dump-dom "file://$work/frame.html" 2> /dev/null | sed -n 's/.*<title>\(.*\)<\/title>.*/\1/p')
+    echo "# $seen"
+    set -- $seen
+    [ "$1" = seen ] && [ "$2" = $width ] && [ "$3" -ge 6 ] && [ "$4" = 0 ]; report $((! $?)) "$width pixels: pictures"
+    [ "$5" = 0 ]; report $((! $?)) "$width pixels: nothing is cut off"
+    [ "$6" = 0 ]; report $((! $?)) "$width pixels: links within the page"
+done
