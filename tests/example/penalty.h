@@ -5,9 +5,10 @@
 
 #include "plates.h"
 
-#ifndef HEADER /* a generated header, and its function over arrays */
+#ifndef HEADER /* a generated header, its function over arrays, and (for a comparison alone) the same for one pair */
 #define HEADER "../../generated/footpoint_quad4.h"
 #define LOCATE footpoint_quad4_balanced_n
+#define LOCATE_ONE footpoint_quad4_balanced
 #endif
 #include HEADER
 
@@ -143,8 +144,10 @@ static void search_newton(const struct model *m, struct world *w)
     }
 }
 
-/* The same by footpoint: coordinates go into columns, over which the header's loop vectorises. */
-static void search_footpoint(const struct model *m, struct world *w)
+/* Searches a block of n pairs, whose nodes A, B, C, D, S are 15 columns of coordinates. */
+typedef void search_block(size_t n, const double *const x[15], double *xi, double *eta);
+
+static void search_columns(const struct model *m, struct world *w, search_block search)
 {
     double column[15][BLOCK];
     const double *x[15];
@@ -161,8 +164,14 @@ static void search_footpoint(const struct model *m, struct world *w)
                 column[12 + i][p] = S[i];
             }
         }
-        LOCATE((size_t)n, x, w->xi + first, w->eta + first);
+        search((size_t)n, x, w->xi + first, w->eta + first);
     }
+}
+
+/* The same by footpoint: coordinates go into columns, over which the header's loop vectorises. */
+static void search_footpoint(const struct model *m, struct world *w)
+{
+    search_columns(m, w, LOCATE);
 }
 
 /* ---- contact forces ---- */

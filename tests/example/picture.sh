@@ -35,14 +35,18 @@ PLOT
 : > "$folder/times.txt"
 for function in fast coarse medium balanced precise accurate; do
     $CC -O3 -march=native -DHEADER='"../../generated/footpoint_quad4.h"' -DLOCATE=footpoint_quad4_${function}_n \
-        "$here/impact.c" -o "$folder/impact" -lm && "$folder/impact" 0.5 "$folder" > "$folder/$function.txt" || exit 3
-    awk -v f=$function '/^local search, ns/ { newton = $(NF - 3); ns = $(NF - 2) } /^xi, eta .*mean/ { mean = $NF }
-        END { print newton > "/dev/stderr"; print f, ns, mean }' "$folder/$function.txt" >> "$folder/times.txt" \
-        2>> "$folder/newton.txt"
+        -DLOCATE_ONE=footpoint_quad4_$function "$here/impact.c" -o "$folder/impact" -lm &&
+        "$folder/impact" 0.5 "$folder" > "$folder/$function.txt" || exit 3
+    awk -v f=$function '/one at a time/ { one[1] = $(NF - 3); one[2] = $(NF - 2) }
+        /over arrays/ { all[1] = $(NF - 3); all[2] = $(NF - 2) } /^xi, eta .*mean/ { mean = $NF }
+        END { print one[1], all[1] > "/dev/stderr"; print f, one[2], all[2], mean }' "$folder/$function.txt" \
+        >> "$folder/times.txt" 2>> "$folder/newton.txt"
 done
-sort -n "$folder/newton.txt" |
-    awk '{ ns[NR] = $1 } END { print "Newton", ns[int((NR + 1) / 2)], 0 }' > "$folder/all.txt"
-cat "$folder/times.txt" >> "$folder/all.txt"
+{
+    awk '{ if (NR == 1 || $1 < one) one = $1; if (NR == 1 || $2 < all) all = $2 } END { print "Newton", one, all, 0 }' \
+        "$folder/newton.txt"
+    cat "$folder/times.txt"
+} > "$folder/all.txt"
 rm "$folder/newton.txt"
 gnuplot << PLOT
 set terminal svg size 1000,430 font 'sans,13' background rgb 'white'
@@ -69,13 +73,17 @@ set datafile separator whitespace
 set title 'local search of a pair, ns, and mean error of xi and eta'
 unset xlabel
 set xrange [*:*]
-set yrange [0:105]
+set yrange [1:500]
+set logscale y
 set style fill solid 0.8
-set boxwidth 0.6
-unset key
+set boxwidth 0.38
+set key at graph 0.98, 0.98
 set xtics rotate by -25
 label(e) = e > 0 ? sprintf('%.0e', e) : 'reference'
-plot '$folder/all.txt' using 0:2:(\$0 == 0 ? 0x999999 : 0x1f6fb4):xtic(1) with boxes lc rgb variable notitle, \
-     '$folder/all.txt' using 0:2:(sprintf('%.1f', \$2)) with labels offset 0,0.6 notitle, \
-     '$folder/all.txt' using 0:2:(label(\$3)) with labels offset 0,1.7 tc rgb '#666666' font ',11' notitle
+plot '$folder/all.txt' using (\$0 - 0.2):2 with boxes lc rgb 0x1f6fb4 title 'one at a time', \
+     '$folder/all.txt' using (\$0 + 0.2):3 with boxes lc rgb 0x2a9d4a title 'over arrays (Newton: a block steps together)', \
+     '$folder/all.txt' using 0:(1):xtic(1) with points pt 0 notitle, \
+     '$folder/all.txt' using (\$0 - 0.2):2:(sprintf('%.0f', \$2)) with labels offset 0,0.6 font ',10' notitle, \
+     '$folder/all.txt' using (\$0 + 0.2):3:(sprintf('%.1f', \$3)) with labels offset 0,0.6 font ',10' notitle, \
+     '$folder/all.txt' using 0:2:(label(\$4)) with labels offset 0,1.7 tc rgb '#666666' font ',10' notitle
 PLOT
