@@ -10,6 +10,7 @@
 #define ACCURACY 0x1p-36    /* of m1 xi and m2 eta, over m: 1e-10 of the edge in space needs no more */
 #define SAME_POINT 1e-10    /* points of space that near, over m, are one */
 #define TIE 0x1p-34         /* over m: distances that differ by less are equal; below 1e-10 */
+#define FLAT 1e-6           /* determinant of a Hessian, over h11 h22: points along its valley are as near */
 #define SAME_SQUARE 0x1p-96 /* of distances, over themselves and m^2: what rounding of xi and eta may hide */
 #define STEEP 1e-4    /* of the distance's square around a point of an edge: else rounding might move that too far */
 #define FAR_START 2.0 /* no foot point of the segment is looked for from farther away */
@@ -128,7 +129,7 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
 struct candidate {
     double loc[2], d[3], reach, variation;
     struct twofold square; /* of the distance, which may be less by variation x m where there are several */
-    int edge, least, several;
+    int edge, least, flat, several;
 };
 
 /* The candidate at its loc: what (7), (8) and the Hessian say with twice the digits, so that what is left is that loc
@@ -143,6 +144,7 @@ static void complete(const double *const x[5], const struct bilinear *f, struct 
     for (int i = 0; i < 3; i++)
         c->d[i] = w.d[i].high;
     c->square = twofold_dot(w.d, w.d);
+    c->flat = 0;
     if (c->edge) {
         c->least = !leads_nearer(c->loc[0], twofold_dot(w.a, w.d).high, noise * (turn + h11.high)) &&
                    !leads_nearer(c->loc[1], twofold_dot(w.b, w.d).high, noise * (turn + h22.high));
@@ -150,6 +152,7 @@ static void complete(const double *const x[5], const struct bilinear *f, struct 
     }
     const double determinant = twofold_subtract(twofold_multiply(h11, h22), twofold_multiply(h12, h12)).high;
     const double bend = 8.0 * (fabs(twofold_dot(w.a, w.c).high) + fabs(twofold_dot(w.b, w.c).high));
+    c->flat = determinant < FLAT * h11.high * h22.high;
     c->least = determinant > -noise * (h11.high * h22.high + turn * turn + bend * (turn + h11.high + h22.high));
 }
 
@@ -236,7 +239,7 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
         if (k != best && is_tied(f, &c[best], &c[k]))
             return FOOTPOINT_NOT_UNIQUE;
     if (c[best].reach > SAME_POINT)
-        return c[best].several ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_UNPROVED; /* its place is not known to 1e-10 */
+        return c[best].several || c[best].flat ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_UNPROVED; /* of its place */
     return c[best].edge ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
 }
 
