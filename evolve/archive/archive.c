@@ -305,17 +305,6 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
         m->origin = (int)origin;
 }
 
-void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound)
-{
-    tree_copy(t, bound);
-    for (size_t i = 0; i < t->length; i++)
-        if (t->gene[i] < 0) {
-            char text[DECIMAL_TEXT];
-            decimal_text(t->gene[i], text);
-            bound->gene[i] = -1 - (int)genome_add_constant(program, text);
-        }
-}
-
 static void crown(struct archive *a, int output, struct champion *c, const struct member *m)
 {
     free(c->tree.gene);
@@ -323,7 +312,7 @@ static void crown(struct archive *a, int output, struct champion *c, const struc
     if (output == TIER_BOTH)
         tree_copy(&m->tree, &c->tree);
     else
-        archive_bind(a->program, &m->tree, &c->tree);
+        tree_bind(a->program, &m->tree, &c->tree);
     c->error = m->error;
     c->cost = m->cost;
     c->bred = true;

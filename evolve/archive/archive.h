@@ -5,10 +5,10 @@
 
 #include "../eval/errors.h"
 #include "../eval/frame_cost.h"
-#include "../genotype/front.h"
 #include "../eval/objective.h"
-#include "../island/plan.h"
+#include "../genotype/front.h"
 #include "../input/scene.h"
+#include "../island/plan.h"
 
 /** One output of one tier. */
 struct champion {
@@ -113,9 +113,6 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
  *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header.
  *  Where the tier says what trees end in, those alone. */
 void archive_crown(struct archive *a, const struct plan *plan);
-
-/** Copy of a tree whose decimal numbers become constants of a program. */
-void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound);
 
 /** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */

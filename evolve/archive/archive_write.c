@@ -3,6 +3,7 @@
 #include "archive.h"
 
 #include "../../codegen/genome/outfile.h"
+#include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../eval/sampled_region.h"
 #include "../genotype/twin_text.h"
@@ -68,7 +69,7 @@ static void add_file_notes(struct genome_file *f, const struct scene *s)
             snprintf(frames + used, sizeof frames - used, "%s%s", used ? " " : "", s->tier[i].frame);
     }
     for (int k = 0; k < 2; k++)
-        frame_number(s->reference[k], reference[k]);
+        number_shortest(s->reference[k], reference[k]);
 #define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, __VA_ARGS__)
     NOTE("footpoint", "%s", FOOTPOINT_VERSION);
     NOTE("scene", "%s", s->name);
@@ -197,7 +198,7 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
     char name[300];
     snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
     struct tree t = {new_array(m->tree.length, sizeof *t.gene), 0};
-    archive_bind(f, &m->tree, &t);
+    tree_bind(f, &m->tree, &t);
     struct genome *g = genome_add(f, name);
     NOTE("cost", "%g", m->cost);
     NOTE("origin", "%s", origin_name[m->origin]);

@@ -3,8 +3,8 @@
 #ifndef FOOTPOINT_FRAME_H
 #define FOOTPOINT_FRAME_H
 
-#include "kernel.h"
 #include "../input/scene.h"
+#include "kernel.h"
 
 /** One program of all frames that the scene's tiers name: inputs, segment and corner order, and the lets of each
  *  frame, in the order of the tiers; the scene's reference point takes the place of the lets xi0 and eta0, and the
@@ -29,8 +29,5 @@ size_t frame_target(const struct genome_file *program, int output);
 
 /** Names of the outputs: "xi", "eta", and "both". */
 extern const char *const frame_output[TIER_OUTPUTS];
-
-/** The shortest decimal text that reads back as v. */
-void frame_number(double v, char text[32]);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_OPERATION_COUNT_H
 #define FOOTPOINT_OPERATION_COUNT_H
 
-#include "../genotype/tree.h"
+#include "../genotype/twin.h"
 
 /** Operations of a tree, equal values counted once: operands of + and * in any order, and values that differ in sign
  *  alone, are equal.  Factors 1 and -1, terms 0 and changes of sign are free, what is multiplied by 0 is not computed,
@@ -40,5 +40,13 @@ struct operand counter_number(struct counter *c, double value);
 struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b);
 /** Operations of all that the roots need. */
 struct operations counter_end(struct counter *c, const struct operand *root, size_t roots);
+
+/* ---- twin trees: twin_count.c ---- */
+
+/** Counts operations of twin trees: of both halves, with all that they need of the frame, each value once. */
+struct twin_counter;
+struct twin_counter *twin_counter_new(const struct twins *t);
+void twin_counter_free(struct twin_counter *c);
+struct operations twin_count(struct twin_counter *c, const struct tree *t);
 
 #endif

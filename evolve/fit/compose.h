@@ -2,8 +2,9 @@
 #ifndef FOOTPOINT_COMPOSE_H
 #define FOOTPOINT_COMPOSE_H
 
-#include "../genotype/front.h"
 #include "../eval/objective.h"
+#include "../eval/operation_count.h"
+#include "../genotype/front.h"
 
 /** Offer compositions of the set's functions to a front, by their errors on some of the judge's samples: all that begin
  *  with the most promising ones.  Deterministic.

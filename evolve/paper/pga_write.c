@@ -2,10 +2,10 @@
 #include "pga_write.h"
 
 #include "../../codegen/genome/outfile.h"
-#include "../archive/archive.h"
-#include "../fit/fit_constants.h"
+#include "../eval/errors.h"
 #include "../eval/frame.h"
 #include "../eval/sampled_region.h"
+#include "../fit/fit_constants.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -60,7 +60,7 @@ static void add_output(const struct pga_options *o, struct genome_file *program,
     struct kernel *kernel = kernel_new_widest();
     struct tree bound = {new_array(f->tree.length, sizeof *bound.gene), 0};
     char key[40];
-    archive_bind(program, &f->tree, &bound);
+    tree_bind(program, &f->tree, &bound);
     snprintf(key, sizeof key, "found_%s", frame_output[k]);
     NOTE(key, "p-GA seed %llu generations %zu population %zu evaluations %zu%s", (unsigned long long)o->plan.seed,
          o->generations, o->plan.population, f->evaluations, o->plan.exchange ? " exchange" : "");
