@@ -116,13 +116,13 @@ void archive_crown(struct archive *a, const struct plan *plan);
 
 /** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */
-bool archive_write(struct archive *a, const char *path, const struct run_facts *run,
-                   const struct sample_set heldout[HELDOUT_PARTS], struct diag *d);
+bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
+                   struct diag *d);
 /** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors; of twin trees
  *  there are none.  Where the path ends in .csv: a line for each member of all fronts. */
-bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
+bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
 /** The lines. */
-bool archive_write_csv(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
+bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
 /** Table of tier, output, error and genes, before and after. */
 void archive_table(const struct archive *a, FILE *stream);
 /** Table of the fronts, old against new, with where each member comes from. */

@@ -53,7 +53,7 @@ static void print_member(const struct archive *a, struct part part[PARTS], size_
     free(text);
 }
 
-bool archive_write_csv(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d)
+bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d)
 {
     struct outfile out;
     struct part part[PARTS];
@@ -64,7 +64,7 @@ bool archive_write_csv(const struct archive *a, const char *path, const struct s
         "tree\n",
         out.stream);
     for (int k = 0; k < PARTS; k++) {
-        part[k] = part_new(a, &heldout[k]);
+        part[k] = part_new(a, &heldout->part[k]);
         part[k].judge = judge_new(a->program, &part[k].table, NORM_MAX);
         part[k].judge->decimal = true;
     }

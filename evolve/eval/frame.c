@@ -160,11 +160,6 @@ static bool frame_is_new(const struct scene *s, size_t tier)
     return true;
 }
 
-void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH])
-{
-    snprintf(path, FRAME_PATH, "%s/evolve/frames/%s.gen", root, t->frame);
-}
-
 /* "affine, bezier, ..." */
 static void list_frames(const char *root, char *text, size_t size)
 {
@@ -186,7 +181,7 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
 {
     char path[FRAME_PATH];
     const struct tier *t = &s->tier[tier];
-    frame_path(root, t, path);
+    tier_frame_path(root, t, path);
     if (access(path, R_OK) != 0) {
         char known[300];
         list_frames(root, known, sizeof known);

@@ -4,6 +4,7 @@
 #define FOOTPOINT_FRAME_H
 
 #include "../input/scene.h"
+#include "../surface/sample.h"
 #include "kernel.h"
 
 /** One program of all frames that the scene's tiers name: inputs, segment and corner order, and the lets of each
@@ -12,10 +13,6 @@
  *  be read, two frames define one name differently, or a terminal of a tier is no value of its frame.
  *  @param[in] path  name of the program, as it will be written */
 struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d);
-
-/** The file of a tier's frame. */
-enum { FRAME_PATH = 1024 };
-void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH]);
 
 /** Genes of an expression of file `from`, expressed in the symbols and constants of `to`: symbols by name, constants by
  *  text.  Fills gene[0..e->length-1]; false with *d filled if `to` lacks a symbol. */

@@ -2,11 +2,12 @@
  * table of monomials; rank 0 breeds, and the polynomials of a generation are fitted and measured by all ranks. */
 #include "../../codegen/genome/console.h"
 #include "../eval/frame.h"
+#include "../input/scene_files.h"
 #include "../mpi/team.h"
+#include "../run/stop.h"
+#include "../samples/samples.h"
 #include "pga_terms.h"
 #include "pga_write.h"
-#include "../input/scene_files.h"
-#include "../run/stop.h"
 
 #include <math.h>
 #include <stdlib.h>

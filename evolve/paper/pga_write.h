@@ -3,6 +3,7 @@
 #define FOOTPOINT_PGA_WRITE_H
 
 #include "../eval/objective.h"
+#include "../surface/sample.h"
 #include "pga.h"
 #include "pga_options.h"
 

@@ -2,14 +2,15 @@
  * training samples; islands are shared out, and what they find is independent of who computes them. */
 #include "run.h"
 
-#include "seeding.h"
-#include "generations.h"
+#include "../common/data_root.h"
 #include "../eval/frame.h"
 #include "../eval/frame_cost.h"
-#include "progress.h"
-#include "../common/data_root.h"
 #include "../input/scene_files.h"
 #include "../samples/default_tiers.h"
+#include "../samples/samples.h"
+#include "generations.h"
+#include "progress.h"
+#include "seeding.h"
 
 #include <limits.h>
 #include <math.h>
@@ -104,8 +105,7 @@ static bool load(struct run *r, struct diag *d)
     const bool first = r->team->rank == 0;
     if (first && r->scene->warnings)
         fputs(r->scene->warnings, stderr);
-    const bool good =
-        complete_scene(r, d) && (!first || (files_suit(r, d) && keep_start(r, d))) && load_archive(r, d);
+    const bool good = complete_scene(r, d) && (!first || (files_suit(r, d) && keep_start(r, d))) && load_archive(r, d);
     if (r->resume && r->start[0])
         unlink(r->start);
     return good;
@@ -150,11 +150,7 @@ static bool sample(struct run *r, struct diag *d)
         return false;
     if (r->team->rank > 0)
         return true;
-    bool drawn = true;
-    for (int k = 0; k < HELDOUT_PARTS && drawn; k++)
-        drawn = !scene_has(r->scene, heldout_part[k].part) ||
-                scene_samples(r->scene, heldout_part[k].part, &r->heldout[k], d);
-    return drawn;
+    return scene_heldout(r->scene, &r->heldout, d);
 }
 
 /* A front keeps what costs no more than its limit: where a value of a frame is dearer, the limit is raised. */
@@ -392,8 +388,8 @@ static bool finish(struct run *r, struct diag *d)
         fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(r->reason), r->generation, o->generations,
                 saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
     say(r, "measuring on samples held out ...");
-    const bool written = archive_write(r->archive, r->output, &facts, r->heldout, d);
-    const bool fronts = written && (!o->front || archive_write_front(r->archive, o->front, r->heldout, d));
+    const bool written = archive_write(r->archive, r->output, &facts, &r->heldout, d);
+    const bool fronts = written && (!o->front || archive_write_front(r->archive, o->front, &r->heldout, d));
     say(r, "");
     if (!fronts)
         return false;
@@ -423,8 +419,7 @@ static void run_free(struct run *r)
     judge_free(r->judge);
     columns_free(&r->table);
     sample_set_free(&r->training);
-    for (int part = 0; part < HELDOUT_PARTS; part++)
-        sample_set_free(&r->heldout[part]);
+    heldout_free(&r->heldout);
     archive_free(r->archive);
     scene_free(r->scene);
 }

@@ -3,12 +3,12 @@
 #define FOOTPOINT_RUN_H
 
 #include "../archive/archive.h"
-#include "run_options.h"
-#include "resume.h"
 #include "../fit/fits.h"
 #include "../mpi/team.h"
-#include "stop.h"
 #include "../samples/variation.h"
+#include "resume.h"
+#include "run_options.h"
+#include "stop.h"
 
 /** The output that a ring of islands searches. */
 struct quest {
@@ -26,11 +26,11 @@ struct run {
     size_t start_bytes;
     struct scene *scene;
     struct archive *archive;
-    struct gene_set *genes;       /* one for each tier */
-    struct sample_set training;   /* empty once the table is there */
-    struct sample_set heldout[HELDOUT_PARTS]; /* on rank 0; empty where the scene has none */
-    struct vary vary;             /* of the training samples */
-    bool follows;                 /* frame and tiers follow from that */
+    struct gene_set *genes;     /* one for each tier */
+    struct sample_set training; /* empty once the table is there */
+    struct heldout heldout;     /* on rank 0 */
+    struct vary vary;           /* of the training samples */
+    bool follows;               /* frame and tiers follow from that */
     struct columns table;
     struct judge *judge;
     struct fits *fits;    /* of constants, for the islands */

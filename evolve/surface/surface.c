@@ -42,11 +42,11 @@ static void point_of_shape(const struct surface *f, double (*x)[3], double xi, d
 #define WEIGHTED(kind, count, triangle_)                                                                               \
     {                                                                                                                  \
         .name = #kind, .nodes = count, .triangle = triangle_, .shape = footpoint_##kind##_shape,                       \
-        .point = point_of_shape, .foot = reference_foot_polynomial, .draw = faces_draw                                 \
+        .point = point_of_shape, .foot = reference_foot_polynomial                                                     \
     }
 
 static const struct surface surfaces[] = {
-    {.name = "quad4", .nodes = 4, .point = point_quad4, .foot = reference_foot_quad4, .draw = shapes_draw_quad4},
+    {.name = "quad4", .nodes = 4, .point = point_quad4, .foot = reference_foot_quad4},
     WEIGHTED(tri3, 3, true),
     WEIGHTED(tri6, 6, true),
     WEIGHTED(quad8, 8, false),

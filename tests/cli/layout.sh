@@ -4,6 +4,12 @@
 
 rooms() {
     sed 's/ *#.*//; /^$/d' << 'EOF'
+generated:
+runtime/geometry:   runtime
+runtime/certain:    runtime/geometry runtime generated
+runtime/batch:      runtime/certain runtime/geometry runtime generated
+runtime/calculix:   runtime/certain runtime/geometry runtime
+runtime:            runtime/* generated
 codegen/genome:
 codegen/graph:      codegen/genome
 codegen/passes:     codegen/graph codegen/genome
@@ -17,7 +23,7 @@ codegen:            codegen/*
 evolve/common:      codegen/genome
 evolve/input:       evolve/common codegen/genome
 evolve/surface:     evolve/common codegen/genome runtime/geometry
-evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome
+evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome runtime/geometry
 evolve/genotype:    evolve/common codegen/genome
 evolve/eval:        evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
 evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
@@ -27,12 +33,6 @@ evolve/archive:     evolve/island evolve/eval evolve/genotype evolve/input evolv
 evolve/run:         evolve/archive evolve/mpi evolve/island evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
 evolve/paper:       evolve/mpi evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
 evolve:             evolve/* codegen/genome
-generated:
-runtime/geometry:   runtime
-runtime/certain:    runtime/geometry runtime generated
-runtime/batch:      runtime/certain runtime/geometry runtime generated
-runtime/calculix:   runtime/certain runtime/geometry runtime
-runtime:            runtime/* generated
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
 tests/bench:        tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*

@@ -195,7 +195,7 @@ static void exact_values_are_taken(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
+    const struct heldout heldout = {.part = {f->set, f->set}};
     const struct run_facts facts = {1, 0, 1};
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
@@ -218,7 +218,7 @@ static void exact_values_are_taken(void **state)
         offer(f, a, product, 3);
         archive_crown(a, &f->plan);
         assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[0].tree.length == 3);
-        if (!archive_write(a, WRITTEN, &facts, heldout, &d))
+        if (!archive_write(a, WRITTEN, &facts, &heldout, &d))
             fail_msg("%s", d.text);
         struct genome_file *g = genome_read(WRITTEN, &d);
         assert_non_null(g);
@@ -235,13 +235,13 @@ static void fronts_are_written(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
+    const struct heldout heldout = {.part = {f->set, f->set}};
     struct archive *a = archive_of(&f->scene, START);
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
     archive_judge(a, &f->plan, f->judge, 0);
     offer(f, a, (const int[]){GENE_MUL, decimal_gene(0.5), Q}, 3);
-    if (!archive_write_front(a, WRITTEN, heldout, &d))
+    if (!archive_write_front(a, WRITTEN, &heldout, &d))
         fail_msg("%s", d.text);
     struct genome_file *g = genome_read(WRITTEN, &d);
     assert_non_null(g);

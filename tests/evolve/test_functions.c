@@ -2,14 +2,15 @@
  * against differences, operations counted by hand, hand-written methods among the seeds, and evolution from them. */
 #include "../../evolve/archive/archive.h"
 #include "../../evolve/common/decimal.h"
-#include "../../evolve/fit/fits.h"
-#include "../../evolve/eval/frame.h"
-#include "../../evolve/island/island.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/eval/frame.h"
 #include "../../evolve/eval/tape.h"
-#include "../../evolve/fit/fit_twin.h"
 #include "../../evolve/fit/compose.h"
+#include "../../evolve/fit/fit_twin.h"
+#include "../../evolve/fit/fits.h"
 #include "../../evolve/genotype/twin_text.h"
+#include "../../evolve/island/island.h"
+#include "../../evolve/samples/samples.h"
 
 #include <math.h>
 #include <setjmp.h>
