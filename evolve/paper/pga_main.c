@@ -4,7 +4,6 @@
 #include "../eval/frame.h"
 #include "../input/scene_files.h"
 #include "../mpi/team.h"
-#include "../run/stop.h"
 #include "../samples/samples.h"
 #include "pga_terms.h"
 #include "pga_write.h"
