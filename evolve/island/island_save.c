@@ -1,8 +1,9 @@
 /* The state of an island as bytes: all of struct island that the next generations depend on.  Whatever is read is
  * checked before anything of the island changes. */
-#include "population.h"
+#include "island.h"
 
 #include "../common/decimal.h"
+#include "population.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -163,6 +164,6 @@ bool island_load(struct island *is, const unsigned char *from)
     take_front(is, &from, is->all);
     take_front(is, &from, is->stage);
     take(&from, is->cache, sizeof *is->cache << CACHE_BITS);
-    island_refresh(is);
+    population_refresh(is);
     return true;
 }

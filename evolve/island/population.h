@@ -1,9 +1,10 @@
-/* The inside of an island, for its own files: island.c, breed_paper.c, breed_front.c. */
+/* The population of an island, and what both ways of breeding do with it; for the files of this room. */
 #ifndef FOOTPOINT_POPULATION_H
 #define FOOTPOINT_POPULATION_H
 
 #include "../eval/frame_cost.h"
-#include "island.h"
+#include "../genotype/front.h"
+#include "goal.h"
 
 enum { CACHE_BITS = 13 };
 
@@ -45,25 +46,22 @@ struct island {
     struct individual best;    /* lowest plan_demerit; its tree is in the front */
 };
 
-struct remembered *island_memory(const struct island *is, uint64_t hash);
+struct remembered *population_memory(const struct island *is, uint64_t hash);
 /* Operations, hash and cost of an individual. */
-void island_count(struct island *is, struct individual *x);
+void population_count(struct island *is, struct individual *x);
 /* A measured individual enters the fronts. */
-void island_record(struct island *is, const struct individual *x);
+void population_record(struct island *is, const struct individual *x);
 /* By demerit, then error, length and genes. */
-int island_compare(const void *a, const void *b);
+int population_compare(const void *a, const void *b);
 /* Make what follows from the rest: wheel, reference and best; now[] is sorted. */
-void island_refresh(struct island *is);
-const struct tree *island_choose(struct island *is);
+void population_refresh(struct island *is);
+const struct tree *population_choose(struct island *is);
 /* The k-th random tree of a new population. */
-void island_random_tree(struct island *is, size_t k, struct tree *t);
-
-void breed_paper_start(struct island *is, const struct tree *seed, size_t n);
-void breed_paper_step(struct island *is);
-void breed_paper_receive(struct island *is, size_t n, int *parcel);
-
-void breed_front_start(struct island *is, const struct tree *seed, size_t n);
-void breed_front_step(struct island *is);
-void breed_front_receive(struct island *is, size_t n, int *parcel);
+void population_random_tree(struct island *is, size_t k, struct tree *t);
+/* Ints of an individual in a parcel. */
+static inline size_t population_parcel(const struct island *is)
+{
+    return 1 + is->goal.max_length;
+}
 
 #endif
