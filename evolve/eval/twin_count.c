@@ -90,7 +90,7 @@ static void reserve(struct twin_counter *c, size_t lines)
     }
 }
 
-struct operations twin_count(struct twin_counter *c, const struct tree *t)
+struct operation_count count_twin_operations(struct twin_counter *c, const struct tree *t)
 {
     struct twin_code *code = c->code;
     twin_translate(code, t, false);

@@ -33,11 +33,11 @@ static double ratio(const struct island *is, const struct individual *x)
 /* Single precision tells most of the hopeless, in half the time, where it is fine enough for errors so large. */
 static double measured(struct island *is, const struct tree *t, double bound)
 {
-    const bool rank = is->judge->norm == NORM_MEAN && !judge_takes_both(is->judge, is->goal.target) && bound > coarse &&
-                      bound < INFINITY;
-    if (rank && judge_rank(is->judge, t, is->goal.target, (1 + slack) * bound) == INFINITY)
+    const bool rank = is->objective->norm == NORM_MEAN && !objective_takes_both(is->objective, is->goal.target) &&
+                      bound > coarse && bound < INFINITY;
+    if (rank && objective_rank(is->objective, t, is->goal.target, (1 + slack) * bound) == INFINITY)
         return INFINITY;
-    return judge_error(is->judge, t, is->goal.target, bound);
+    return objective_error(is->objective, t, is->goal.target, bound);
 }
 
 /* The error of an individual that is counted already. */
@@ -84,7 +84,7 @@ static enum fate fate_of(struct island *is, const struct individual *x)
 {
     uint64_t bits;
     memcpy(&bits, &x->error, sizeof bits);
-    if (x->demerit == INFINITY)
+    if (x->fitness == INFINITY)
         return DOUBLE;
     const bool new_tree = meet(is, x->hash), new_error = meet(is, bits);
     if (!new_tree || !new_error)
@@ -101,7 +101,7 @@ static void select_survivors(struct island *is, size_t n)
     memset(is->met, 0, met * sizeof *is->met);
     memset(is->crowd, 0, (is->stage->limit + 1) * sizeof *is->crowd);
     for (size_t i = 0; i < n; i++)
-        is->now[i].demerit = ratio(is, &is->now[i]);
+        is->now[i].fitness = ratio(is, &is->now[i]);
     qsort(is->now, n, sizeof *is->now, population_compare);
     for (size_t i = 0; i < n; i++)
         is->fate[i] = (unsigned char)fate_of(is, &is->now[i]);
@@ -118,9 +118,9 @@ static void rank_population(struct island *is)
     const size_t n = is->plan->population;
     fix_reference(is);
     for (size_t i = 0; i < n; i++)
-        is->now[i].demerit = ratio(is, &is->now[i]);
+        is->now[i].fitness = ratio(is, &is->now[i]);
     qsort(is->now, n, sizeof *is->now, population_compare);
-    is->bound = is->now[n - 1].demerit;
+    is->bound = is->now[n - 1].fitness;
 }
 
 static void fit_constants(struct island *is, struct tree *t)
@@ -277,12 +277,12 @@ void breed_front_step(struct island *is)
 
 void breed_front_receive(struct island *is, size_t n, int *parcel)
 {
-    struct individual *guest = is->now + is->plan->population;
-    for (size_t i = 0; i < n; i++, guest++, parcel += population_parcel(is)) {
+    struct individual *migrant = is->now + is->plan->population;
+    for (size_t i = 0; i < n; i++, migrant++, parcel += population_parcel(is)) {
         const struct tree t = {parcel + 1, (size_t)parcel[0]};
-        tree_copy(&t, &guest->tree);
-        population_count(is, guest);
-        evaluate(is, guest);
+        tree_copy(&t, &migrant->tree);
+        population_count(is, migrant);
+        evaluate(is, migrant);
     }
     select_survivors(is, is->plan->population + n);
     rank_population(is);

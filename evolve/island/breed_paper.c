@@ -14,12 +14,12 @@ static void evaluate(struct island *is, struct individual *x)
     const uint64_t hash = tree_hash(&x->tree);
     struct remembered *r = population_memory(is, hash);
     if (r->hash != hash || hash == 0) {
-        *r = (struct remembered){hash, judge_error(is->judge, &x->tree, is->goal.target, is->bound)};
+        *r = (struct remembered){hash, objective_error(is->objective, &x->tree, is->goal.target, is->bound)};
         is->evaluations++;
     }
     population_count(is, x);
     x->error = r->error;
-    x->demerit = plan_demerit(is->plan, x->error, x->cost);
+    x->fitness = plan_fitness(is->plan, x->error, x->cost);
     population_record(is, x);
 }
 
@@ -99,10 +99,10 @@ void breed_paper_receive(struct island *is, size_t n, int *parcel)
 {
     size_t place = is->plan->population;
     for (size_t i = 0; i < n; i++, parcel += population_parcel(is)) {
-        const struct tree guest = {parcel + 1, (size_t)parcel[0]};
-        if (lives_here(is, &guest))
+        const struct tree migrant = {parcel + 1, (size_t)parcel[0]};
+        if (lives_here(is, &migrant))
             continue;
-        tree_copy(&guest, &is->now[--place].tree);
+        tree_copy(&migrant, &is->now[--place].tree);
         evaluate(is, &is->now[place]);
     }
     rank_population(is);

@@ -1,5 +1,5 @@
 /* Islands; see island.h.  All randomness comes from the stream of (seed, ring, place in the ring,
- * generation), and whatever an island does depends on itself, its guests and their order alone. */
+ * generation), and whatever an island does depends on itself, its migrants and their order alone. */
 #include "island.h"
 
 #include "../common/stream.h"
@@ -9,15 +9,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct island *island_new(const struct plan *plan, const struct goal *goal, struct judge *judge)
+struct island *island_new(const struct plan *plan, const struct goal *goal, struct objective *objective)
 {
     struct island *is = new_array(1, sizeof *is);
-    *is = (struct island){.plan = plan, .goal = *goal, .judge = judge, .bound = INFINITY, .joined = true};
+    *is = (struct island){.plan = plan, .goal = *goal, .objective = objective, .bound = INFINITY, .joined = true};
     const size_t n = plan->population, room = 2 * n + 2;
     is->rng = stream_new();
     is->counter = counter_new(goal->max_length);
-    is->frame = frame_cost_new(judge->program, &plan->prices);
-    is->twin = twin_counter_new(judge->twins);
+    is->frame = frame_cost_new(objective->program, &plan->prices);
+    is->twin = twin_counter_new(objective->twins);
     is->now = new_array(room, sizeof *is->now);
     is->order = new_array(room, sizeof *is->order);
     is->fate = new_array(room, sizeof *is->fate);

@@ -7,15 +7,15 @@
 #include "goal.h"
 
 struct island;
-/** Plan, goal's genes and fits, and the judge (of decimal numbers) must outlive the island. */
-struct island *island_new(const struct plan *plan, const struct goal *goal, struct judge *judge);
+/** Plan, goal's genes and fits, and the objective (of decimal numbers) must outlive the island. */
+struct island *island_new(const struct plan *plan, const struct goal *goal, struct objective *objective);
 void island_free(struct island *is);
 
 /** Generation 0: n seeds (each at most max_length genes), then random trees of all shapes. */
 void island_start(struct island *is, const struct tree *seed, size_t n);
 /** One generation. */
 void island_step(struct island *is);
-/** The best so far: lowest plan_demerit.  Valid until the island changes. */
+/** The best so far: lowest plan_fitness.  Valid until the island changes. */
 const struct individual *island_best(const struct island *is);
 /** All that it has found: the best of each cost, restarts or not. */
 const struct front *island_front(const struct island *is);

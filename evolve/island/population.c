@@ -17,8 +17,9 @@ struct remembered *population_memory(const struct island *is, uint64_t hash)
 
 void population_count(struct island *is, struct individual *x)
 {
-    const bool both = judge_takes_both(is->judge, is->goal.target);
-    const struct operations o = both ? twin_count(is->twin, &x->tree) : operations_count(is->counter, &x->tree, NULL);
+    const bool both = objective_takes_both(is->objective, is->goal.target);
+    const struct operation_count o =
+        both ? count_twin_operations(is->twin, &x->tree) : count_operations(is->counter, &x->tree, NULL);
     x->cost = operations_price(&o, &is->plan->prices) + (both ? 0 : frame_cost_of(is->frame, &x->tree));
     x->hash = o.hash;
 }
@@ -33,8 +34,8 @@ void population_record(struct island *is, const struct individual *x)
 int population_compare(const void *a, const void *b)
 {
     const struct individual *p = a, *q = b;
-    if (p->demerit != q->demerit)
-        return p->demerit < q->demerit ? -1 : 1;
+    if (p->fitness != q->fitness)
+        return p->fitness < q->fitness ? -1 : 1;
     if (p->error != q->error)
         return p->error < q->error ? -1 : 1;
     if (p->tree.length != q->tree.length)
@@ -77,12 +78,12 @@ static void find_best(struct island *is)
     is->best = is->now[0];
     if (is->plan->breeding == BREED_PAPER)
         return;
-    is->best.demerit = INFINITY;
+    is->best.fitness = INFINITY;
     for (size_t c = 0; c <= is->all->limit; c++) {
         const struct member *m = &is->all->member[c];
-        const double demerit = plan_demerit(is->plan, m->error, m->cost);
-        if (m->tree.length > 0 && demerit < is->best.demerit)
-            is->best = (struct individual){m->tree, demerit, m->error, m->cost, 0};
+        const double fitness = plan_fitness(is->plan, m->error, m->cost);
+        if (m->tree.length > 0 && fitness < is->best.fitness)
+            is->best = (struct individual){m->tree, fitness, m->error, m->cost, 0};
     }
 }
 
@@ -90,7 +91,7 @@ void population_refresh(struct island *is)
 {
     double sum = 0;
     for (size_t i = 0; i < is->plan->population; i++)
-        is->cumulative[i] = sum += 1 / fmin(fmax(is->now[i].demerit, 1e-100), 1e100);
+        is->cumulative[i] = sum += 1 / fmin(fmax(is->now[i].fitness, 1e-100), 1e100);
     memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
     find_best(is);
 }

@@ -15,9 +15,9 @@ struct remembered {
 };
 
 struct island {
-    const struct plan *plan; /* not owned, as are goal's genes and fits and the judge */
+    const struct plan *plan; /* not owned, as are goal's genes and fits and the objective */
     struct goal goal;
-    struct judge *judge;
+    struct objective *objective;
 
     /* All that the next generations depend on; random streams start anew in each. */
     uint64_t generation;
@@ -33,7 +33,7 @@ struct island {
     /* Scratch, and what follows from the rest. */
     gsl_rng *rng;              /* owned */
     struct counter *counter;   /* owned */
-    struct frame_cost *frame;  /* owned: of the judge's program */
+    struct frame_cost *frame;  /* owned: of the objective's program */
     struct twin_counter *twin; /* owned: of twin trees, which cost what they need of the frame with the rest */
     int *pool;                 /* owned: genes of now[] and of scratch */
     struct individual *order;  /* owned: as now[] */
@@ -43,7 +43,7 @@ struct island {
     double *cumulative;        /* owned: roulette wheel of the living */
     double *reference;         /* owned: error at each cost of the stage's front when the generation began */
     struct tree scratch;       /* in the pool */
-    struct individual best;    /* lowest plan_demerit; its tree is in the front */
+    struct individual best;    /* lowest plan_fitness; its tree is in the front */
 };
 
 struct remembered *population_memory(const struct island *is, uint64_t hash);
@@ -51,7 +51,7 @@ struct remembered *population_memory(const struct island *is, uint64_t hash);
 void population_count(struct island *is, struct individual *x);
 /* A measured individual enters the fronts. */
 void population_record(struct island *is, const struct individual *x);
-/* By demerit, then error, length and genes. */
+/* Lowest fitness first, then error, length and genes. */
 int population_compare(const void *a, const void *b);
 /* Make what follows from the rest: wheel, reference and best; now[] is sorted. */
 void population_refresh(struct island *is);

@@ -13,7 +13,7 @@
 enum { POLISH_STEPS = 20 };
 static const char *const coefficients_name[] = {"squares", "mean", "worst"};
 
-bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct judge *judge, size_t target,
+bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct objective *objective, size_t target,
                   enum coefficients coefficients, struct pga_find *f)
 {
     size_t *at = new_array(p->count, sizeof *at);
@@ -32,10 +32,10 @@ bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct
         monomials_tree(term, coefficient, f->terms, &squares);
         if (coefficients == COEFFICIENTS_SQUARES) {
             tree_copy(&squares, &f->tree);
-            f->error = judge_error(judge, &f->tree, target, INFINITY);
+            f->error = objective_error(objective, &f->tree, target, INFINITY);
         } else {
-            struct fitter *fitter = fitter_new(judge->table);
-            fit_constants(fitter, judge, &squares, target, POLISH_STEPS, &f->tree, &f->error);
+            struct fitter *fitter = fitter_new(objective->table);
+            fit_constants(fitter, objective, &squares, target, POLISH_STEPS, &f->tree, &f->error);
             fitter_free(fitter);
         }
         free(squares.gene);

@@ -234,9 +234,9 @@ static void make_tools(const struct evolve_options *o, struct problem *p)
     const enum functions f = o->functions;
     p->max_length = o->max_length;
     make_plan(o, p);
-    p->judge = judge_new(p->archive->program, &p->table, p->scene->norm);
-    p->judge->decimal = true;
-    p->fits = fits_new(p->judge);
+    p->objective = objective_new(p->archive->program, &p->table, p->scene->norm);
+    p->objective->decimal = true;
+    p->fits = fits_new(p->objective);
     p->hooks = fits_hooks(p->fits);
     p->genes = new_array(p->scene->tiers, sizeof *p->genes);
     for (size_t i = 0; i < p->scene->tiers; i++) {
@@ -260,7 +260,7 @@ static enum stop_reason prepare(const struct call *call, struct problem *p, cons
             archive_choose_values(p->archive, i, o->generations > 0);
     if (o->generations > 0 && o->growth == GROWTH_YES && !call->resume)
         reason = grow_seeds(call, p);
-    archive_judge(p->archive, &p->plan, p->judge, o->max_length);
+    archive_measure(p->archive, &p->plan, p->objective, o->max_length);
     return reason;
 }
 
@@ -309,7 +309,7 @@ static void make_islands(const struct call *call, const struct problem *p, struc
                                   .closed = random && p->plan.breeding == BREED_FRONT};
         s->seeded[i] = !random && (seeds > 0 || call->options->growth == GROWTH_YES);
         if (s->owner[i] == call->team->rank) {
-            s->island[i] = island_new(&p->plan, &goal, p->judge);
+            s->island[i] = island_new(&p->plan, &goal, p->objective);
             if (!call->resume)
                 island_start(s->island[i], seed, random ? 0 : seeds);
         }
@@ -351,7 +351,7 @@ static void say(const struct call *call, const char *phase)
     progress_phase(call->team->rank == 0 && !call->options->quiet, phase);
 }
 
-/* The fronts of all islands, judged and merged in their order, and the champions chosen from them, on rank 0.
+/* The fronts of all islands, measured and merged in their order, and the champions chosen from them, on rank 0.
  * Collective. */
 static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s)
 {
@@ -362,7 +362,8 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         const size_t island = f.found[i].island;
         const struct tree *t = &f.found[i].tree;
         const struct ring *ring = &s->ring[island / s->places];
-        const double error = judge_error(p->judge, t, frame_target(p->archive->program, ring->output), INFINITY);
+        const double error =
+            objective_error(p->objective, t, frame_target(p->archive->program, ring->output), INFINITY);
         archive_offer(p->archive, &p->plan, ring->tier, ring->output, t, error,
                       s->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
         members++;
@@ -377,7 +378,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         lowest = INFINITY;
     }
     if (call->team->rank == 0)
-        archive_crown(p->archive, &p->plan);
+        archive_choose_champions(p->archive, &p->plan);
     reports_free(&f);
 }
 
@@ -412,7 +413,7 @@ static void problem_free(struct problem *p)
         gene_set_free(&p->genes[i]);
     free(p->genes);
     fits_free(p->fits);
-    judge_free(p->judge);
+    objective_free(p->objective);
     columns_free(&p->table);
     archive_free(p->archive);
     scene_free(p->scene);

@@ -31,7 +31,7 @@ struct problem {
     struct archive *archive;
     struct gene_set *genes; /* one for each tier */
     struct columns table;   /* of the training samples */
-    struct judge *judge;
+    struct objective *objective;
     struct fits *fits;    /* of constants, for the islands */
     struct fitting hooks; /* the same as the islands call it */
     struct plan plan;

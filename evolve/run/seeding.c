@@ -76,24 +76,24 @@ static int *do_job(const struct problem *p, const struct job *job, size_t *numbe
     const struct greedy_plan greedy = {genes->symbol, genes->symbols, GREEDY_DEGREE, GREEDY_TERMS, longest};
     const size_t target = frame_target(p->archive->program, job->output);
     const struct tree *base = job->base.length > 0 ? &job->base : NULL;
-    struct seeds found = {.prices = p->plan.prices};
+    struct pareto found = {.prices = p->plan.prices};
     if (job->kind == GREEDY)
-        greedy_polynomials(&greedy, p->judge, target, &found);
+        greedy_polynomials(&greedy, p->objective, target, &found);
     else if (job->kind == QUOTIENTS)
-        grow_quotients(&plan, p->judge, target, base, &found);
+        grow_quotients(&plan, p->objective, target, base, &found);
     else
-        grow_polynomials(&plan, p->judge, target, base, &found);
+        grow_polynomials(&plan, p->objective, target, base, &found);
     *numbers = 0;
     for (size_t i = 0; i < found.n; i++)
-        *numbers += 1 + found.seed[i].tree.length;
+        *numbers += 1 + found.member[i].tree.length;
     int *number = new_array(*numbers, sizeof *number), *to = number;
     for (size_t i = 0; i < found.n; i++) {
         struct tree copy = {to + 1, 0};
-        tree_copy(&found.seed[i].tree, &copy);
+        tree_copy(&found.member[i].tree, &copy);
         *to = (int)copy.length;
         to += 1 + copy.length;
     }
-    seeds_free(&found);
+    pareto_free(&found);
     return number;
 }
 
@@ -110,7 +110,7 @@ static void keep(const struct problem *p, const struct job *job, int *number, si
 static void compose_seeds(const struct problem *p, size_t tier)
 {
     struct front *found = front_new(p->plan.front_limit, problem_longest(p, tier));
-    twin_seeds(&p->genes[tier], p->judge, &p->plan.prices, found);
+    compose_twins(&p->genes[tier], p->objective, &p->plan.prices, found);
     for (size_t k = 0; k < front_count(found); k++)
         archive_add_seed(p->archive, (long)tier, TIER_BOTH, &front_member(found, k)->tree);
     front_free(found);

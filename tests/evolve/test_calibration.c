@@ -1,6 +1,6 @@
 /* The paper's data set and the figures that our reading of it gives (section 6.1, tables 2 and 3): the count of
  * configurations, the errors of the area-coordinate method (12)-(16), and those of a complete cubic in the eight
- * coordinates, fitted by least squares to the training samples and judged on all others. */
+ * coordinates, fitted by least squares to the training samples and measured on all others. */
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/foot_bilinear.h"
 
