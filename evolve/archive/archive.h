@@ -77,7 +77,8 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
  *  that the archive owns. */
 size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed);
 
-/** Expressions of a tier are of one gene: its terminals become seeds, so that archive_choose_champions chooses among them.
+/** Expressions of a tier are of one gene: its terminals become seeds, so that archive_choose_champions chooses among
+ *  them.
  *  @param[in] anew  also where there is a champion */
 void archive_choose_values(struct archive *a, size_t tier, bool anew);
 

@@ -29,7 +29,7 @@ bool objective_takes_both(const struct objective *o, size_t target);
  *  |value - target|.  INFINITY where a value is not finite, or where the mean is sure to exceed `bound`. */
 double objective_error(struct objective *o, const struct tree *t, size_t target, double bound);
 
-/** The same for ranking: the mean is computed in float, with about six digits and in half the time; not of twin trees. */
+/** The same for ranking: the mean is computed in float, with about six digits in half the time; not of twin trees. */
 double objective_rank(struct objective *o, const struct tree *t, size_t target, double bound);
 
 /** Genes times samples evaluated so far; of twin trees, lines times samples. */

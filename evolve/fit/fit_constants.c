@@ -1,5 +1,5 @@
-/* Fits of a tree's constants; see fit_constants.h.  Every loss is met by reweighted least squares: a residual counts with
- * the weight (d loss / d r) / r, and a step solves (J'WJ + lambda diag J'WJ) step = J'W r.  The derivatives J of a
+/* Fits of a tree's constants; see fit_constants.h.  Every loss is met by reweighted least squares: a residual counts
+ * with the weight (d loss / d r) / r, and a step solves (J'WJ + lambda diag J'WJ) step = J'W r.  The derivatives J of a
  * block of samples come from one backward pass over the tree; they are never stored for all samples. */
 #include "fit_constants.h"
 

@@ -40,9 +40,9 @@ double fitter_descend(struct fitter *f, size_t target, const struct loss *loss, 
 /** The same for a norm: losses that approach it, one after the other, each with so many iterations. */
 void fitter_descend_norm(struct fitter *f, size_t target, enum scene_norm norm, int iterations);
 
-/** Copy a tree with its constants fitted in the objective's norm on the fitter's table, which may hold fewer samples than
- *  the objective's.  `out`, with room for as many genes, is the tree itself where none is better; *error is what the objective
- *  says of it.  Returns true if it is better. */
+/** Copy a tree with its constants fitted in the objective's norm on the fitter's table, which may hold fewer samples
+ *  than the objective's.  `out`, with room for as many genes, is the tree itself where none is better; *error is what
+ *  the objective says of it.  Returns true if it is better. */
 bool fit_constants(struct fitter *f, struct objective *objective, const struct tree *in, size_t target, int iterations,
                    struct tree *out, double *error);
 

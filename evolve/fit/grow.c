@@ -1,7 +1,7 @@
-/* Greedy growth; see grow.h.  Sums begin at the root and at operands of anything but sums (grow_screen.h), so that Horner's
- * form, factors, numerators, denominators and what is clamped grow alike.  The most promising additions are made and
- * fitted, the best is kept; terms that have become useless are dropped again wherever that beats what was found before
- * at the lower cost. */
+/* Greedy growth; see grow.h.  Sums begin at the root and at operands of anything but sums (grow_screen.h), so that
+ * Horner's form, factors, numerators, denominators and what is clamped grow alike.  The most promising additions are
+ * made and fitted, the best is kept; terms that have become useless are dropped again wherever that beats what was
+ * found before at the lower cost. */
 #include "grow.h"
 
 #include "../common/decimal.h"

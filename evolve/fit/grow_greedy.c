@@ -1,6 +1,6 @@
-/* Orthogonal forward selection; see grow_greedy.h.  With the products of all monomials at hand, each is kept as far as it is
- * orthogonal to the chosen ones: its square and its product with what is left of the target.  No pass over the samples
- * is needed but for the first and for the fits in the objective's norm. */
+/* Orthogonal forward selection; see grow_greedy.h.  With the products of all monomials at hand, each is kept as far as
+ * it is orthogonal to the chosen ones: its square and its product with what is left of the target.  No pass over the
+ * samples is needed but for the first and for the fits in the objective's norm. */
 #include "grow_greedy.h"
 
 #include "fit_constants.h"

@@ -1,5 +1,5 @@
-/* The processes of a run, and what they agree on before and after it.  During it there are nothing but messages that are
- * on their way while everybody goes on: mail.h, poll.h. */
+/* The processes of a run, and what they agree on before and after it.  During it there is nothing but messages that
+ * are on their way while everybody goes on: mail.h, poll.h. */
 #ifndef FOOTPOINT_TEAM_H
 #define FOOTPOINT_TEAM_H
 

@@ -16,7 +16,7 @@ struct pga_find {
 };
 
 /** The polynomial of a search's best individual, its coefficients as the options wish; false where there is none.
- *  @param[in] objective  of decimal numbers, by what the coefficients minimise; by the mean where that is the squares */
+ *  @param[in] objective  of decimal numbers, by what the coefficients minimise; by the mean where that is squares */
 bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct objective *objective, size_t target,
                   enum coefficients coefficients, struct pga_find *f);
 void pga_find_free(struct pga_find *f);

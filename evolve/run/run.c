@@ -245,8 +245,8 @@ static void make_tools(const struct evolve_options *o, struct problem *p)
     }
 }
 
-/* What is known before islands breed: exact values, seeds, and the fronts of both.  Collective; returns why growth ended
- * early, or STOP_DONE. */
+/* What is known before islands breed: exact values, seeds, and the fronts of both.  Collective; returns why growth
+ * ended early, or STOP_DONE. */
 static enum stop_reason prepare(const struct call *call, struct problem *p, const struct run_samples *s)
 {
     const struct evolve_options *o = call->options;

@@ -1,9 +1,9 @@
 /* Samples on meshes of smooth bodies; see body_samples.h. */
 #include "body_samples.h"
 
+#include "../common/stream.h"
 #include "../surface/foot_patch.h"
 #include "bodies.h"
-#include "../common/stream.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

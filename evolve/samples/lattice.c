@@ -6,9 +6,9 @@
  *   if the scene says so, Newton's iteration from (0,0) finds it, as the paper found its own.
  * The lattice is held in integers, multiples of a common unit, so that ties are exact.  Off the lattice C, D and S are
  * uniform in the same ranges. */
+#include "../common/stream.h"
 #include "../surface/foot_bilinear.h"
 #include "samples.h"
-#include "../common/stream.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

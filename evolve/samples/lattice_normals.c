@@ -1,9 +1,9 @@
 /* Random node normals on the paper's configurations; see lattice_normals.h. */
 #include "lattice_normals.h"
 
+#include "../common/stream.h"
 #include "../surface/foot_patch.h"
 #include "samples.h"
-#include "../common/stream.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>

@@ -1,8 +1,8 @@
-/* Ordinary faces of elements drawn at random: corners as random_quads.c draws them for bilinear segments (a triangle is half
- * of a parallelogram).  Mid-side nodes stand where a body of random principal curvatures has them, so that the longest
- * edge rises by up to `curve` of its length, and off that place by up to `shift` of the shortest edge in x, y and z; a
- * node in the middle likewise off where the edges alone would have it.  Faces that fold over, or turn by more than 60
- * degrees, are drawn again. */
+/* Ordinary faces of elements drawn at random: corners as random_quads.c draws them for bilinear segments (a triangle is
+ * half of a parallelogram).  Mid-side nodes stand where a body of random principal curvatures has them, so that the
+ * longest edge rises by up to `curve` of its length, and off that place by up to `shift` of the shortest edge in x, y
+ * and z; a node in the middle likewise off where the edges alone would have it.  Faces that fold over, or turn by more
+ * than 60 degrees, are drawn again. */
 #include "samples.h"
 
 #include <gsl/gsl_math.h>

@@ -36,8 +36,8 @@ size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LEN
  *  are left out whose foot point is not in the box, or smooth bodies. */
 bool patches_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 
-/** A random segment about the origin, edges of length about 2, in the limits of the shapes: bilinear (random_quads.c), or
- *  of shape functions of degree up to 2 in xi and in eta (random_faces.c).  False: draw again. */
+/** A random segment about the origin, edges of length about 2, in the limits of the shapes: bilinear (random_quads.c),
+ *  or of shape functions of degree up to 2 in xi and in eta (random_faces.c).  False: draw again. */
 bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
 bool draw_face(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
 

@@ -1,5 +1,5 @@
-/* What segments vary; see variation.h.  A kind is that of the sample that varies most, each by its own tolerance: a segment
- * of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
+/* What segments vary; see variation.h.  A kind is that of the sample that varies most, each by its own tolerance: a
+ * segment of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
 #include "variation.h"
 
 #include <float.h>

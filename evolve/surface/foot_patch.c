@@ -1,6 +1,6 @@
-/* The certain closest point on a Gregory patch: the nearest of its stationary points (foot_patch_boxes.h), of those of its
- * edges, and of its corners.  Edges are cubic curves: the zeros of a quintic are isolated by the signs of its Bernstein
- * coefficients. */
+/* The certain closest point on a Gregory patch: the nearest of its stationary points (foot_patch_boxes.h), of those of
+ * its edges, and of its corners.  Edges are cubic curves: the zeros of a quintic are isolated by the signs of its
+ * Bernstein coefficients. */
 #include "foot_patch.h"
 
 #include "foot_patch_boxes.h"

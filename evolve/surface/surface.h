@@ -1,5 +1,5 @@
-/* Kinds of master segments as scenes need them: the geometry behind a segment_kind of codegen/genome/segment_kind.h, and
- * the certain foot point on them. */
+/* Kinds of master segments as scenes need them: the geometry behind a segment_kind of codegen/genome/segment_kind.h,
+ * and the certain foot point on them. */
 #ifndef FOOTPOINT_SURFACE_H
 #define FOOTPOINT_SURFACE_H
 

@@ -1,7 +1,7 @@
 /* Gregory patches beyond any scene: repeated nodes, normals along edges, sizes near the ends of double, and tilts up to
  * tan = 2.  What is made is finite everywhere; what cannot be made has the status that the header says. */
-#include "../../evolve/surface/foot_patch.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/surface/foot_patch.h"
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
 #include "../../runtime/geometry/footpoint-node-normals.h"
 

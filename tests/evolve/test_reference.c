@@ -1,7 +1,7 @@
 /* The certain closest point against a solver that shares no code with it: Newton's iteration in vector form from many
  * starts, the points it finds polished with 192 bits (MPFR).  Then answers known by hand. */
-#include "../../evolve/surface/foot_bilinear.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/surface/foot_bilinear.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

@@ -1,10 +1,10 @@
 /* The certain closest point on a patch against dense sampling and Newton's iteration from every sample, on patches far
  * worse than a scene's; then the samples made with it. */
 #include "../../codegen/genome/base.h"
+#include "../../evolve/common/stream.h"
+#include "../../evolve/samples/body_samples.h"
 #include "../../evolve/samples/lattice_normals.h"
 #include "../../evolve/surface/foot_patch.h"
-#include "../../evolve/samples/body_samples.h"
-#include "../../evolve/common/stream.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 
 #include <gsl/gsl_randist.h>
