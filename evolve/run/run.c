@@ -21,7 +21,7 @@
 struct run_samples {
     struct sample_set training; /* empty once the table is there */
     struct heldout heldout;     /* on rank 0 */
-    struct vary vary;           /* of the training samples */
+    struct variation vary;      /* of the training samples */
     bool follows;               /* frame and tiers follow from that */
 };
 
@@ -79,7 +79,7 @@ static bool draw_training(const struct scene *scene, struct run_samples *s, stru
         return true;
     if (!scene_samples(scene, PART_TRAINING, &s->training, d))
         return false;
-    s->vary = vary_measure(scene->segment, &s->training);
+    s->vary = variation_measure(scene->segment, &s->training);
     return true;
 }
 
@@ -88,7 +88,7 @@ static bool complete_scene(const char *root, struct scene *scene, struct run_sam
 {
     if (scene->tiers > 0)
         return true;
-    if (!draw_training(scene, s, d) || !scene_follow(root, scene, s->vary.kind, d))
+    if (!draw_training(scene, s, d) || !scene_default_tiers(root, scene, s->vary.kind, d))
         return false;
     s->follows = true;
     return true;
@@ -220,7 +220,7 @@ static void tell_segments(const struct problem *p, const struct run_samples *s)
     if (p->scene->segment->surface)
         printf("segments are %s", p->scene->segment->name);
     else
-        vary_print(&s->vary, stdout);
+        variation_print(&s->vary, stdout);
     if (s->follows)
         printf(", frame %s", p->scene->tier[0].frame);
     archive_print_exact(p->archive, stdout);

@@ -9,6 +9,6 @@
  *  frame, tiers "fast", "coarse" and "exact"; all other segments: frame and tiers of the scene of their kind.  The
  *  reference point, unless the scene has one: corner A for the affine frame, otherwise as scene_choose_reference says.
  *  False with *d: the scene of the kind cannot be read. */
-bool scene_follow(const char *root, struct scene *s, enum vary_kind kind, struct diag *d);
+bool scene_default_tiers(const char *root, struct scene *s, enum variation_kind kind, struct diag *d);
 
 #endif

@@ -87,7 +87,7 @@ static bool newton_finds(const struct sample *s, int steps)
 static bool label(const struct lattice *l, struct sample *s)
 {
     const double lo[2] = {l->xi[0], l->eta[0]}, hi[2] = {l->xi[1], l->eta[1]};
-    return reference_foot(s, lo, hi) && (l->newton == 0 || newton_finds(s, l->newton));
+    return foot_bilinear(s, lo, hi) && (l->newton == 0 || newton_finds(s, l->newton));
 }
 
 static void add_slaves(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)

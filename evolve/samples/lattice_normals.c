@@ -71,7 +71,7 @@ bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part p
             memcpy(s.xs, facets.s[i].xs, sizeof s.xs);
             stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);
             draw_normals(stream, l->tangent, &s);
-            if (reference_patch_foot(&s, lo, hi))
+            if (foot_patch(&s, lo, hi))
                 patch_set_add(set, &s);
         }
     if (count)

@@ -17,8 +17,8 @@ static struct patch_box box_of(const double lo[2], const double hi[2])
     return (struct patch_box){{(1 + lo[0]) / 2, (1 + hi[0]) / 2}, {(1 + lo[1]) / 2, (1 + hi[1]) / 2}};
 }
 
-int reference_patch_stationary(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
-                               const double hi[2], struct stationary found[PATCH_STATIONARY_MAX])
+int foot_patch_stationary(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
+                          const double hi[2], struct stationary found[PATCH_STATIONARY_MAX])
 {
     struct patch_local l;
     const struct patch_box box = box_of(lo, hi);
@@ -80,7 +80,7 @@ static void edge_quintic(const struct patch_local *l, int edge, double b[6])
     }
 }
 
-bool reference_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest)
+bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest)
 {
     const struct patch_box whole = {{0, 1}, {0, 1}};
     struct stationary found[PATCH_STATIONARY_MAX], best = {.distance = INFINITY};
@@ -123,7 +123,7 @@ static bool gap_at(const struct patch_local *l, double xi, double eta, double *g
     return length > 0;
 }
 
-bool reference_patch_foot(struct patch_sample *s, const double lo[2], const double hi[2])
+bool foot_patch(struct patch_sample *s, const double lo[2], const double hi[2])
 {
     const struct patch_box box = box_of(lo, hi);
     struct footpoint_gregory patch;
@@ -142,7 +142,7 @@ bool reference_patch_foot(struct patch_sample *s, const double lo[2], const doub
     return false;
 }
 
-void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3])
+void surface_point_patch(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3])
 {
     struct footpoint_gregory patch = {0};
     struct patch_sample s = {.kind = f->patch};
@@ -158,13 +158,13 @@ void patches_point(const struct surface *f, double (*x)[3], double xi, double et
     }
 }
 
-bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
 {
     struct patch_sample p = {.kind = f->patch};
     memcpy(p.x, s->x[0], sizeof p.x);
     memcpy(p.n, s->x[4], sizeof p.n);
     memcpy(p.xs, s->xs, sizeof p.xs);
-    if (!reference_patch_foot(&p, lo, hi))
+    if (!foot_patch(&p, lo, hi))
         return false;
     s->xi = p.xi;
     s->eta = p.eta;

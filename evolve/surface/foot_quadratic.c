@@ -307,7 +307,7 @@ static void search_box(struct subdivision *s, const struct box *b)
     search_box(s, &half[1]);
 }
 
-bool reference_foot_polynomial(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
 {
     struct local l;
     struct subdivision sub = {.local = &l, .triangle = f->triangle, .least = INFINITY};

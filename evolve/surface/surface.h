@@ -34,11 +34,11 @@ bool surface_normal(const struct surface *f, double (*x)[3], double xi, double e
 /* The functions of the table's rows. */
 
 /** Bilinear: the quintic of foot_bilinear.h. */
-bool reference_foot_quad4(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 /** Kinds with shape functions of degree up to 2 in xi and in eta: see foot_quadratic.c. */
-bool reference_foot_polynomial(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 /** Gregory and Bezier patches: see foot_patch.c. */
-void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
-bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+void surface_point_patch(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
+bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

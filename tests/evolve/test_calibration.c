@@ -249,7 +249,7 @@ static void certain_solver_misses_nothing(void **state)
                                     if (!newton_from_centre(&s, 25))
                                         continue;
                                     met++;
-                                    if (!reference_foot(&s, lo, hi))
+                                    if (!foot_bilinear(&s, lo, hi))
                                         fail_msg("lost: C %d %d %d, D %d %d, S %d %d %d", xc, yc, zc, xd, yd, xs, ys,
                                                  zs);
                                 }

@@ -273,7 +273,7 @@ static void test_closest(void **state)
         const double gap = gsl_ran_flat(rng, -0.1, 0.1);
         for (int k = 0; k < 3; k++)
             xs[k] += gap * normal[k];
-        if (!reference_patch_closest(&g, xs, &s))
+        if (!foot_patch_closest(&g, xs, &s))
             continue;
         told[trial % 2]++;
         double r[3], nearest = INFINITY;

@@ -51,7 +51,7 @@ static void shipped_segments_are_found_out(void **state)
 {
     static const struct {
         const char *name;
-        enum vary_kind kind;
+        enum variation_kind kind;
     } expected[] = {{"plane-quad4", VARY_PLANE},
                     {"parallelogram-quad4", VARY_PARALLELOGRAMS},
                     {"rectangle-quad4", VARY_RECTANGLES},
@@ -65,7 +65,7 @@ static void shipped_segments_are_found_out(void **state)
         struct diag d;
         s->training = 2000;
         assert_true(scene_samples(s, PART_TRAINING, &set, &d));
-        const struct vary v = vary_measure(segment_find("quad4"), &set);
+        const struct variation v = variation_measure(segment_find("quad4"), &set);
         assert_int_equal(v.kind, expected[i].kind);
         if (s->source == SOURCE_RANDOM) /* in the scene's own measures, and up to them */
             for (int k = 0; k < 3; k++) {
@@ -106,7 +106,7 @@ static void every_value_arrives(void **state)
 
     s = read_from_text(HEAD SHAPES, &d);
     assert_true(s && s->tiers == 0 && s->reference[0] == 0);
-    assert_true(scene_follow("", s, VARY_PLANE, &d));
+    assert_true(scene_default_tiers("", s, VARY_PLANE, &d));
     assert_true(s->tiers == 3 && s->reference[0] == 0);
     scene_free(s);
 
@@ -267,7 +267,7 @@ static void usual_values(void **state)
             fail_msg("%s: %s", kind[i], d.text);
         assert_true(s->order == CORNERS_ANY && s->norm == NORM_MEAN && s->seed == 1 && !s->warnings);
         assert_string_equal(s->precision, "double");
-        assert_true(s->tiers == 0 && scene_follow("", s, VARY_WARPED, &d));
+        assert_true(s->tiers == 0 && scene_default_tiers("", s, VARY_WARPED, &d));
         assert_int_equal(s->tiers, usual->tiers);
         for (size_t k = 0; k < s->tiers; k++) {
             assert_string_equal(s->tier[k].name, usual->tier[k].name);
