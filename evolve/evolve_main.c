@@ -2,6 +2,7 @@
  * samples and tiers, frames give the values that expressions are made of, the start file gives the champions to beat.
  * Each output of each tier has a ring of islands. */
 #include "../codegen/genome/console.h"
+#include "common/stop.h"
 #include "eval/kernel_benchmark.h"
 #include "run/run.h"
 #include "samples/samples_write.h"

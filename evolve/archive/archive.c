@@ -135,8 +135,8 @@ void archive_free(struct archive *a)
 void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t)
 {
     grow_array(&a->seed, a->seeds, &a->seed_room, sizeof *a->seed);
-    struct seedling *s = &a->seed[a->seeds++];
-    *s = (struct seedling){tier, output, {new_array(t->length, sizeof *t->gene), 0}};
+    struct archive_seed *s = &a->seed[a->seeds++];
+    *s = (struct archive_seed){tier, output, {new_array(t->length, sizeof *t->gene), 0}};
     tree_copy(t, &s->tree);
 }
 
@@ -197,7 +197,7 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
 }
 
 /* The tier can breed from it. */
-static bool fits_tier(const struct archive *a, size_t tier, int output, size_t max_length, const struct seedling *s)
+static bool fits_tier(const struct archive *a, size_t tier, int output, size_t max_length, const struct archive_seed *s)
 {
     const struct tier *t = &a->scene->tier[tier];
     bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= max_length;
@@ -221,13 +221,13 @@ size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t ma
     return n;
 }
 
-struct operations archive_operations(const struct archive *a, int output, const struct tree *t,
-                                     const struct genome_constant *constant)
+struct operation_count archive_operations(const struct archive *a, int output, const struct tree *t,
+                                          const struct genome_constant *constant)
 {
     if (output == TIER_BOTH)
-        return twin_count(a->twin, t);
+        return count_twin_operations(a->twin, t);
     struct counter *c = counter_new(t->length);
-    const struct operations o = operations_count(c, t, constant);
+    const struct operation_count o = count_operations(c, t, constant);
     counter_free(c);
     return o;
 }
@@ -235,22 +235,23 @@ struct operations archive_operations(const struct archive *a, int output, const 
 static double cost_of(const struct archive *a, const struct plan *plan, int output, const struct tree *t,
                       const struct genome_constant *constant)
 {
-    const struct operations o = archive_operations(a, output, t, constant);
+    const struct operation_count o = archive_operations(a, output, t, constant);
     return operations_price(&o, &plan->prices) + (output == TIER_BOTH ? 0 : frame_cost_of(a->frame, t));
 }
 
-static void judge_champion(struct archive *a, const struct plan *plan, struct judge *exact, size_t tier, int output)
+static void measure_champion(struct archive *a, const struct plan *plan, struct objective *exact, size_t tier,
+                             int output)
 {
     struct champion *c = &a->champion[tier][output];
     if (c->tree.length > 0) {
-        c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
+        c->error = objective_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
         c->cost = cost_of(a, plan, output, &c->tree, a->program->constant);
     }
     c->error_before = c->error;
 }
 
 /* A value of the frame that is right to rounding takes the champion's place. */
-static void take_exact(struct archive *a, struct judge *exact, size_t tier, int output)
+static void take_exact(struct archive *a, struct objective *exact, size_t tier, int output)
 {
     struct champion *c = &a->champion[tier][output];
     const struct tree value = {&c->exact, 1};
@@ -259,13 +260,13 @@ static void take_exact(struct archive *a, struct judge *exact, size_t tier, int 
     free(c->tree.gene);
     c->tree.gene = new_array(1, sizeof *c->tree.gene);
     tree_copy(&value, &c->tree);
-    c->error = judge_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
+    c->error = objective_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
     c->cost = frame_cost_of(a->frame, &c->tree);
     c->bred = true;
 }
 
 /* The first seed of a tier that has a champion is that champion. */
-static void found_fronts(struct archive *a, const struct plan *plan, struct judge *j, size_t tier, int output,
+static void start_fronts(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, int output,
                          size_t max_length)
 {
     struct tree *seed;
@@ -273,7 +274,7 @@ static void found_fronts(struct archive *a, const struct plan *plan, struct judg
     a->old[tier][output] = front_new(plan->front_limit, max_length);
     const size_t n = archive_seeds(a, tier, output, max_length, &seed);
     for (size_t i = 0; i < n; i++) {
-        const double error = judge_error(j, &seed[i], frame_target(a->program, output), INFINITY);
+        const double error = objective_error(o, &seed[i], frame_target(a->program, output), INFINITY);
         const bool start = i == 0 && a->champion[tier][output].length_before > 0;
         archive_offer(a, plan, tier, output, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
     }
@@ -281,20 +282,20 @@ static void found_fronts(struct archive *a, const struct plan *plan, struct judg
     free(seed);
 }
 
-void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length)
+void archive_measure(struct archive *a, const struct plan *plan, struct objective *o, size_t max_length)
 {
-    struct judge *exact = judge_new(a->program, j->table, j->norm);
+    struct objective *exact = objective_new(a->program, o->table, o->norm);
     if (!a->frame)
         a->frame = frame_cost_new(a->program, &plan->prices);
     a->front = new_array(a->scene->tiers, sizeof *a->front);
     a->old = new_array(a->scene->tiers, sizeof *a->old);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
-            judge_champion(a, plan, exact, i, k);
+            measure_champion(a, plan, exact, i, k);
             take_exact(a, exact, i, k);
-            found_fronts(a, plan, j, i, k, max_length ? max_length : a->scene->tier[i].max_length);
+            start_fronts(a, plan, o, i, k, max_length ? max_length : a->scene->tier[i].max_length);
         }
-    judge_free(exact);
+    objective_free(exact);
 }
 
 void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
@@ -305,25 +306,14 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
         m->origin = (int)origin;
 }
 
-void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound)
-{
-    tree_copy(t, bound);
-    for (size_t i = 0; i < t->length; i++)
-        if (t->gene[i] < 0) {
-            char text[DECIMAL_TEXT];
-            decimal_text(t->gene[i], text);
-            bound->gene[i] = -1 - (int)genome_add_constant(program, text);
-        }
-}
-
-static void crown(struct archive *a, int output, struct champion *c, const struct member *m)
+static void replace_champion(struct archive *a, int output, struct champion *c, const struct member *m)
 {
     free(c->tree.gene);
     c->tree.gene = new_array(m->tree.length, sizeof *m->tree.gene);
     if (output == TIER_BOTH)
         tree_copy(&m->tree, &c->tree);
     else
-        archive_bind(a->program, &m->tree, &c->tree);
+        tree_bind(a->program, &m->tree, &c->tree);
     c->error = m->error;
     c->cost = m->cost;
     c->bred = true;
@@ -332,7 +322,7 @@ static void crown(struct archive *a, int output, struct champion *c, const struc
 /* What the choice among a tier's expressions minimises; INFINITY: out of the question. */
 static double merit(const struct plan *plan, double budget, double error, double cost)
 {
-    return budget > 0 ? cost <= budget ? error : INFINITY : plan_demerit(plan, error, cost);
+    return budget > 0 ? cost <= budget ? error : INFINITY : plan_fitness(plan, error, cost);
 }
 
 static bool outdoes(const struct plan *plan, double budget, const struct member *m, const struct champion *c)
@@ -347,7 +337,7 @@ static bool ends_well(const struct archive *a, const struct tier *t, const struc
     return !t->last || tree->gene[0] == twin_gene(a->program, t->last);
 }
 
-static void crown_best(struct archive *a, const struct plan *plan, size_t tier, int output)
+static void choose_champion(struct archive *a, const struct plan *plan, size_t tier, int output)
 {
     const struct front *f = a->front[tier][output];
     const double budget = a->scene->tier[tier].budget;
@@ -362,13 +352,13 @@ static void crown_best(struct archive *a, const struct plan *plan, size_t tier, 
     if (!best && a->champion[tier][output].tree.length == 0)
         best = front_member(f, 0); /* the cheapest, where none is within the budget */
     if (best)
-        crown(a, output, &a->champion[tier][output], best);
+        replace_champion(a, output, &a->champion[tier][output], best);
 }
 
-void archive_crown(struct archive *a, const struct plan *plan)
+void archive_choose_champions(struct archive *a, const struct plan *plan)
 {
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
             if (a->champion[i][k].exact == 0)
-                crown_best(a, plan, i, k);
+                choose_champion(a, plan, i, k);
 }

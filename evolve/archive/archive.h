@@ -5,10 +5,10 @@
 
 #include "../eval/errors.h"
 #include "../eval/frame_cost.h"
-#include "../genotype/front.h"
 #include "../eval/objective.h"
-#include "../island/plan.h"
+#include "../genotype/front.h"
 #include "../input/scene.h"
+#include "../island/plan.h"
 
 /** One output of one tier. */
 struct champion {
@@ -23,7 +23,7 @@ struct champion {
 };
 
 /** An expression to breed from. */
-struct seedling {
+struct archive_seed {
     long tier;        /* -1: every tier that has its symbols */
     int output;       /* 0: xi, 1: eta, 2: both, a twin tree */
     struct tree tree; /* genes owned; constants are decimal numbers */
@@ -49,12 +49,12 @@ struct archive {
     char *bare;                                /* owned: the program's text before that */
     struct genome_file *start;                 /* owned; NULL: none */
     struct champion (*champion)[TIER_OUTPUTS]; /* owned: for each tier its outputs */
-    struct seedling *seed;                     /* owned */
+    struct archive_seed *seed;                 /* owned */
     size_t seeds, seed_room;
     struct twins *twins;                  /* owned: of the program */
     struct twin_counter *twin;            /* owned */
-    struct frame_cost *frame;             /* owned; NULL before archive_judge */
-    struct front *(*front)[TIER_OUTPUTS]; /* owned: for each tier its outputs; NULL before archive_judge */
+    struct frame_cost *frame;             /* owned; NULL before archive_measure */
+    struct front *(*front)[TIER_OUTPUTS]; /* owned: for each tier its outputs; NULL before archive_measure */
     struct front *(*old)[TIER_OUTPUTS];   /* owned: the start file and the seeds alone */
 };
 
@@ -77,7 +77,8 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
  *  that the archive owns. */
 size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed);
 
-/** Expressions of a tier are of one gene: its terminals become seeds, so that archive_crown chooses among them.
+/** Expressions of a tier are of one gene: its terminals become seeds, so that archive_choose_champions chooses among
+ *  them.
  *  @param[in] anew  also where there is a champion */
 void archive_choose_values(struct archive *a, size_t tier, bool anew);
 
@@ -85,16 +86,16 @@ void archive_choose_values(struct archive *a, size_t tier, bool anew);
 bool archive_is_exact(const struct archive *a, size_t tier);
 
 /** Look for terminals that are right to `tolerance` on every training sample and within their tier's budget.  The
- *  cheapest becomes a seed, and archive_judge will make it the champion.
+ *  cheapest becomes a seed, and archive_measure will make it the champion.
  *  @param[in] table  columns of the training samples */
 void archive_find_exact(struct archive *a, const struct plan *plan, const struct columns *table, double tolerance);
 /** The end of a line: which tiers need nothing evolved. */
 void archive_print_exact(const struct archive *a, FILE *stream);
 
 /** Measure the champions that were read, and found the fronts with champions and seeds.
- *  @param[in] j           judge of decimal numbers
+ *  @param[in] o           objective of decimal numbers
  *  @param[in] max_length  genes of the longest members of a front; 0: as each tier says */
-void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, size_t max_length);
+void archive_measure(struct archive *a, const struct plan *plan, struct objective *o, size_t max_length);
 
 /** The genes of a tier: its terminals and functions, the paper's 201 constants -5.00..5.00 in steps of 0.05 and,
  * rounded, those of the tier's champions.
@@ -102,30 +103,27 @@ void archive_judge(struct archive *a, const struct plan *plan, struct judge *j, 
 struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational);
 
 /** Operations of a tree, with the values of the frame that it needs where it is a twin tree. */
-struct operations archive_operations(const struct archive *a, int output, const struct tree *t,
-                                     const struct genome_constant *constant);
+struct operation_count archive_operations(const struct archive *a, int output, const struct tree *t,
+                                          const struct genome_constant *constant);
 
 /** Offer a tree of decimal constants to a front. */
 void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
                    double error, enum origin origin);
 /** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
- *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest demerit by the plan, if it is
+ *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest fitness by the plan, if it is
  *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header.
  *  Where the tier says what trees end in, those alone. */
-void archive_crown(struct archive *a, const struct plan *plan);
-
-/** Copy of a tree whose decimal numbers become constants of a program. */
-void archive_bind(struct genome_file *program, const struct tree *t, struct tree *bound);
+void archive_choose_champions(struct archive *a, const struct plan *plan);
 
 /** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */
-bool archive_write(struct archive *a, const char *path, const struct run_facts *run,
-                   const struct sample_set heldout[HELDOUT_PARTS], struct diag *d);
+bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
+                   struct diag *d);
 /** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors; of twin trees
  *  there are none.  Where the path ends in .csv: a line for each member of all fronts. */
-bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
+bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
 /** The lines. */
-bool archive_write_csv(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d);
+bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
 /** Table of tier, output, error and genes, before and after. */
 void archive_table(const struct archive *a, FILE *stream);
 /** Table of the fronts, old against new, with where each member comes from. */

@@ -14,7 +14,7 @@ enum { SAMPLES = 65536, PARTS = 2 };
 /* A held-out part, ready to be measured on. */
 struct part {
     struct columns table;
-    struct judge *judge;
+    struct objective *objective;
 };
 
 static struct part part_new(const struct archive *a, const struct sample_set *set)
@@ -35,15 +35,15 @@ static void print_errors(const struct archive *a, struct part *p, const struct m
     static const enum scene_norm norm[] = {NORM_MEAN, NORM_P99, NORM_MAX};
     fprintf(stream, ",%zu", p->table.n);
     for (int i = 0; i < 3; i++) {
-        p->judge->norm = norm[i];
-        fprintf(stream, ",%.3e", judge_error(p->judge, &m->tree, frame_target(a->program, output), INFINITY));
+        p->objective->norm = norm[i];
+        fprintf(stream, ",%.3e", objective_error(p->objective, &m->tree, frame_target(a->program, output), INFINITY));
     }
 }
 
 static void print_member(const struct archive *a, struct part part[PARTS], size_t tier, int output,
                          const struct member *m, FILE *stream)
 {
-    const struct operations o = archive_operations(a, output, &m->tree, NULL);
+    const struct operation_count o = archive_operations(a, output, &m->tree, NULL);
     char *text = twin_print(a->program, &m->tree);
     fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", a->scene->tier[tier].name, frame_output[output], m->cost, o.mul,
             o.add, o.div, o.other, origin_name[m->origin], m->error);
@@ -53,7 +53,7 @@ static void print_member(const struct archive *a, struct part part[PARTS], size_
     free(text);
 }
 
-bool archive_write_csv(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d)
+bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d)
 {
     struct outfile out;
     struct part part[PARTS];
@@ -64,9 +64,9 @@ bool archive_write_csv(const struct archive *a, const char *path, const struct s
         "tree\n",
         out.stream);
     for (int k = 0; k < PARTS; k++) {
-        part[k] = part_new(a, &heldout[k]);
-        part[k].judge = judge_new(a->program, &part[k].table, NORM_MAX);
-        part[k].judge->decimal = true;
+        part[k] = part_new(a, &heldout->part[k]);
+        part[k].objective = objective_new(a->program, &part[k].table, NORM_MAX);
+        part[k].objective->decimal = true;
     }
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int output = tier_first(&a->scene->tier[i]); output <= tier_last(&a->scene->tier[i]); output++)
@@ -74,7 +74,7 @@ bool archive_write_csv(const struct archive *a, const char *path, const struct s
                 if (a->front[i][output]->member[c].tree.length > 0)
                     print_member(a, part, i, output, &a->front[i][output]->member[c], out.stream);
     for (int k = 0; k < PARTS; k++) {
-        judge_free(part[k].judge);
+        objective_free(part[k].objective);
         columns_free(&part[k].table);
     }
     return outfile_commit(&out, d);

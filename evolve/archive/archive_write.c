@@ -3,6 +3,7 @@
 #include "archive.h"
 
 #include "../../codegen/genome/outfile.h"
+#include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../eval/sampled_region.h"
 #include "../genotype/twin_text.h"
@@ -56,9 +57,9 @@ static void note_range(struct genome_file *f, const struct scene *s)
 #undef NOTE
 }
 
-static void add_file_notes(struct genome_file *f, const struct scene *s)
+static void add_file_notes(struct genome_file *f, const struct scene *s, const struct heldout *heldout)
 {
-    char frames[512] = "", reference[2][32], drawn[DRAWN_LINES][DRAWN_LENGTH];
+    char frames[512] = "", reference[2][32];
     for (size_t i = 0; i < s->tiers; i++) {
         bool seen = false;
         for (size_t j = 0; j < i; j++)
@@ -68,7 +69,7 @@ static void add_file_notes(struct genome_file *f, const struct scene *s)
             snprintf(frames + used, sizeof frames - used, "%s%s", used ? " " : "", s->tier[i].frame);
     }
     for (int k = 0; k < 2; k++)
-        frame_number(s->reference[k], reference[k]);
+        number_shortest(s->reference[k], reference[k]);
 #define NOTE(...) genome_add_note(&f->note, &f->notes, &f->note_room, __VA_ARGS__)
     NOTE("footpoint", "%s", FOOTPOINT_VERSION);
     NOTE("scene", "%s", s->name);
@@ -76,9 +77,8 @@ static void add_file_notes(struct genome_file *f, const struct scene *s)
     if (strcmp(s->precision, "double") != 0)
         NOTE("precision", "%s", s->precision);
     note_range(f, s);
-    const size_t lines = scene_drawn(s, drawn);
-    for (size_t i = 0; i < lines; i++)
-        NOTE("drawn", "%s", drawn[i]);
+    for (size_t i = 0; i < heldout->lines; i++)
+        NOTE("drawn", "%s", heldout->drawn[i]);
     NOTE("frames", "%s", frames);
     NOTE("reference", "xi %s eta %s", reference[0], reference[1]);
 #undef NOTE
@@ -134,7 +134,7 @@ static void add_provenance(struct genome *g, const struct tier *t, const struct 
 
 /* Training errors are the champions'; those held out are measured on what is written. */
 static void add_errors(struct genome *g, struct kernel *kernel, const struct archive *a, size_t tier,
-                       const struct tree out[2], const struct sample_set heldout[HELDOUT_PARTS])
+                       const struct tree out[2], const struct heldout *heldout)
 {
     const struct tier *t = &a->scene->tier[tier];
     char key[40];
@@ -144,15 +144,15 @@ static void add_errors(struct genome *g, struct kernel *kernel, const struct arc
         NOTE(key, "genes %zu %s %.3e", c->tree.length, norm_name[a->scene->norm], c->error);
     }
     for (int part = 0; part < HELDOUT_PARTS; part++)
-        for (int k = 0; k < 2 && heldout[part].n > 0; k++) {
-            const struct errors e = errors_measure(kernel, a->program, &out[k], k, &heldout[part]);
+        for (int k = 0; k < 2 && heldout->part[part].n > 0; k++) {
+            const struct errors e = errors_measure(kernel, a->program, &out[k], k, &heldout->part[part]);
             note_key(heldout_part[part].name, k, key);
             NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
         }
 }
 
 static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, const struct run_facts *run,
-                     const struct sample_set heldout[HELDOUT_PARTS])
+                     const struct heldout *heldout)
 {
     const struct tier *t = &a->scene->tier[tier];
     const struct champion *c = a->champion[tier];
@@ -174,36 +174,36 @@ static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, cons
     }
 }
 
-bool archive_write(struct archive *a, const char *path, const struct run_facts *run,
-                   const struct sample_set heldout[HELDOUT_PARTS], struct diag *d)
+bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
+                   struct diag *d)
 {
     struct outfile f;
     if (!outfile_open(&f, path, d))
         return false;
     struct kernel *kernel = kernel_new_widest();
-    add_file_notes(a->program, a->scene);
+    add_file_notes(a->program, a->scene, heldout);
     for (size_t i = 0; i < a->scene->tiers; i++)
         add_tier(a, kernel, i, run, heldout);
     kernel_free(kernel);
-    scene_region_add(a->program, heldout, 2);
+    scene_region_add(a->program, heldout->part, 2);
     genome_print(a->program, f.stream);
     return outfile_commit(&f, d);
 }
 
 /* The genome of one member, with its cost, where it comes from, and its errors. */
 static void add_member(const struct archive *a, struct kernel *kernel, const struct member *m, size_t tier, int output,
-                       const struct sample_set heldout[2], struct genome_file *f)
+                       const struct heldout *heldout, struct genome_file *f)
 {
     char name[300];
     snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
     struct tree t = {new_array(m->tree.length, sizeof *t.gene), 0};
-    archive_bind(f, &m->tree, &t);
+    tree_bind(f, &m->tree, &t);
     struct genome *g = genome_add(f, name);
     NOTE("cost", "%g", m->cost);
     NOTE("origin", "%s", origin_name[m->origin]);
     NOTE("training", "genes %zu %s %.3e", t.length, norm_name[a->scene->norm], m->error);
     for (int part = 0; part < 2; part++) {
-        const struct errors e = errors_measure(kernel, f, &t, output, &heldout[part]);
+        const struct errors e = errors_measure(kernel, f, &t, output, &heldout->part[part]);
         NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
     genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[output], t.gene, t.length);
@@ -212,7 +212,7 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
 
 #undef NOTE
 
-bool archive_write_front(const struct archive *a, const char *path, const struct sample_set heldout[2], struct diag *d)
+bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d)
 {
     struct outfile out;
     const size_t length = strlen(path);
@@ -224,14 +224,14 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
         return false;
     }
     struct kernel *kernel = kernel_new_widest();
-    add_file_notes(f, a->scene);
+    add_file_notes(f, a->scene, heldout);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < 2; k++)
             for (size_t c = 0; a->front[i][k] && c <= a->front[i][k]->limit; c++)
                 if (a->front[i][k]->member[c].tree.length > 0)
                     add_member(a, kernel, &a->front[i][k]->member[c], i, k, heldout, f);
     kernel_free(kernel);
-    scene_region_add(f, heldout, 2);
+    scene_region_add(f, heldout->part, 2);
     genome_print(f, out.stream);
     genome_file_free(f);
     return outfile_commit(&out, d);

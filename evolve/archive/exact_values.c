@@ -7,7 +7,8 @@
 #include <math.h>
 
 /* Gene of the cheapest terminal of a tier that is within `tolerance` on all samples; 0: none. */
-static int exact_value(const struct archive *a, struct judge *worst, const struct tier *t, int output, double tolerance)
+static int exact_value(const struct archive *a, struct objective *worst, const struct tier *t, int output,
+                       double tolerance)
 {
     int exact = 0;
     double least = t->budget > 0 ? t->budget : INFINITY;
@@ -16,7 +17,7 @@ static int exact_value(const struct archive *a, struct judge *worst, const struc
         const struct tree value = {&gene, 1};
         const double cost = frame_cost_of(a->frame, &value);
         if (cost > least || (exact && cost == least) ||
-            !(judge_error(worst, &value, frame_target(a->program, output), INFINITY) <= tolerance))
+            !(objective_error(worst, &value, frame_target(a->program, output), INFINITY) <= tolerance))
             continue;
         exact = gene;
         least = cost;
@@ -26,7 +27,7 @@ static int exact_value(const struct archive *a, struct judge *worst, const struc
 
 void archive_find_exact(struct archive *a, const struct plan *plan, const struct columns *table, double tolerance)
 {
-    struct judge *worst = judge_new(a->program, table, NORM_MAX);
+    struct objective *worst = objective_new(a->program, table, NORM_MAX);
     if (!a->frame)
         a->frame = frame_cost_new(a->program, &plan->prices);
     for (size_t i = 0; i < a->scene->tiers; i++)
@@ -37,7 +38,7 @@ void archive_find_exact(struct archive *a, const struct plan *plan, const struct
             if (c->exact)
                 archive_add_seed(a, (long)i, k, &value);
         }
-    judge_free(worst);
+    objective_free(worst);
 }
 
 void archive_choose_values(struct archive *a, size_t tier, bool anew)

@@ -1,5 +1,5 @@
-/* Where a program finds frames, scenes and start genomes; see data_root.h.  The installed place is relative to the program,
- * so that an installation may be staged and moved. */
+/* Where a program finds frames, scenes and start genomes; see data_root.h.  The installed place is relative to the
+ * program, so that an installation may be staged and moved. */
 #include "data_root.h"
 
 #include <stdio.h>

@@ -7,6 +7,7 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 enum { DIGITS = 7, EXPONENTS = 16, SHIFT = 12, LARGEST = 9999999 };
 
@@ -59,4 +60,13 @@ double decimal_value(int gene)
 void decimal_text(int gene, char text[DECIMAL_TEXT])
 {
     snprintf(text, DECIMAL_TEXT, "%.*g", DIGITS, decimal_value(gene));
+}
+
+void number_shortest(double v, char text[32])
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, 32, "%.*g", digits, v);
+        if (strtod(text, NULL) == v)
+            break;
+    }
 }

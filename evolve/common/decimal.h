@@ -18,4 +18,7 @@ enum { DECIMAL_TEXT = 16 };
 /** Its shortest text, which reads back to the same value: "-0.35", "1e-07". */
 void decimal_text(int gene, char text[DECIMAL_TEXT]);
 
+/** The shortest decimal text, of any number of digits, that reads back as v. */
+void number_shortest(double v, char text[32]);
+
 #endif

@@ -1,6 +1,6 @@
-/* Tables of samples.  Columns begin 17 lines further than whole blocks would put them: at a distance of a power of two,
- * the tiles of all columns would share a few sets of the first-level cache and drive each other out. */
-#include "kernel.h"
+/* Tables of samples; see columns.h.  Columns begin 17 lines further than whole blocks would put them: at a distance of
+ * a power of two, the tiles of all columns would share a few sets of the first-level cache and drive each other out. */
+#include "columns.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -2,9 +2,9 @@
 #ifndef FOOTPOINT_ERRORS_H
 #define FOOTPOINT_ERRORS_H
 
-#include "kernel.h"
-#include "../surface/sample.h"
 #include "../genotype/tree.h"
+#include "../surface/sample.h"
+#include "kernel.h"
 
 /** Statistics of |value - reference|; all dimensionless, as xi and eta are. */
 struct errors {

@@ -1,6 +1,7 @@
 /* Frames; see frame.h.  Lets are evaluated by the same kernel as genomes, one column after the other. */
 #include "frame.h"
 
+#include "../common/decimal.h"
 #include "../genotype/twin_text.h"
 
 #include <glob.h>
@@ -24,15 +25,6 @@ static void scene_values(const struct scene *s, const struct tier *t, double val
         value[k] = t->at ? t->reference[k] : s->reference[k];
         value[2 + 2 * k] = lo[k];
         value[3 + 2 * k] = hi[k];
-    }
-}
-
-void frame_number(double v, char text[32])
-{
-    for (int digits = 15; digits <= 17; digits++) {
-        snprintf(text, 32, "%.*g", digits, v);
-        if (strtod(text, NULL) == v)
-            break;
     }
 }
 
@@ -95,7 +87,7 @@ static bool add_let(const struct genome_file *frame, const struct genome_expr *l
     for (int k = 0; k < FROM_SCENE; k++)
         if (strcmp(let->name, scene_let[k]) == 0) {
             char text[32];
-            frame_number(value[k], text);
+            number_shortest(value[k], text);
             const int gene = -1 - (int)genome_add_constant(program, text);
             return add_value(frame, let, name, &gene, 1, program, d);
         }
@@ -168,11 +160,6 @@ static bool frame_is_new(const struct scene *s, size_t tier)
     return true;
 }
 
-void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH])
-{
-    snprintf(path, FRAME_PATH, "%s/evolve/frames/%s.gen", root, t->frame);
-}
-
 /* "affine, bezier, ..." */
 static void list_frames(const char *root, char *text, size_t size)
 {
@@ -194,7 +181,7 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
 {
     char path[FRAME_PATH];
     const struct tier *t = &s->tier[tier];
-    frame_path(root, t, path);
+    tier_frame_path(root, t, path);
     if (access(path, R_OK) != 0) {
         char known[300];
         list_frames(root, known, sizeof known);

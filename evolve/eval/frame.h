@@ -3,8 +3,9 @@
 #ifndef FOOTPOINT_FRAME_H
 #define FOOTPOINT_FRAME_H
 
-#include "kernel.h"
 #include "../input/scene.h"
+#include "../surface/sample.h"
+#include "kernel.h"
 
 /** One program of all frames that the scene's tiers name: inputs, segment and corner order, and the lets of each
  *  frame, in the order of the tiers; the scene's reference point takes the place of the lets xi0 and eta0, and the
@@ -12,10 +13,6 @@
  *  be read, two frames define one name differently, or a terminal of a tier is no value of its frame.
  *  @param[in] path  name of the program, as it will be written */
 struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d);
-
-/** The file of a tier's frame. */
-enum { FRAME_PATH = 1024 };
-void frame_path(const char *root, const struct tier *t, char path[FRAME_PATH]);
 
 /** Genes of an expression of file `from`, expressed in the symbols and constants of `to`: symbols by name, constants by
  *  text.  Fills gene[0..e->length-1]; false with *d filled if `to` lacks a symbol. */
@@ -29,8 +26,5 @@ size_t frame_target(const struct genome_file *program, int output);
 
 /** Names of the outputs: "xi", "eta", and "both". */
 extern const char *const frame_output[TIER_OUTPUTS];
-
-/** The shortest decimal text that reads back as v. */
-void frame_number(double v, char text[32]);
 
 #endif

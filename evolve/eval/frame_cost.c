@@ -38,7 +38,7 @@ struct frame_cost *frame_cost_new(const struct genome_file *program, const struc
     for (size_t i = 0; i < f->lets; i++) {
         const struct genome_expr *e = &program->let[i];
         const struct tree t = {e->gene, e->length};
-        const struct operations o = operations_count(c, &t, program->constant);
+        const struct operation_count o = count_operations(c, &t, program->constant);
         f->price[i] = operations_price(&o, prices);
         need(f, e->gene, e->length, f->needs + i * f->words);
         f->needs[i * f->words + i / BITS] |= (uint64_t)1 << i % BITS;

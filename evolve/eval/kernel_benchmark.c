@@ -2,9 +2,9 @@
  * block.  Both are built for every width of registers. */
 #include "kernel_benchmark.h"
 
-#include "kernel.h"
 #include "../common/stream.h"
 #include "../genotype/tree.h"
+#include "kernel.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_KERNEL_CODE_H
 #define FOOTPOINT_KERNEL_CODE_H
 
-#include "kernel.h"
+#include "columns.h"
 
 #include <math.h>
 

@@ -6,75 +6,75 @@
 #include <math.h>
 #include <stdlib.h>
 
-struct judge *judge_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm)
+struct objective *objective_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm)
 {
-    struct judge *j = new_array(1, sizeof *j);
-    *j = (struct judge){.table = table, .program = program, .norm = norm, .kernel = kernel_new_widest()};
-    j->scratch = new_array(2 * table->n, sizeof *j->scratch);
+    struct objective *o = new_array(1, sizeof *o);
+    *o = (struct objective){.table = table, .program = program, .norm = norm, .kernel = kernel_new_widest()};
+    o->scratch = new_array(2 * table->n, sizeof *o->scratch);
     if (program) {
-        j->twins = twins_new(program);
-        j->twin = twin_run_new(j->twins, table);
+        o->twins = twins_new(program);
+        o->twin = twin_run_new(o->twins, table);
     }
     if (norm == NORM_MEAN)
-        j->single = columns_float_new(table);
-    return j;
+        o->single = columns_float_new(table);
+    return o;
 }
 
-void judge_free(struct judge *j)
+void objective_free(struct objective *o)
 {
-    if (!j)
+    if (!o)
         return;
-    kernel_free(j->kernel);
-    twin_run_free(j->twin);
-    twins_free(j->twins);
-    columns_float_free(&j->single);
-    free(j->scratch);
-    free(j);
+    kernel_free(o->kernel);
+    twin_run_free(o->twin);
+    twins_free(o->twins);
+    columns_float_free(&o->single);
+    free(o->scratch);
+    free(o);
 }
 
-static struct kernel_task task_of(const struct judge *j, const struct tree *t)
+static struct kernel_task task_of(const struct objective *o, const struct tree *t)
 {
-    return (struct kernel_task){t->gene, t->length, j->decimal ? NULL : j->program->constant, j->table};
+    return (struct kernel_task){t->gene, t->length, o->decimal ? NULL : o->program->constant, o->table};
 }
 
-bool judge_takes_both(const struct judge *j, size_t target)
+bool objective_takes_both(const struct objective *o, size_t target)
 {
-    return target == j->table->count;
+    return target == o->table->count;
 }
 
 /* The same of all errors, those of xi and those of eta. */
-static double twin_error(struct judge *j, const struct tree *t, double bound)
+static double twin_error(struct objective *o, const struct tree *t, double bound)
 {
-    const size_t n = 2 * j->table->n;
-    if (j->norm == NORM_MEAN)
-        return twin_error_sum(j->twin, t, bound * (double)n) / (double)n;
-    twin_errors(j->twin, t, j->scratch);
-    return j->norm == NORM_MAX ? errors_max(j->scratch, n) : errors_p99(j->scratch, n);
+    const size_t n = 2 * o->table->n;
+    if (o->norm == NORM_MEAN)
+        return twin_error_sum(o->twin, t, bound * (double)n) / (double)n;
+    twin_errors(o->twin, t, o->scratch);
+    return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 
-double judge_error(struct judge *j, const struct tree *t, size_t target, double bound)
+double objective_error(struct objective *o, const struct tree *t, size_t target, double bound)
 {
-    const struct kernel_task task = task_of(j, t);
-    const size_t n = j->table->n;
-    if (judge_takes_both(j, target))
-        return twin_error(j, t, bound);
-    if (j->norm == NORM_MEAN)
-        return kernel_error_sum(j->kernel, &task, target, bound * (double)n) / (double)n;
-    kernel_values(j->kernel, &task, j->scratch);
-    errors_absolute(j->scratch, columns_at(j->table, target), n);
-    return j->norm == NORM_MAX ? errors_max(j->scratch, n) : errors_p99(j->scratch, n);
+    const struct kernel_task task = task_of(o, t);
+    const size_t n = o->table->n;
+    if (objective_takes_both(o, target))
+        return twin_error(o, t, bound);
+    if (o->norm == NORM_MEAN)
+        return kernel_error_sum(o->kernel, &task, target, bound * (double)n) / (double)n;
+    kernel_values(o->kernel, &task, o->scratch);
+    errors_absolute(o->scratch, columns_at(o->table, target), n);
+    return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 
-double judge_rank(struct judge *j, const struct tree *t, size_t target, double bound)
+double objective_rank(struct objective *o, const struct tree *t, size_t target, double bound)
 {
-    if (j->norm != NORM_MEAN || judge_takes_both(j, target))
-        return judge_error(j, t, target, bound);
-    const struct kernel_task task = task_of(j, t);
-    const double n = (double)j->table->n;
-    return kernel_error_sum_float(j->kernel, &task, &j->single, target, bound * n) / n;
+    if (o->norm != NORM_MEAN || objective_takes_both(o, target))
+        return objective_error(o, t, target, bound);
+    const struct kernel_task task = task_of(o, t);
+    const double n = (double)o->table->n;
+    return kernel_error_sum_float(o->kernel, &task, &o->single, target, bound * n) / n;
 }
 
-double judge_work(const struct judge *j)
+double objective_work(const struct objective *o)
 {
-    return kernel_work(j->kernel) + (j->twin ? j->twin->work : 0);
+    return kernel_work(o->kernel) + (o->twin ? o->twin->work : 0);
 }

@@ -34,7 +34,7 @@ struct counter {
     uint64_t round;
 };
 
-double operations_price(const struct operations *o, const struct prices *m)
+double operations_price(const struct operation_count *o, const struct prices *m)
 {
     return o->mul + m->add * (o->add + o->other) + m->div * o->div;
 }
@@ -213,9 +213,9 @@ struct operand counter_leaf(struct counter *c, int gene)
 }
 
 /* Count what the roots need: users stand behind their operands. */
-struct operations counter_end(struct counter *c, const struct operand *root, size_t roots)
+struct operation_count counter_end(struct counter *c, const struct operand *root, size_t roots)
 {
-    struct operations o = {.hash = 0};
+    struct operation_count o = {.hash = 0};
     for (size_t i = 0; i < roots; i++) {
         const uint64_t hash = mix(c->node[root[i].node].hash, root[i].negative);
         o.hash = i == 0 ? hash : mix(o.hash, hash);
@@ -242,7 +242,7 @@ static struct operand leaf(struct counter *c, int gene, const struct genome_cons
     return counter_leaf(c, gene);
 }
 
-struct operations operations_count(struct counter *c, const struct tree *t, const struct genome_constant *constant)
+struct operation_count count_operations(struct counter *c, const struct tree *t, const struct genome_constant *constant)
 {
     struct operand *top = c->stack; /* one past the top */
     counter_begin(c);

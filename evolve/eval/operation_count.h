@@ -2,12 +2,12 @@
 #ifndef FOOTPOINT_OPERATION_COUNT_H
 #define FOOTPOINT_OPERATION_COUNT_H
 
-#include "../genotype/tree.h"
+#include "../genotype/twin.h"
 
 /** Operations of a tree, equal values counted once: operands of + and * in any order, and values that differ in sign
  *  alone, are equal.  Factors 1 and -1, terms 0 and changes of sign are free, what is multiplied by 0 is not computed,
  *  operations on constants are folded, and a quotient by a constant is a product. */
-struct operations {
+struct operation_count {
     unsigned mul, add, div;
     unsigned other; /* square roots, absolute values, minima, maxima */
     uint64_t hash;  /* equal for trees whose values are equal by these rules, and so for trees of equal error */
@@ -17,7 +17,7 @@ struct operations {
 struct prices {
     double add, div;
 };
-double operations_price(const struct operations *o, const struct prices *m);
+double operations_price(const struct operation_count *o, const struct prices *m);
 
 /** Workspace for trees of at most max_length genes, or for so many leaves and operations. */
 struct counter;
@@ -26,7 +26,8 @@ void counter_free(struct counter *c);
 
 /** Count in time proportional to the genes, without allocation.
  *  @param[in] constant  what constants mean; NULL: decimal numbers (decimal.h) */
-struct operations operations_count(struct counter *c, const struct tree *t, const struct genome_constant *constant);
+struct operation_count count_operations(struct counter *c, const struct tree *t,
+                                        const struct genome_constant *constant);
 
 /* The same step by step, for what is no tree: values up to their sign, from leaves and operations on them. */
 struct operand {
@@ -39,6 +40,14 @@ struct operand counter_number(struct counter *c, double value);
 /** b is a where the gene has one operand. */
 struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b);
 /** Operations of all that the roots need. */
-struct operations counter_end(struct counter *c, const struct operand *root, size_t roots);
+struct operation_count counter_end(struct counter *c, const struct operand *root, size_t roots);
+
+/* ---- twin trees: twin_count.c ---- */
+
+/** Counts operations of twin trees: of both halves, with all that they need of the frame, each value once. */
+struct twin_counter;
+struct twin_counter *twin_counter_new(const struct twins *t);
+void twin_counter_free(struct twin_counter *c);
+struct operation_count count_twin_operations(struct twin_counter *c, const struct tree *t);
 
 #endif

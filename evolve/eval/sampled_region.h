@@ -7,8 +7,8 @@
 
 /** Adds ranges of all inputs from samples, moved to A at the origin, B = (1,0,0), the last corner in the x-y plane, y >
  *  0; and for each let of a frame that is named least_... and made of what the genomes need, where it is > 0 on all
- *  samples, the require that it is at least half of the least it is there.  The genome's expressions do not change under
- *  translation, rotation and scaling, so this covers every segment that is similar to one in that region. */
+ *  samples, the require that it is at least half of the least it is there.  The genome's expressions do not change
+ *  under translation, rotation and scaling, so this covers every segment that is similar to one in that region. */
 void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets);
 
 #endif

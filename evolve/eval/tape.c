@@ -2,8 +2,8 @@
  * numbers, so that values run backward through the genes and derivatives forward. */
 #include "tape.h"
 
-#include "tape_blocks.h"
 #include "../common/decimal.h"
+#include "tape_blocks.h"
 
 #include <stdlib.h>
 #include <string.h>

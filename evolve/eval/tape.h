@@ -3,10 +3,8 @@
 #ifndef FOOTPOINT_TAPE_H
 #define FOOTPOINT_TAPE_H
 
-#include "kernel.h"
 #include "../genotype/tree.h"
-
-enum { TAPE_BLOCK = 128 };
+#include "columns.h"
 
 struct tape {
     const struct columns *table; /* not owned */

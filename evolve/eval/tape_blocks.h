@@ -2,9 +2,8 @@
 #ifndef FOOTPOINT_TAPE_BLOCKS_H
 #define FOOTPOINT_TAPE_BLOCKS_H
 
-#include "../../codegen/genome/genome.h"
-#include "tape.h"
 #include "../common/simd.h"
+#include "columns.h"
 
 #include <math.h>
 

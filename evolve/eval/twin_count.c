@@ -1,6 +1,6 @@
-/* Operations of twin trees; see twin.h.  The lets that the lines need are counted with them, operation by operation, so
- * that what a function has in common with the frame's values is counted once. */
-#include "../genotype/twin.h"
+/* Operations of twin trees; see operation_count.h.  The lets that the lines need are counted with them, operation by
+ * operation, so that what a function has in common with the frame's values is counted once. */
+#include "operation_count.h"
 
 #include <stdlib.h>
 
@@ -90,7 +90,7 @@ static void reserve(struct twin_counter *c, size_t lines)
     }
 }
 
-struct operations twin_count(struct twin_counter *c, const struct tree *t)
+struct operation_count count_twin_operations(struct twin_counter *c, const struct tree *t)
 {
     struct twin_code *code = c->code;
     twin_translate(code, t, false);

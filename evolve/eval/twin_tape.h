@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_TWIN_TAPE_H
 #define FOOTPOINT_TWIN_TAPE_H
 
-#include "kernel.h"
 #include "../genotype/twin.h"
+#include "kernel.h"
 
 /** Workspace for one table, whose last two columns are the true xi and eta. */
 struct twin_run {

@@ -26,34 +26,34 @@ struct candidates {
     size_t n, room;
 };
 
-struct search {
+struct composer {
     const struct gene_set *genes;
     const struct prices *prices;
-    struct judge *judge;          /* owned: on `thin` */
+    struct objective *objective;  /* owned: on `thin` */
     struct columns thin;          /* owned */
     struct twin_counter *counter; /* owned */
     struct front *found;
 };
 
 /* Measure a composition; false where it costs more than the front has room for, or is longer. */
-static bool measure(struct search *s, struct candidate *x)
+static bool measure(struct composer *s, struct candidate *x)
 {
     const struct tree t = {x->gene, x->length};
     if (x->length > s->found->max_length)
         return false;
-    const struct operations o = twin_count(s->counter, &t);
+    const struct operation_count o = count_twin_operations(s->counter, &t);
     x->cost = operations_price(&o, s->prices);
     if (front_place(s->found, x->cost) > s->found->limit)
         return false;
     x->hash = o.hash;
-    x->error = judge_error(s->judge, &t, s->thin.count, INFINITY);
+    x->error = objective_error(s->objective, &t, s->thin.count, INFINITY);
     if (x->error < INFINITY)
         front_offer(s->found, &t, x->error, x->cost);
     return true;
 }
 
 /* Add f(x), or the leaf f where x is NULL, if it can be measured. */
-static void add(struct search *s, struct candidates *to, int f, const struct candidate *x, size_t parent)
+static void add(struct composer *s, struct candidates *to, int f, const struct candidate *x, size_t parent)
 {
     const size_t length = x ? x->length + 1 : 1;
     struct candidate fresh = {.gene = new_array(length, sizeof *fresh.gene), .length = length, .parent = parent};
@@ -88,7 +88,7 @@ static int compare(const void *a, const void *b)
     return memcmp(p->gene, q->gene, p->length * sizeof *p->gene);
 }
 
-static struct candidates continuations(struct search *s, const struct candidates *list)
+static struct candidates continuations(struct composer *s, const struct candidates *list)
 {
     struct candidates all = {0};
     for (size_t i = 0; i < list->n; i++)
@@ -97,12 +97,12 @@ static struct candidates continuations(struct search *s, const struct candidates
     return all;
 }
 
-static double ratio(const struct search *s, const struct candidate *x)
+static double ratio(const struct composer *s, const struct candidate *x)
 {
     return x->error < INFINITY ? (x->error + smallest) / (front_error(s->found, x->cost) + smallest) : INFINITY;
 }
 
-static void look_ahead(const struct search *s, struct candidates *list, const struct candidates *all)
+static void look_ahead(const struct composer *s, struct candidates *list, const struct candidates *all)
 {
     for (size_t i = 0; i < list->n; i++)
         list->c[i].promise = ratio(s, &list->c[i]);
@@ -138,7 +138,7 @@ static void choose(struct candidates *list, bool *keep)
 }
 
 /* The continuations of the most promising candidates in the list's place. */
-static void advance(struct search *s, struct candidates *list)
+static void advance(struct composer *s, struct candidates *list)
 {
     struct candidates all = continuations(s, list), next = {0};
     bool *keep = new_array(list->n, sizeof *keep);
@@ -158,22 +158,22 @@ static void advance(struct search *s, struct candidates *list)
     *list = next;
 }
 
-void twin_seeds(const struct gene_set *genes, const struct judge *judge, const struct prices *prices,
-                struct front *found)
+void compose_twins(const struct gene_set *genes, const struct objective *objective, const struct prices *prices,
+                   struct front *found)
 {
-    const size_t stride = judge->table->n / ROWS;
-    struct search s = {.genes = genes, .prices = prices, .found = found};
+    const size_t stride = objective->table->n / ROWS;
+    struct composer s = {.genes = genes, .prices = prices, .found = found};
     struct candidates list = {0};
-    s.thin = columns_thin(judge->table, stride > 1 ? stride : 1);
-    s.judge = judge_new(judge->program, &s.thin, judge->norm);
-    s.judge->decimal = true;
-    s.counter = twin_counter_new(s.judge->twins);
+    s.thin = columns_thin(objective->table, stride > 1 ? stride : 1);
+    s.objective = objective_new(objective->program, &s.thin, objective->norm);
+    s.objective->decimal = true;
+    s.counter = twin_counter_new(s.objective->twins);
     for (size_t i = 0; i < genes->symbols; i++)
         add(&s, &list, genes->symbol[i], NULL, 0);
     while (list.n > 0)
         advance(&s, &list);
     drop(&list);
     twin_counter_free(s.counter);
-    judge_free(s.judge);
+    objective_free(s.objective);
     columns_free(&s.thin);
 }

@@ -1,10 +1,10 @@
-/* Fits of a tree's constants; see fit_constants.h.  Every loss is met by reweighted least squares: a residual counts with
- * the weight (d loss / d r) / r, and a step solves (J'WJ + lambda diag J'WJ) step = J'W r.  The derivatives J of a
+/* Fits of a tree's constants; see fit_constants.h.  Every loss is met by reweighted least squares: a residual counts
+ * with the weight (d loss / d r) / r, and a step solves (J'WJ + lambda diag J'WJ) step = J'W r.  The derivatives J of a
  * block of samples come from one backward pass over the tree; they are never stored for all samples. */
 #include "fit_constants.h"
 
-#include "../eval/errors.h"
 #include "../common/simd.h"
+#include "../eval/errors.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -276,14 +276,14 @@ void fitter_descend_norm(struct fitter *f, size_t target, enum scene_norm norm, 
     free(error);
 }
 
-bool fit_constants(struct fitter *f, struct judge *judge, const struct tree *in, size_t target, int iterations,
+bool fit_constants(struct fitter *f, struct objective *objective, const struct tree *in, size_t target, int iterations,
                    struct tree *out, double *error)
 {
-    const double before = judge_error(judge, in, target, INFINITY);
+    const double before = objective_error(objective, in, target, INFINITY);
     tape_load(f->tape, in);
-    fitter_descend_norm(f, target, judge->norm, iterations);
+    fitter_descend_norm(f, target, objective->norm, iterations);
     tape_store(f->tape, out);
-    *error = judge_error(judge, out, target, INFINITY);
+    *error = objective_error(objective, out, target, INFINITY);
     if (*error < before)
         return true;
     tree_copy(in, out);

@@ -3,8 +3,8 @@
 #define FOOTPOINT_FIT_CONSTANTS_H
 
 #include "../eval/objective.h"
-#include "normal_equations.h"
 #include "../eval/tape.h"
+#include "normal_equations.h"
 
 /** What is summed over the samples, of the residual r. */
 enum loss_kind {
@@ -40,10 +40,10 @@ double fitter_descend(struct fitter *f, size_t target, const struct loss *loss, 
 /** The same for a norm: losses that approach it, one after the other, each with so many iterations. */
 void fitter_descend_norm(struct fitter *f, size_t target, enum scene_norm norm, int iterations);
 
-/** Copy a tree with its constants fitted in the judge's norm on the fitter's table, which may hold fewer samples than
- *  the judge's.  `out`, with room for as many genes, is the tree itself where none is better; *error is what the judge
- *  says of it.  Returns true if it is better. */
-bool fit_constants(struct fitter *f, struct judge *judge, const struct tree *in, size_t target, int iterations,
+/** Copy a tree with its constants fitted in the objective's norm on the fitter's table, which may hold fewer samples
+ *  than the objective's.  `out`, with room for as many genes, is the tree itself where none is better; *error is what
+ *  the objective says of it.  Returns true if it is better. */
+bool fit_constants(struct fitter *f, struct objective *objective, const struct tree *in, size_t target, int iterations,
                    struct tree *out, double *error);
 
 /** A table of every `stride`-th sample of another. */

@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_FIT_TWIN_H
 #define FOOTPOINT_FIT_TWIN_H
 
-#include "../input/scene.h"
 #include "../eval/twin_tape.h"
+#include "../input/scene.h"
 
 /** Copy a tree with its numbers fitted to the run's table in a norm of both coordinates' errors, by losses that
  * approach it, each with so many iterations.  False, with *out undefined, where it has no number or a value is not

@@ -9,24 +9,24 @@
 enum { ROWS = 2048, ITERATIONS = 6, TUNING = 1 };
 
 struct fits {
-    struct judge *judge;   /* not owned */
-    struct columns thin;   /* owned: about ROWS of the samples */
-    struct fitter *fitter; /* owned: to `thin` */
-    struct twin_run *twin; /* owned: the same for twin trees */
+    struct objective *objective; /* not owned */
+    struct columns thin;         /* owned: about ROWS of the samples */
+    struct fitter *fitter;       /* owned: to `thin` */
+    struct twin_run *twin;       /* owned: the same for twin trees */
 };
 
 static bool root_terms(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
 {
-    return !judge_takes_both(f->judge, target) && fit_root_terms(f->fitter, in, target, max_length, out);
+    return !objective_takes_both(f->objective, target) && fit_root_terms(f->fitter, in, target, max_length, out);
 }
 
 static bool tune(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
 {
     (void)max_length;
-    if (judge_takes_both(f->judge, target))
-        return twin_fit(f->twin, in, f->judge->norm, TUNING, out);
+    if (objective_takes_both(f->objective, target))
+        return twin_fit(f->twin, in, f->objective->norm, TUNING, out);
     tape_load(f->fitter->tape, in);
-    fitter_descend_norm(f->fitter, target, f->judge->norm, TUNING);
+    fitter_descend_norm(f->fitter, target, f->objective->norm, TUNING);
     tape_store(f->fitter->tape, out);
     return true;
 }
@@ -35,18 +35,18 @@ static bool constants(struct fits *f, const struct tree *in, size_t target, size
 {
     double error;
     (void)max_length;
-    if (judge_takes_both(f->judge, target))
-        return twin_fit(f->twin, in, f->judge->norm, ITERATIONS, out);
-    return fit_constants(f->fitter, f->judge, in, target, ITERATIONS, out, &error);
+    if (objective_takes_both(f->objective, target))
+        return twin_fit(f->twin, in, f->objective->norm, ITERATIONS, out);
+    return fit_constants(f->fitter, f->objective, in, target, ITERATIONS, out, &error);
 }
 
-struct fits *fits_new(struct judge *judge)
+struct fits *fits_new(struct objective *objective)
 {
-    const size_t stride = judge->table->n / ROWS;
+    const size_t stride = objective->table->n / ROWS;
     struct fits *f = new_array(1, sizeof *f);
-    *f = (struct fits){judge, columns_thin(judge->table, stride > 1 ? stride : 1), NULL, NULL};
+    *f = (struct fits){objective, columns_thin(objective->table, stride > 1 ? stride : 1), NULL, NULL};
     f->fitter = fitter_new(&f->thin);
-    f->twin = twin_run_new(judge->twins, &f->thin);
+    f->twin = twin_run_new(objective->twins, &f->thin);
     return f;
 }
 

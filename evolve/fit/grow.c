@@ -1,7 +1,7 @@
-/* Greedy growth; see grow.h.  Sums begin at the root and at operands of anything but sums (grow_screen.h), so that Horner's
- * form, factors, numerators, denominators and what is clamped grow alike.  The most promising additions are made and
- * fitted, the best is kept; terms that have become useless are dropped again wherever that beats what was found before
- * at the lower cost. */
+/* Greedy growth; see grow.h.  Sums begin at the root and at operands of anything but sums (grow_screen.h), so that
+ * Horner's form, factors, numerators, denominators and what is clamped grow alike.  The most promising additions are
+ * made and fitted, the best is kept; terms that have become useless are dropped again wherever that beats what was
+ * found before at the lower cost. */
 #include "grow.h"
 
 #include "../common/decimal.h"
@@ -17,7 +17,7 @@ static const double divisor_guard = 0.03, least_progress = 1e-6, least_drop = 1e
 
 struct grower {
     const struct grow_plan *plan;
-    struct judge *judge;
+    struct objective *objective;
     size_t target;
     struct columns thin;
     struct fitter *fitter;
@@ -25,13 +25,13 @@ struct grower {
     double error, best_error;            /* mean absolute ones on the thin table, of `now` and `best` */
     double cost;                         /* of `now` */
     struct loss measure;                 /* follows the error of `now` */
-    struct seeds stages;                 /* by the error on the thin table */
+    struct pareto stages;                /* by the error on the thin table */
     struct term_list list;
 };
 
 static double cost_of(const struct grower *g, const struct tree *t)
 {
-    return price_of(&g->plan->prices, t);
+    return tree_price(&g->plan->prices, t);
 }
 
 /* Fit `trial`; its mean absolute error. */
@@ -51,7 +51,7 @@ static void adopt(struct grower *g, const struct tree *t, double error)
     g->cost = cost_of(g, t);
     g->error = error;
     g->measure = (struct loss){LOSS_ABSOLUTE, near * error, 0};
-    seeds_offer(&g->stages, t, error);
+    pareto_offer(&g->stages, t, error);
 }
 
 /* Gain for the price, in place of the gain; terms without room, or that would only repeat, are left out. */
@@ -168,7 +168,7 @@ static bool drop_term(struct grower *g)
         g->spare.gene[drop[i]] = decimal_gene(0);
         terms_drop_zeros(&g->spare, &g->trial);
         const double error = fit_trial(g);
-        if (error < seeds_error(&g->stages, cost_of(g, &g->trial)) * (1 - least_drop)) {
+        if (error < pareto_error(&g->stages, cost_of(g, &g->trial)) * (1 - least_drop)) {
             adopt(g, &g->trial, error);
             return true;
         }
@@ -188,7 +188,7 @@ static void grower_free(struct grower *g)
 {
     columns_free(&g->thin);
     fitter_free(g->fitter);
-    seeds_free(&g->stages);
+    pareto_free(&g->stages);
     free(g->now.gene);
     free(g->trial.gene);
     free(g->best.gene);
@@ -197,20 +197,20 @@ static void grower_free(struct grower *g)
 }
 
 /* Fit the stages to all samples, but for those that are hardly better than the one before. */
-static void finish(struct grower *g, struct seeds *front)
+static void finish(struct grower *g, struct pareto *front)
 {
     double last = INFINITY;
-    struct fitter *f = fitter_new(g->judge->table);
+    struct fitter *f = fitter_new(g->objective->table);
     f->guard = divisor_guard;
     for (size_t i = 0; i < g->stages.n; i++) {
-        const struct seed *x = &g->stages.seed[i];
+        const struct pareto_member *x = &g->stages.member[i];
         double error;
         if (i + 1 < g->stages.n && x->error > last * (1 - least_stage))
             continue;
         last = x->error;
-        fit_constants(f, g->judge, &x->tree, g->target, LAST_STEPS, &g->trial, &error);
+        fit_constants(f, g->objective, &x->tree, g->target, LAST_STEPS, &g->trial, &error);
         if (isfinite(error))
-            seeds_offer(front, &g->trial, error);
+            pareto_offer(front, &g->trial, error);
     }
     fitter_free(f);
 }
@@ -220,12 +220,12 @@ struct grow_plan grow_plan_new(const int *symbol, size_t symbols, double max_cos
     return (struct grow_plan){symbol, symbols, {.add = 0.3, .div = 1}, max_cost, max_length, 2500, 4, 3, false, 0, 0};
 }
 
-void grow(const struct grow_plan *plan, struct judge *judge, size_t target, const struct tree *start,
-          struct seeds *front)
+void grow(const struct grow_plan *plan, struct objective *objective, size_t target, const struct tree *start,
+          struct pareto *front)
 {
-    struct grower g = {.plan = plan, .judge = judge, .target = target};
-    const size_t n = judge->table->n;
-    g.thin = columns_thin(judge->table, plan->rows < n ? n / plan->rows : 1);
+    struct grower g = {.plan = plan, .objective = objective, .target = target};
+    const size_t n = objective->table->n;
+    g.thin = columns_thin(objective->table, plan->rows < n ? n / plan->rows : 1);
     g.fitter = fitter_new(&g.thin);
     g.fitter->guard = divisor_guard;
     g.measure = (struct loss){LOSS_SQUARES, 1, 0};
@@ -292,12 +292,12 @@ static void write_start(const struct grow_plan *plan, const struct columns *tabl
     append(t, &first, 1);
 }
 
-void grow_polynomials(const struct grow_plan *plan, struct judge *judge, size_t target, const struct tree *base,
-                      struct seeds *front)
+void grow_polynomials(const struct grow_plan *plan, struct objective *objective, size_t target, const struct tree *base,
+                      struct pareto *front)
 {
     struct tree start = {new_array((base ? base->length : 0) + START_GENES, sizeof *start.gene), 0};
-    write_start(plan, judge->table, mean_above(judge->table, target, base), base, 0, &start);
-    grow(plan, judge, target, &start, front);
+    write_start(plan, objective->table, mean_above(objective->table, target, base), base, 0, &start);
+    grow(plan, objective, target, &start, front);
     free(start.gene);
 }
 
@@ -312,25 +312,25 @@ static size_t take_least(double *number, size_t n)
     return least;
 }
 
-void grow_quotients(const struct grow_plan *plan, struct judge *judge, size_t target, const struct tree *base,
-                    struct seeds *front)
+void grow_quotients(const struct grow_plan *plan, struct objective *objective, size_t target, const struct tree *base,
+                    struct pareto *front)
 {
     static const double first_cost = 8;
     struct grow_plan first = *plan;
     struct tree start = {new_array((base ? base->length : 0) + START_GENES, sizeof *start.gene), 0};
     double *error = new_array(plan->symbols, sizeof *error);
-    const double constant = mean_above(judge->table, target, base);
-    first.max_cost = fmin(plan->max_cost, (base ? price_of(&plan->prices, base) : 0) + plan->prices.div + first_cost);
+    const double constant = mean_above(objective->table, target, base);
+    first.max_cost = fmin(plan->max_cost, (base ? tree_price(&plan->prices, base) : 0) + plan->prices.div + first_cost);
     for (size_t i = 0; i < plan->symbols; i++) {
-        struct seeds seeds = {.prices = plan->prices};
-        write_start(plan, judge->table, constant, base, plan->symbol[i], &start);
-        grow(&first, judge, target, &start, &seeds);
-        error[i] = seeds_error(&seeds, first.max_cost);
-        seeds_free(&seeds);
+        struct pareto found = {.prices = plan->prices};
+        write_start(plan, objective->table, constant, base, plan->symbol[i], &start);
+        grow(&first, objective, target, &start, &found);
+        error[i] = pareto_error(&found, first.max_cost);
+        pareto_free(&found);
     }
     for (size_t i = 0; i < plan->starts && i < plan->symbols; i++) {
-        write_start(plan, judge->table, constant, base, plan->symbol[take_least(error, plan->symbols)], &start);
-        grow(plan, judge, target, &start, front);
+        write_start(plan, objective->table, constant, base, plan->symbol[take_least(error, plan->symbols)], &start);
+        grow(plan, objective, target, &start, front);
     }
     free(error);
     free(start.gene);

@@ -1,6 +1,6 @@
-/* Orthogonal forward selection; see grow_greedy.h.  With the products of all monomials at hand, each is kept as far as it is
- * orthogonal to the chosen ones: its square and its product with what is left of the target.  No pass over the samples
- * is needed but for the first and for the fits in the judge's norm. */
+/* Orthogonal forward selection; see grow_greedy.h.  With the products of all monomials at hand, each is kept as far as
+ * it is orthogonal to the chosen ones: its square and its product with what is left of the target.  No pass over the
+ * samples is needed but for the first and for the fits in the objective's norm. */
 #include "grow_greedy.h"
 
 #include "fit_constants.h"
@@ -99,23 +99,24 @@ static struct monomial *candidates(const struct greedy_plan *plan, size_t *count
     return m;
 }
 
-void greedy_polynomials(const struct greedy_plan *plan, struct judge *judge, size_t target, struct seeds *front)
+void greedy_polynomials(const struct greedy_plan *plan, struct objective *objective, size_t target,
+                        struct pareto *front)
 {
     size_t count;
     struct monomial *m = candidates(plan, &count);
     const size_t terms = plan->max_terms < count ? plan->max_terms : count;
-    double *gram = monomials_gram(m, count, judge->table, target), *work = new_array(terms * terms, sizeof *work);
+    double *gram = monomials_gram(m, count, objective->table, target), *work = new_array(terms * terms, sizeof *work);
     struct selection s = selection_new(gram, count, terms);
-    struct fitter *fitter = fitter_new(judge->table);
+    struct fitter *fitter = fitter_new(objective->table);
     struct tree fitted = {new_array(monomials_room(terms), sizeof *fitted.gene), 0};
     struct tree polished = {new_array(monomials_room(terms), sizeof *polished.gene), 0};
     while (s.n < terms && choose(&s) && write_polynomial(&s, m, work, &fitted)) {
         double error;
         if (fitted.length > plan->max_length)
             break;
-        fit_constants(fitter, judge, &fitted, target, POLISH_STEPS, &polished, &error);
+        fit_constants(fitter, objective, &fitted, target, POLISH_STEPS, &polished, &error);
         if (isfinite(error))
-            seeds_offer(front, &polished, error);
+            pareto_offer(front, &polished, error);
     }
     free(fitted.gene);
     free(polished.gene);

@@ -3,7 +3,7 @@
 #define FOOTPOINT_GROW_GREEDY_H
 
 #include "../eval/objective.h"
-#include "seeds.h"
+#include "pareto.h"
 
 struct greedy_plan {
     const int *symbol; /* genes; not owned */
@@ -15,7 +15,8 @@ struct greedy_plan {
 enum { GREEDY_MONOMIALS = 600 };
 
 /** Polynomials of 1, 2, ... terms: each takes the monomial that lowers the sum of squares the most, all coefficients
- * are those of least squares, then those of the judge's norm.  Offers them in Horner's form. */
-void greedy_polynomials(const struct greedy_plan *plan, struct judge *judge, size_t target, struct seeds *front);
+ * are those of least squares, then those of the objective's norm.  Offers them in Horner's form. */
+void greedy_polynomials(const struct greedy_plan *plan, struct objective *objective, size_t target,
+                        struct pareto *front);
 
 #endif

@@ -1,6 +1,6 @@
-/* Screening; see grow_screen.h.  Adding x at a point of the tree changes its value by (slope at the point) times x, to first
- * order: a column of samples.  What it takes from the residual beyond what the constants that are there can take is one
- * projection: with the normal equations A of the constants' slopes J and their Cholesky factor L,
+/* Screening; see grow_screen.h.  Adding x at a point of the tree changes its value by (slope at the point) times x, to
+ * first order: a column of samples.  What it takes from the residual beyond what the constants that are there can take
+ * is one projection: with the normal equations A of the constants' slopes J and their Cholesky factor L,
  * (c'r - (L^-1 J'c)'(L^-1 J'r))^2 / (c'c - |L^-1 J'c|^2). */
 #include "grow_screen.h"
 

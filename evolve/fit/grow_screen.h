@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_GROW_SCREEN_H
 #define FOOTPOINT_GROW_SCREEN_H
 
-#include "fit_constants.h"
 #include "../genotype/term.h"
+#include "fit_constants.h"
 
 struct term_list {
     struct term *term; /* owned */

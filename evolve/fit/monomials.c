@@ -2,8 +2,8 @@
 #include "monomials.h"
 
 #include "../common/decimal.h"
-#include "normal_equations.h"
 #include "../eval/tape.h"
+#include "normal_equations.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 struct member {
     struct tree tree; /* genes not owned: in the front's pool; length 0: none */
     double error, cost;
-    int origin;    /* whatever its keeper says of it */
+    int origin;    /* whatever its owner says of it */
     bool polished; /* its constants have been fitted */
 };
 

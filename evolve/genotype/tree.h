@@ -69,6 +69,8 @@ struct branch tree_random_branch(gsl_rng *rng, const struct tree *t);
 void tree_splice(const struct tree *t, struct branch out, const int *gene, size_t n, struct tree *child);
 
 void tree_copy(const struct tree *from, struct tree *to);
+/** Copy of a tree whose decimal numbers become constants of a program. */
+void tree_bind(struct genome_file *program, const struct tree *t, struct tree *bound);
 bool tree_equal(const struct tree *a, const struct tree *b);
 /** 64 bits that identify a genome for all practical purposes. */
 uint64_t tree_hash(const struct tree *t);

@@ -174,3 +174,14 @@ bool tree_shift_constant(gsl_rng *rng, const struct tree *t, struct tree *child)
     child->gene[chosen] = decimal_gene(value);
     return true;
 }
+
+void tree_bind(struct genome_file *program, const struct tree *t, struct tree *bound)
+{
+    tree_copy(t, bound);
+    for (size_t i = 0; i < t->length; i++)
+        if (t->gene[i] < 0) {
+            char text[DECIMAL_TEXT];
+            decimal_text(t->gene[i], text);
+            bound->gene[i] = -1 - (int)genome_add_constant(program, text);
+        }
+}

@@ -13,7 +13,7 @@
 #ifndef FOOTPOINT_TWIN_H
 #define FOOTPOINT_TWIN_H
 
-#include "../eval/operation_count.h"
+#include "tree.h"
 
 /** The exchange and function lines of a program. */
 struct twins {
@@ -52,11 +52,5 @@ void twin_code_free(struct twin_code *c);
 /** Translate a tree of decimal numbers.
  *  @param[in] apart  each of its numbers has a line of its own, so that it can be fitted */
 void twin_translate(struct twin_code *c, const struct tree *t, bool apart);
-
-/** Counts operations of twin trees: of both halves, with all that they need of the frame, each value once. */
-struct twin_counter;
-struct twin_counter *twin_counter_new(const struct twins *t);
-void twin_counter_free(struct twin_counter *c);
-struct operations twin_count(struct twin_counter *c, const struct tree *t);
 
 #endif

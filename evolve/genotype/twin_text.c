@@ -2,7 +2,6 @@
 #include "twin_text.h"
 
 #include "../common/decimal.h"
-#include "../eval/frame.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -119,7 +118,7 @@ static void write_line(struct writer *w, int i)
     } else if (x->gene >= GENE_SYMBOL) {
         put(w, x->gene);
     } else if (x->gene < 0) {
-        frame_number(x->number, text);
+        number_shortest(x->number, text);
         put(w, -1 - (int)genome_add_constant(w->file, text));
     } else {
         write_operation(w, x);

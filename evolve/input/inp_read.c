@@ -418,7 +418,7 @@ static bool read_lines(struct reader *r)
     }
 }
 
-/* Turn an element's node numbers into positions.  Of a type that is not known, numbers that are no nodes are dropped. */
+/* Turn an element's node numbers into positions.  Of unknown types, numbers that are no nodes are dropped. */
 static bool link_nodes(struct inp_model *m, const struct inp_entry *entry)
 {
     struct inp_element *e = &m->element[entry->order];

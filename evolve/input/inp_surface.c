@@ -9,7 +9,7 @@
 static const char *const what_name[] = {"node", "element"};
 
 /* Search for the members of sets: positions in a sorted table, each once thanks to `mark`. */
-struct search {
+struct set_walk {
     struct inp_model *m;
     enum inp_what what;
     const struct inp_numbers *table; /* not owned */
@@ -24,14 +24,14 @@ static void append(struct inp_list *list, size_t value)
     list->index[list->n++] = value;
 }
 
-static struct search search_new(struct inp_model *m, enum inp_what what)
+static struct set_walk walk_new(struct inp_model *m, enum inp_what what)
 {
-    struct search s = {.m = m, .what = what, .table = what == INP_NODE ? &m->nodes : &m->elements};
+    struct set_walk s = {.m = m, .what = what, .table = what == INP_NODE ? &m->nodes : &m->elements};
     s.mark = new_array(s.table->n, 1);
     return s;
 }
 
-static void search_clear(struct search *s)
+static void walk_clear(struct set_walk *s)
 {
     free(s->mark);
     free(s->found.index);
@@ -39,7 +39,7 @@ static void search_clear(struct search *s)
 }
 
 /* Numbers that are listed must be defined; of a range, at least one. */
-static bool find_numbers(struct search *s, const struct inp_item *item)
+static bool find_numbers(struct set_walk *s, const struct inp_item *item)
 {
     const struct inp_numbers *t = s->table;
     bool any = false;
@@ -59,7 +59,7 @@ static bool find_numbers(struct search *s, const struct inp_item *item)
                     item->last);
 }
 
-static bool find_item(struct search *s, const struct inp_item *item)
+static bool find_item(struct set_walk *s, const struct inp_item *item)
 {
     struct inp_model *m = s->m;
     if (item->refused)
@@ -79,7 +79,7 @@ static bool find_item(struct search *s, const struct inp_item *item)
 }
 
 /* Add what a line of a surface names. */
-static bool find(struct search *s, const struct inp_item *line)
+static bool find(struct set_walk *s, const struct inp_item *line)
 {
     struct inp_model *m = s->m;
     m->visits++;
@@ -128,7 +128,7 @@ static bool finish(const struct inp_model *m, int name, const struct inp_surface
     return true;
 }
 
-static void add_node(struct search *nodes, size_t at)
+static void add_node(struct set_walk *nodes, size_t at)
 {
     if (!nodes->mark[at])
         append(&nodes->found, at);
@@ -137,7 +137,7 @@ static void add_node(struct search *nodes, size_t at)
 
 /* An element whose faces are not known: all its nodes, if nodes are asked for. */
 static bool add_whole(const struct inp_model *m, const struct inp_entry *entry, const struct inp_item *line,
-                      struct search *nodes)
+                      struct set_walk *nodes)
 {
     const struct inp_element *e = &m->element[entry->order];
     for (int k = 0; nodes && k < e->nodes; k++)
@@ -153,8 +153,8 @@ static bool add_whole(const struct inp_model *m, const struct inp_entry *entry, 
 
 /* Faces with one line's label of the elements found; taken: one bit for each face of each element.  `nodes`, or NULL,
  * takes those of elements whose faces are not known. */
-static bool add_faces(const struct search *e, const struct inp_item *line, unsigned char *taken, struct search *nodes,
-                      struct inp_list *faces)
+static bool add_faces(const struct set_walk *e, const struct inp_item *line, unsigned char *taken,
+                      struct set_walk *nodes, struct inp_list *faces)
 {
     for (size_t i = 0; i < e->found.n; i++) {
         const size_t at = e->found.index[i];
@@ -179,10 +179,10 @@ static bool add_faces(const struct search *e, const struct inp_item *line, unsig
     return true;
 }
 
-static bool surface_faces(struct inp_model *m, const struct inp_surface *s, struct search *nodes,
+static bool surface_faces(struct inp_model *m, const struct inp_surface *s, struct set_walk *nodes,
                           struct inp_list *faces)
 {
-    struct search e = search_new(m, INP_ELEMENT);
+    struct set_walk e = walk_new(m, INP_ELEMENT);
     unsigned char *taken = new_array(m->elements.n, 1);
     bool done = true;
     for (size_t i = 0; i < s->items.n && done; i++) {
@@ -191,7 +191,7 @@ static bool surface_faces(struct inp_model *m, const struct inp_surface *s, stru
             e.mark[e.found.index[--e.found.n]] = 0;
     }
     free(taken);
-    search_clear(&e);
+    walk_clear(&e);
     return done;
 }
 
@@ -216,7 +216,7 @@ bool inp_master_faces(struct inp_model *m, const struct inp_pair *pair, struct i
 }
 
 /* Nodes of element faces, each once. */
-static void add_nodes(struct search *nodes, const struct inp_list *faces)
+static void add_nodes(struct set_walk *nodes, const struct inp_list *faces)
 {
     for (size_t i = 0; i < faces->n; i++) {
         int node[9];
@@ -230,18 +230,18 @@ bool inp_slave_nodes(struct inp_model *m, const struct inp_pair *pair, struct in
     const struct inp_surface *s = surface_of(m, pair->slave, INP_NODE, pair->at);
     if (!s)
         return false;
-    struct search search = search_new(m, INP_NODE);
+    struct set_walk walk = walk_new(m, INP_NODE);
     struct inp_list faces = {0};
     bool done = true;
     if (s->what == INP_ELEMENT) {
-        done = surface_faces(m, s, &search, &faces);
-        add_nodes(&search, &faces);
+        done = surface_faces(m, s, &walk, &faces);
+        add_nodes(&walk, &faces);
     } else
         for (size_t i = 0; i < s->items.n && done; i++)
-            done = find(&search, &s->items.item[i]);
-    *nodes = search.found;
-    search.found = (struct inp_list){0};
-    search_clear(&search);
+            done = find(&walk, &s->items.item[i]);
+    *nodes = walk.found;
+    walk.found = (struct inp_list){0};
+    walk_clear(&walk);
     free(faces.index);
     return done && finish(m, pair->slave, s, nodes);
 }

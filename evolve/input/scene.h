@@ -3,7 +3,6 @@
 #define FOOTPOINT_SCENE_H
 
 #include "../../codegen/genome/genome.h"
-#include "../surface/sample.h"
 
 #include <stdint.h>
 
@@ -47,7 +46,7 @@ struct tier {
     char *name;                   /* owned */
     char *frame;                  /* owned: file evolve/frames/<frame>.gen */
     int frame_line, frame_column; /* where the scene names it; 0: it does not */
-    char **terminal; /* owned: names of inputs or lets of the frame, with the suffix of tier_suffix() */
+    char **terminal;              /* owned: names of inputs or lets of the frame, with the suffix of tier_suffix() */
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - *, where no functions are listed */
@@ -96,6 +95,10 @@ struct scene {
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
 
+/** The scene that is called as s->segment, evolve/scenes/<kind>.scene.  NULL with *d: there is none, it has no tiers of
+ *  its own, or it is `s` itself. */
+struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag *d);
+
 /** The path that a name or path stands for.  The caller frees it. */
 char *scene_path(const char *root, const char *name_or_path);
 
@@ -106,30 +109,11 @@ void tier_suffix(const struct tier *t, char text[16]);
 /** Box of the scene's contact points: lo < xi,eta <= hi, dimensionless; on triangles xi + eta <= hi[0], too. */
 void scene_box(const struct scene *s, double lo[2], double hi[2]);
 
-/** Which of a scene's samples.  No two share a configuration. */
-enum sample_part {
-    PART_TRAINING,      /* what evolution sees */
-    PART_HELDOUT,        /* lattice and mesh: the rest of the same points; random: a second stream */
-    PART_HELDOUT_RANDOM, /* off the grid: drawn at random from the same ranges */
-    PART_HELDOUT_EVEN    /* ordinary shapes: another distribution in the same limits, to which nothing is fitted */
-};
+/** Corner A, or the middle of the contact points' box; of triangles their centre. */
+void scene_choose_reference(struct scene *s, bool from_corner);
 
-enum { HELDOUT_PARTS = 3 };
-/** The parts held out, and what notes and samples call them: "heldout", "heldout_random", "heldout_even". */
-extern const struct heldout_part {
-    enum sample_part part;
-    const char *name;
-} heldout_part[HELDOUT_PARTS];
-
-/** False for PART_HELDOUT_EVEN of scenes that have none. */
-bool scene_has(const struct scene *s, enum sample_part part);
-
-/** How the parts held out are drawn, in words for banners: lines of text, as many as it returns. */
-enum { DRAWN_LINES = 3, DRAWN_LENGTH = 240 };
-size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH]);
-
-/** Append the part's samples, of a part that the scene has, to *set; their coordinates are numbers of the scene's
- *  precision.  Deterministic in the scene alone.  False with *d filled when none is left. */
-bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
+/** The file of a tier's frame. */
+enum { FRAME_PATH = 1024 };
+void tier_frame_path(const char *root, const struct tier *t, char path[FRAME_PATH]);
 
 #endif

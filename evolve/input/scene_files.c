@@ -1,8 +1,6 @@
 /* What a scene reads, beside what a program writes; see scene_files.h. */
 #include "scene_files.h"
 
-#include "../eval/frame.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +15,7 @@ bool scene_files_apart(const char *program, const char *root, const struct scene
     all[used++] = (struct file_use){.what = "the scene", .path = s->path};
     all[used++] = (struct file_use){.what = "the mesh", .path = s->mesh.file};
     for (size_t i = 0; i < s->tiers; i++) {
-        frame_path(root, &s->tier[i], frame[i]);
+        tier_frame_path(root, &s->tier[i], frame[i]);
         all[used++] = (struct file_use){.what = "a frame", .path = frame[i]};
     }
     const bool apart = files_apart(program, all, used, d);

@@ -2,7 +2,6 @@
 #include "scene_parts.h"
 
 #include "mesh.h"
-#include "../samples/samples.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

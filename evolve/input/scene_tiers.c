@@ -1,5 +1,4 @@
 /* The functions of a header that a scene asks for; see scene_parts.h. */
-#include "../samples/default_tiers.h"
 #include "scene_parts.h"
 
 #include <stdlib.h>
@@ -22,13 +21,6 @@ static bool read_terminals(const struct scene_reader *r, const config_setting_t 
                 return key_fail(r, e, "terminal '%s' stands twice", name);
     }
     return true;
-}
-
-void tier_suffix(const struct tier *t, char text[16])
-{
-    text[0] = '\0';
-    if (t->at)
-        snprintf(text, 16, "_at%d", t->at);
 }
 
 /* Tiers that expand about the same point share their values. */

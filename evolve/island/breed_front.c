@@ -5,7 +5,7 @@
  * kept once, and no cost may crowd out the others.  A child whose ratio is sure to exceed the parents' worst is not
  * evaluated to the end, as it would not be let in.  Where the front has not moved for long, the population starts anew
  * from random trees with an empty front; when that stagnates in turn, the best of all times join it. */
-#include "population.h"
+#include "breed.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,18 +33,18 @@ static double ratio(const struct island *is, const struct individual *x)
 /* Single precision tells most of the hopeless, in half the time, where it is fine enough for errors so large. */
 static double measured(struct island *is, const struct tree *t, double bound)
 {
-    const bool rank = is->judge->norm == NORM_MEAN && !judge_takes_both(is->judge, is->goal.target) && bound > coarse &&
-                      bound < INFINITY;
-    if (rank && judge_rank(is->judge, t, is->goal.target, (1 + slack) * bound) == INFINITY)
+    const bool rank = is->objective->norm == NORM_MEAN && !objective_takes_both(is->objective, is->goal.target) &&
+                      bound > coarse && bound < INFINITY;
+    if (rank && objective_rank(is->objective, t, is->goal.target, (1 + slack) * bound) == INFINITY)
         return INFINITY;
-    return judge_error(is->judge, t, is->goal.target, bound);
+    return objective_error(is->objective, t, is->goal.target, bound);
 }
 
 /* The error of an individual that is counted already. */
 static void evaluate(struct island *is, struct individual *x)
 {
     const size_t place = front_place(is->stage, x->cost);
-    struct remembered *r = island_memory(is, x->hash);
+    struct remembered *r = population_memory(is, x->hash);
     x->error = INFINITY;
     if (place > is->stage->limit)
         return;
@@ -56,7 +56,7 @@ static void evaluate(struct island *is, struct individual *x)
     x->error = r->error;
     if (x->error < moved * is->stage->lowest[place])
         is->progress = is->generation;
-    island_record(is, x);
+    population_record(is, x);
 }
 
 static void fix_reference(struct island *is)
@@ -84,7 +84,7 @@ static enum fate fate_of(struct island *is, const struct individual *x)
 {
     uint64_t bits;
     memcpy(&bits, &x->error, sizeof bits);
-    if (x->demerit == INFINITY)
+    if (x->fitness == INFINITY)
         return DOUBLE;
     const bool new_tree = meet(is, x->hash), new_error = meet(is, bits);
     if (!new_tree || !new_error)
@@ -101,8 +101,8 @@ static void select_survivors(struct island *is, size_t n)
     memset(is->met, 0, met * sizeof *is->met);
     memset(is->crowd, 0, (is->stage->limit + 1) * sizeof *is->crowd);
     for (size_t i = 0; i < n; i++)
-        is->now[i].demerit = ratio(is, &is->now[i]);
-    qsort(is->now, n, sizeof *is->now, island_compare);
+        is->now[i].fitness = ratio(is, &is->now[i]);
+    qsort(is->now, n, sizeof *is->now, population_compare);
     for (size_t i = 0; i < n; i++)
         is->fate[i] = (unsigned char)fate_of(is, &is->now[i]);
     for (int fate = LIVES; fate < FATES; fate++)
@@ -118,9 +118,9 @@ static void rank_population(struct island *is)
     const size_t n = is->plan->population;
     fix_reference(is);
     for (size_t i = 0; i < n; i++)
-        is->now[i].demerit = ratio(is, &is->now[i]);
-    qsort(is->now, n, sizeof *is->now, island_compare);
-    is->bound = is->now[n - 1].demerit;
+        is->now[i].fitness = ratio(is, &is->now[i]);
+    qsort(is->now, n, sizeof *is->now, population_compare);
+    is->bound = is->now[n - 1].fitness;
 }
 
 static void fit_constants(struct island *is, struct tree *t)
@@ -139,9 +139,9 @@ static void fill_with_random_trees(struct island *is, size_t first)
 {
     is->bound = INFINITY;
     for (size_t i = first; i < is->plan->population; i++) {
-        island_random_tree(is, i, &is->now[i].tree);
+        population_random_tree(is, i, &is->now[i].tree);
         fit_constants(is, &is->now[i].tree);
-        island_count(is, &is->now[i]);
+        population_count(is, &is->now[i]);
         evaluate(is, &is->now[i]);
     }
     is->progress = is->generation;
@@ -155,7 +155,7 @@ void breed_front_start(struct island *is, const struct tree *seed, size_t n)
     for (size_t i = 0; i < n; i++) { /* more of them than live here are parents by the front */
         struct individual *x = &is->now[living];
         tree_copy(&seed[i], &x->tree);
-        island_count(is, x);
+        population_count(is, x);
         evaluate(is, x);
         living += living + 1 < is->plan->population / 2;
     }
@@ -165,9 +165,9 @@ void breed_front_start(struct island *is, const struct tree *seed, size_t n)
 static const struct tree *choose(struct island *is)
 {
     if (gsl_rng_uniform(is->rng) >= is->plan->front_parents)
-        return island_choose(is);
+        return population_choose(is);
     const size_t n = front_count(is->stage);
-    return n > 0 ? &front_member(is->stage, gsl_rng_uniform_int(is->rng, n))->tree : island_choose(is);
+    return n > 0 ? &front_member(is->stage, gsl_rng_uniform_int(is->rng, n))->tree : population_choose(is);
 }
 
 static bool edit(struct island *is, struct tree *child)
@@ -206,7 +206,7 @@ static bool edit(struct island *is, struct tree *child)
 
 static bool is_new(const struct island *is, const struct individual *x)
 {
-    return front_place(is->stage, x->cost) <= is->stage->limit && island_memory(is, x->hash)->hash != x->hash;
+    return front_place(is->stage, x->cost) <= is->stage->limit && population_memory(is, x->hash)->hash != x->hash;
 }
 
 static void make_child(struct island *is, struct individual *x)
@@ -214,12 +214,12 @@ static void make_child(struct island *is, struct individual *x)
     bool done = false;
     for (int tries = 0; !done && tries < TRIES; tries++) {
         if (gsl_rng_uniform(is->rng) < immigrants || !edit(is, &x->tree))
-            island_random_tree(is, gsl_rng_uniform_int(is->rng, 1000), &x->tree);
-        island_count(is, x);
+            population_random_tree(is, gsl_rng_uniform_int(is->rng, 1000), &x->tree);
+        population_count(is, x);
         done = is_new(is, x);
     }
     fit_constants(is, &x->tree);
-    island_count(is, x);
+    population_count(is, x);
 }
 
 /* Fit the constants of the front's new members. */
@@ -234,7 +234,7 @@ static void polish(struct island *is)
         m->polished = true;
         if (!f->constants(f->fits, &m->tree, is->goal.target, is->goal.max_length, &x->tree))
             continue;
-        island_count(is, x);
+        population_count(is, x);
         evaluate(is, x);
         if (m->tree.length > 0 && m->error == x->error)
             m->polished = true;
@@ -277,12 +277,12 @@ void breed_front_step(struct island *is)
 
 void breed_front_receive(struct island *is, size_t n, int *parcel)
 {
-    struct individual *guest = is->now + is->plan->population;
-    for (size_t i = 0; i < n; i++, guest++, parcel += island_parcel_size(is, 1)) {
+    struct individual *migrant = is->now + is->plan->population;
+    for (size_t i = 0; i < n; i++, migrant++, parcel += population_parcel(is)) {
         const struct tree t = {parcel + 1, (size_t)parcel[0]};
-        tree_copy(&t, &guest->tree);
-        island_count(is, guest);
-        evaluate(is, guest);
+        tree_copy(&t, &migrant->tree);
+        population_count(is, migrant);
+        evaluate(is, migrant);
     }
     select_survivors(is, is->plan->population + n);
     rank_population(is);

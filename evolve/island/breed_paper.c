@@ -2,7 +2,7 @@
  * are chosen by roulette on fitness 1/error (the paper) or by tournament, then crossed or mutated.  Genomes seen lately
  * are remembered: a child that repeats one is changed once more.  A child whose error is sure to exceed a multiple of
  * its parents' median is not evaluated to the end and counts as hopeless, at the same block on every machine. */
-#include "population.h"
+#include "breed.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,15 +12,15 @@ static const double crossover_rate = 0.8, gene_mutation_rate = 0.2, hopeless = 4
 static void evaluate(struct island *is, struct individual *x)
 {
     const uint64_t hash = tree_hash(&x->tree);
-    struct remembered *r = island_memory(is, hash);
+    struct remembered *r = population_memory(is, hash);
     if (r->hash != hash || hash == 0) {
-        *r = (struct remembered){hash, judge_error(is->judge, &x->tree, is->goal.target, is->bound)};
+        *r = (struct remembered){hash, objective_error(is->objective, &x->tree, is->goal.target, is->bound)};
         is->evaluations++;
     }
-    island_count(is, x);
+    population_count(is, x);
     x->error = r->error;
-    x->demerit = plan_demerit(is->plan, x->error, x->cost);
-    island_record(is, x);
+    x->fitness = plan_fitness(is->plan, x->error, x->cost);
+    population_record(is, x);
 }
 
 /* Change genes of a tree that was seen lately, so that hardly a child is bred for nothing. */
@@ -28,7 +28,7 @@ static void renew(struct island *is, struct tree *t)
 {
     for (int tries = 2; tries > 0; tries--) {
         const uint64_t hash = tree_hash(t);
-        if (island_memory(is, hash)->hash != hash)
+        if (population_memory(is, hash)->hash != hash)
             break;
         tree_mutate_gene(is->rng, is->goal.genes, t);
     }
@@ -38,7 +38,7 @@ static void renew(struct island *is, struct tree *t)
 static void rank_population(struct island *is)
 {
     const size_t n = is->plan->population;
-    qsort(is->now, n, sizeof *is->now, island_compare);
+    qsort(is->now, n, sizeof *is->now, population_compare);
     is->bound = hopeless * is->now[n / 2].error;
 }
 
@@ -48,7 +48,7 @@ void breed_paper_start(struct island *is, const struct tree *seed, size_t n)
         if (i < n)
             tree_copy(&seed[i], &is->now[i].tree);
         else
-            island_random_tree(is, i, &is->now[i].tree);
+            population_random_tree(is, i, &is->now[i].tree);
         evaluate(is, &is->now[i]);
     }
     rank_population(is);
@@ -58,7 +58,7 @@ static void make_children(struct island *is, struct tree *child_a, struct tree *
 {
     struct tree *child[2] = {child_a, child_b};
     const size_t max = is->goal.max_length;
-    const struct tree *a = island_choose(is), *b = island_choose(is);
+    const struct tree *a = population_choose(is), *b = population_choose(is);
     if (gsl_rng_uniform(is->rng) < crossover_rate) {
         tree_cross(is->rng, a, b, max, child[0], child[1]);
     } else {
@@ -98,11 +98,11 @@ static bool lives_here(const struct island *is, const struct tree *t)
 void breed_paper_receive(struct island *is, size_t n, int *parcel)
 {
     size_t place = is->plan->population;
-    for (size_t i = 0; i < n; i++, parcel += island_parcel_size(is, 1)) {
-        const struct tree guest = {parcel + 1, (size_t)parcel[0]};
-        if (lives_here(is, &guest))
+    for (size_t i = 0; i < n; i++, parcel += population_parcel(is)) {
+        const struct tree migrant = {parcel + 1, (size_t)parcel[0]};
+        if (lives_here(is, &migrant))
             continue;
-        tree_copy(&guest, &is->now[--place].tree);
+        tree_copy(&migrant, &is->now[--place].tree);
         evaluate(is, &is->now[place]);
     }
     rank_population(is);

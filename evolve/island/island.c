@@ -1,28 +1,23 @@
-/* Islands: what both ways of breeding share.  All randomness comes from the stream of (seed, ring, place in the ring,
- * generation), and whatever an island does depends on itself, its guests and their order alone. */
-#include "population.h"
+/* Islands; see island.h.  All randomness comes from the stream of (seed, ring, place in the ring,
+ * generation), and whatever an island does depends on itself, its migrants and their order alone. */
+#include "island.h"
 
 #include "../common/stream.h"
+#include "breed.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    TOURNAMENT = 4,
-    SHALLOWEST = 2, /* depths of the first trees, ramped */
-    DEEPEST = 6
-};
-
-struct island *island_new(const struct plan *plan, const struct goal *goal, struct judge *judge)
+struct island *island_new(const struct plan *plan, const struct goal *goal, struct objective *objective)
 {
     struct island *is = new_array(1, sizeof *is);
-    *is = (struct island){.plan = plan, .goal = *goal, .judge = judge, .bound = INFINITY, .joined = true};
+    *is = (struct island){.plan = plan, .goal = *goal, .objective = objective, .bound = INFINITY, .joined = true};
     const size_t n = plan->population, room = 2 * n + 2;
     is->rng = stream_new();
     is->counter = counter_new(goal->max_length);
-    is->frame = frame_cost_new(judge->program, &plan->prices);
-    is->twin = twin_counter_new(judge->twins);
+    is->frame = frame_cost_new(objective->program, &plan->prices);
+    is->twin = twin_counter_new(objective->twins);
     is->now = new_array(room, sizeof *is->now);
     is->order = new_array(room, sizeof *is->order);
     is->fate = new_array(room, sizeof *is->fate);
@@ -62,91 +57,6 @@ void island_free(struct island *is)
     free(is);
 }
 
-struct remembered *island_memory(const struct island *is, uint64_t hash)
-{
-    return &is->cache[hash >> (64 - CACHE_BITS)];
-}
-
-void island_count(struct island *is, struct individual *x)
-{
-    const bool both = judge_takes_both(is->judge, is->goal.target);
-    const struct operations o = both ? twin_count(is->twin, &x->tree) : operations_count(is->counter, &x->tree, NULL);
-    x->cost = operations_price(&o, &is->plan->prices) + (both ? 0 : frame_cost_of(is->frame, &x->tree));
-    x->hash = o.hash;
-}
-
-void island_record(struct island *is, const struct individual *x)
-{
-    front_offer(is->all, &x->tree, x->error, x->cost);
-    if (is->plan->breeding == BREED_FRONT)
-        front_offer(is->stage, &x->tree, x->error, x->cost);
-}
-
-int island_compare(const void *a, const void *b)
-{
-    const struct individual *p = a, *q = b;
-    if (p->demerit != q->demerit)
-        return p->demerit < q->demerit ? -1 : 1;
-    if (p->error != q->error)
-        return p->error < q->error ? -1 : 1;
-    if (p->tree.length != q->tree.length)
-        return p->tree.length < q->tree.length ? -1 : 1;
-    return memcmp(p->tree.gene, q->tree.gene, p->tree.length * sizeof *p->tree.gene);
-}
-
-const struct tree *island_choose(struct island *is)
-{
-    const size_t n = is->plan->population;
-    size_t chosen = n;
-    if (is->plan->selection == SELECT_TOURNAMENT) { /* now[] is sorted: the lowest index wins */
-        for (int i = 0; i < TOURNAMENT; i++) {
-            const size_t k = gsl_rng_uniform_int(is->rng, n);
-            chosen = k < chosen ? k : chosen;
-        }
-        return &is->now[chosen].tree;
-    }
-    const double at = gsl_rng_uniform(is->rng) * is->cumulative[n - 1];
-    size_t low = 0, high = n - 1;
-    while (low < high) {
-        const size_t middle = (low + high) / 2;
-        if (is->cumulative[middle] > at)
-            high = middle;
-        else
-            low = middle + 1;
-    }
-    return &is->now[low].tree;
-}
-
-void island_random_tree(struct island *is, size_t k, struct tree *t)
-{
-    const int depth = SHALLOWEST + (int)(k / 2) % (DEEPEST - SHALLOWEST + 1);
-    tree_random(is->rng, is->goal.genes, depth, k % 2 == 0, is->goal.max_length, t);
-}
-
-/* In a front breeding, the best is a member of the front. */
-static void find_best(struct island *is)
-{
-    is->best = is->now[0];
-    if (is->plan->breeding == BREED_PAPER)
-        return;
-    is->best.demerit = INFINITY;
-    for (size_t c = 0; c <= is->all->limit; c++) {
-        const struct member *m = &is->all->member[c];
-        const double demerit = plan_demerit(is->plan, m->error, m->cost);
-        if (m->tree.length > 0 && demerit < is->best.demerit)
-            is->best = (struct individual){m->tree, demerit, m->error, m->cost, 0};
-    }
-}
-
-void island_refresh(struct island *is)
-{
-    double sum = 0;
-    for (size_t i = 0; i < is->plan->population; i++)
-        is->cumulative[i] = sum += 1 / fmin(fmax(is->now[i].demerit, 1e-100), 1e100);
-    memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
-    find_best(is);
-}
-
 void island_start(struct island *is, const struct tree *seed, size_t n)
 {
     stream_key(is->rng, is->plan->seed, is->goal.ring, is->goal.place, is->generation);
@@ -154,7 +64,7 @@ void island_start(struct island *is, const struct tree *seed, size_t n)
         breed_paper_start(is, seed, n);
     else
         breed_front_start(is, seed, n);
-    island_refresh(is);
+    population_refresh(is);
 }
 
 void island_step(struct island *is)
@@ -164,7 +74,7 @@ void island_step(struct island *is)
         breed_paper_step(is);
     else
         breed_front_step(is);
-    island_refresh(is);
+    population_refresh(is);
 }
 
 const struct individual *island_best(const struct island *is)
@@ -179,7 +89,7 @@ const struct front *island_front(const struct island *is)
 
 size_t island_parcel_size(const struct island *is, size_t n)
 {
-    return n * (1 + is->goal.max_length);
+    return n * population_parcel(is);
 }
 
 static void pack(const struct tree *t, int *parcel)
@@ -210,7 +120,7 @@ void island_receive(struct island *is, size_t n, int *parcel)
         breed_paper_receive(is, n, parcel);
     else
         breed_front_receive(is, n, parcel);
-    island_refresh(is);
+    population_refresh(is);
 }
 
 double island_median(const struct island *is)

@@ -3,39 +3,19 @@
 #ifndef FOOTPOINT_ISLAND_H
 #define FOOTPOINT_ISLAND_H
 
-#include "../fit/fitting.h"
 #include "../genotype/front.h"
-#include "../eval/objective.h"
-#include "plan.h"
-
-/** What one island is to find. */
-struct goal {
-    size_t target;                /* table column */
-    size_t max_length;            /* genes */
-    const struct gene_set *genes; /* not owned */
-    uint64_t ring, place;         /* key of its random streams: which ring, where in it */
-    const struct fitting *fit;    /* not owned; NULL: none */
-    bool closed;                  /* it takes no guests, so that what it finds is its own */
-};
-
-struct individual {
-    struct tree tree; /* genes not owned: in the island's pool; constants are decimal numbers */
-    double demerit;   /* what selection minimises */
-    double error;     /* INFINITY when not finite, or so bad that it was not evaluated to the end */
-    double cost;      /* by the plan's model, with the values of the frame that it needs */
-    uint64_t hash;    /* of its operations */
-};
+#include "goal.h"
 
 struct island;
-/** Plan, goal's genes and fits, and the judge (of decimal numbers) must outlive the island. */
-struct island *island_new(const struct plan *plan, const struct goal *goal, struct judge *judge);
+/** Plan, goal's genes and fits, and the objective (of decimal numbers) must outlive the island. */
+struct island *island_new(const struct plan *plan, const struct goal *goal, struct objective *objective);
 void island_free(struct island *is);
 
 /** Generation 0: n seeds (each at most max_length genes), then random trees of all shapes. */
 void island_start(struct island *is, const struct tree *seed, size_t n);
 /** One generation. */
 void island_step(struct island *is);
-/** The best so far: lowest plan_demerit.  Valid until the island changes. */
+/** The best so far: lowest plan_fitness.  Valid until the island changes. */
 const struct individual *island_best(const struct island *is);
 /** All that it has found: the best of each cost, restarts or not. */
 const struct front *island_front(const struct island *is);

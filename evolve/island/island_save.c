@@ -1,8 +1,9 @@
 /* The state of an island as bytes: all of struct island that the next generations depend on.  Whatever is read is
  * checked before anything of the island changes. */
-#include "population.h"
+#include "island.h"
 
 #include "../common/decimal.h"
+#include "population.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +17,7 @@ struct facts {
 /* An individual or a member of a front; its genes stand behind it, max_length of them. */
 struct record {
     uint64_t length; /* of a member: 0 where the place is empty */
-    double demerit, error, cost;
+    double fitness, error, cost;
     uint64_t mark; /* hash, or polished */
 };
 
@@ -70,7 +71,7 @@ void island_save(const struct island *is, unsigned char *to)
     put(&to, &f, sizeof f);
     for (size_t i = 0; i < is->plan->population; i++) {
         const struct individual *x = &is->now[i];
-        const struct record r = {x->tree.length, x->demerit, x->error, x->cost, x->hash};
+        const struct record r = {x->tree.length, x->fitness, x->error, x->cost, x->hash};
         put_record(is, &to, &r, x->tree.gene);
     }
     put_front(is, &to, is->all);
@@ -96,7 +97,7 @@ static bool take_record(const struct island *is, const unsigned char **from, str
 {
     take(from, r, sizeof *r);
     take(from, gene, is->goal.max_length * sizeof *gene);
-    if (r->length > is->goal.max_length || !(r->error >= 0) || !(r->cost >= 0) || !(r->demerit >= 0))
+    if (r->length > is->goal.max_length || !(r->error >= 0) || !(r->cost >= 0) || !(r->fitness >= 0))
         return false;
     for (size_t i = 0; i < r->length; i++)
         if (!known_gene(is->goal.genes, gene[i]))
@@ -158,11 +159,11 @@ bool island_load(struct island *is, const unsigned char *from)
         struct individual *x = &is->now[i];
         struct record r;
         take_record(is, &from, &r, x->tree.gene);
-        *x = (struct individual){{x->tree.gene, (size_t)r.length}, r.demerit, r.error, r.cost, r.mark};
+        *x = (struct individual){{x->tree.gene, (size_t)r.length}, r.fitness, r.error, r.cost, r.mark};
     }
     take_front(is, &from, is->all);
     take_front(is, &from, is->stage);
     take(&from, is->cache, sizeof *is->cache << CACHE_BITS);
-    island_refresh(is);
+    population_refresh(is);
     return true;
 }

@@ -29,7 +29,7 @@ struct plan plan_paper(void)
     return p;
 }
 
-double plan_demerit(const struct plan *plan, double error, double cost)
+double plan_fitness(const struct plan *plan, double error, double cost)
 {
     return error * (1 + plan->parsimony * cost);
 }

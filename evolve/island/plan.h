@@ -35,6 +35,6 @@ struct plan plan_paper(void);
 
 /** What the choice of one champion minimises: the error, grown by the plan's parsimony for each operation, so that
  *  operations must earn their keep. */
-double plan_demerit(const struct plan *plan, double error, double cost);
+double plan_fitness(const struct plan *plan, double error, double cost);
 
 #endif

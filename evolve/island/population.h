@@ -1,9 +1,10 @@
-/* The inside of an island, for its own files: island.c, breed_paper.c, breed_front.c. */
+/* The population of an island, and what both ways of breeding do with it; for the files of this room. */
 #ifndef FOOTPOINT_POPULATION_H
 #define FOOTPOINT_POPULATION_H
 
 #include "../eval/frame_cost.h"
-#include "island.h"
+#include "../genotype/front.h"
+#include "goal.h"
 
 enum { CACHE_BITS = 13 };
 
@@ -14,9 +15,9 @@ struct remembered {
 };
 
 struct island {
-    const struct plan *plan; /* not owned, as are goal's genes and fits and the judge */
+    const struct plan *plan; /* not owned, as are goal's genes and fits and the objective */
     struct goal goal;
-    struct judge *judge;
+    struct objective *objective;
 
     /* All that the next generations depend on; random streams start anew in each. */
     uint64_t generation;
@@ -32,7 +33,7 @@ struct island {
     /* Scratch, and what follows from the rest. */
     gsl_rng *rng;              /* owned */
     struct counter *counter;   /* owned */
-    struct frame_cost *frame;  /* owned: of the judge's program */
+    struct frame_cost *frame;  /* owned: of the objective's program */
     struct twin_counter *twin; /* owned: of twin trees, which cost what they need of the frame with the rest */
     int *pool;                 /* owned: genes of now[] and of scratch */
     struct individual *order;  /* owned: as now[] */
@@ -42,28 +43,25 @@ struct island {
     double *cumulative;        /* owned: roulette wheel of the living */
     double *reference;         /* owned: error at each cost of the stage's front when the generation began */
     struct tree scratch;       /* in the pool */
-    struct individual best;    /* lowest plan_demerit; its tree is in the front */
+    struct individual best;    /* lowest plan_fitness; its tree is in the front */
 };
 
-struct remembered *island_memory(const struct island *is, uint64_t hash);
+struct remembered *population_memory(const struct island *is, uint64_t hash);
 /* Operations, hash and cost of an individual. */
-void island_count(struct island *is, struct individual *x);
+void population_count(struct island *is, struct individual *x);
 /* A measured individual enters the fronts. */
-void island_record(struct island *is, const struct individual *x);
-/* By demerit, then error, length and genes. */
-int island_compare(const void *a, const void *b);
+void population_record(struct island *is, const struct individual *x);
+/* Lowest fitness first, then error, length and genes. */
+int population_compare(const void *a, const void *b);
 /* Make what follows from the rest: wheel, reference and best; now[] is sorted. */
-void island_refresh(struct island *is);
-const struct tree *island_choose(struct island *is);
+void population_refresh(struct island *is);
+const struct tree *population_choose(struct island *is);
 /* The k-th random tree of a new population. */
-void island_random_tree(struct island *is, size_t k, struct tree *t);
-
-void breed_paper_start(struct island *is, const struct tree *seed, size_t n);
-void breed_paper_step(struct island *is);
-void breed_paper_receive(struct island *is, size_t n, int *parcel);
-
-void breed_front_start(struct island *is, const struct tree *seed, size_t n);
-void breed_front_step(struct island *is);
-void breed_front_receive(struct island *is, size_t n, int *parcel);
+void population_random_tree(struct island *is, size_t k, struct tree *t);
+/* Ints of an individual in a parcel. */
+static inline size_t population_parcel(const struct island *is)
+{
+    return 1 + is->goal.max_length;
+}
 
 #endif

@@ -1,4 +1,4 @@
-/* Topologies of migration; see topology.h.  All are permutations of the places, so that an island's guests of one
+/* Topologies of migration; see topology.h.  All are permutations of the places, so that an island's migrants of one
  * migration come in one parcel. */
 #include "topology.h"
 

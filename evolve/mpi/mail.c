@@ -1,5 +1,5 @@
-/* Messages on their way; see team.h.  A rank's messages to itself go the same way as all others. */
-#include "team.h"
+/* Messages on their way; see mail.h.  A rank's messages to itself go the same way as all others. */
+#include "mail.h"
 #include "mpi_check.h"
 
 #include <stdlib.h>
@@ -65,17 +65,15 @@ void *team_receive(const struct team *t, int from, int tag, size_t *bytes)
     return parcel;
 }
 
-void gather_start(struct gather *g, int tag)
+void gather_start(struct gather *g, int tag, const int *owner, size_t n)
 {
-    *g = (struct gather){.active = true, .tag = tag};
+    *g = (struct gather){.active = n > 0, .tag = tag, .owner = owner, .n = n};
 }
 
-void *gather_next(const struct team *t, const struct sea *s, struct gather *g, const size_t *bytes, size_t same,
-                  bool wait)
+void *gather_next(const struct team *t, struct gather *g, const size_t *bytes, size_t same, bool wait)
 {
-    const size_t n = sea_islands(s);
-    for (; g->posted < n && g->posted - g->taken < GATHER_WINDOW; g->posted++)
-        inbound_expect(t, &g->in[g->posted % GATHER_WINDOW], bytes ? bytes[g->posted] : same, s->owner[g->posted],
+    for (; g->posted < g->n && g->posted - g->taken < GATHER_WINDOW; g->posted++)
+        inbound_expect(t, &g->in[g->posted % GATHER_WINDOW], bytes ? bytes[g->posted] : same, g->owner[g->posted],
                        g->tag);
     struct inbound *in = &g->in[g->taken % GATHER_WINDOW];
     if (wait)
@@ -84,81 +82,6 @@ void *gather_next(const struct team *t, const struct sea *s, struct gather *g, c
         return NULL;
     void *block = in->parcel;
     in->parcel = NULL;
-    g->active = ++g->taken < n;
+    g->active = ++g->taken < g->n;
     return block;
-}
-
-/* The sizes that own[] gives for the islands of this rank, of all islands, on rank 0; NULL on the others. */
-static size_t *gather_sizes(const struct team *t, const struct sea *s, size_t (*size)(const struct island *))
-{
-    const size_t n = sea_islands(s);
-    struct mail mail = {0};
-    struct gather g;
-    for (size_t i = 0; i < n; i++)
-        if (s->island[i]) {
-            size_t *own = new_array(1, sizeof *own);
-            *own = size(s->island[i]);
-            mail_send(t, &mail, own, sizeof *own, 0, TAG_SIZE);
-        }
-    size_t *all = t->rank == 0 ? new_array(n, sizeof *all) : NULL;
-    gather_start(&g, TAG_SIZE);
-    for (size_t i = 0; all && i < n; i++) {
-        size_t *one = gather_next(t, s, &g, NULL, sizeof *one, true);
-        all[i] = *one;
-        free(one);
-    }
-    mail_free(&mail);
-    return all;
-}
-
-size_t *team_state_sizes(const struct team *t, const struct sea *s)
-{
-    return gather_sizes(t, s, island_state_size);
-}
-
-static size_t report_bytes(const struct island *is)
-{
-    return island_report_size(is) * sizeof(int);
-}
-
-static void take_report(struct finds *f, size_t island, int *report)
-{
-    int *at = report + 1;
-    f->memory[island] = report;
-    for (int k = 0; k < report[0]; k++) {
-        const size_t length = (size_t)at[0];
-        grow_array(&f->find, f->finds, &f->room, sizeof *f->find);
-        f->find[f->finds++] = (struct find){island, {at + 1, length}};
-        at += 1 + length;
-    }
-}
-
-struct finds team_gather(const struct team *t, const struct sea *s)
-{
-    const size_t n = sea_islands(s);
-    struct finds f = {.islands = t->rank == 0 ? n : 0, .memory = new_array(n, sizeof(int *))};
-    struct mail mail = {0};
-    struct gather g;
-    size_t *bytes = gather_sizes(t, s, report_bytes);
-    for (size_t i = 0; i < n; i++)
-        if (s->island[i]) {
-            int *report = new_array(island_report_size(s->island[i]), sizeof *report);
-            island_report(s->island[i], report);
-            mail_send(t, &mail, report, report_bytes(s->island[i]), 0, TAG_REPORT);
-        }
-    gather_start(&g, TAG_REPORT);
-    for (size_t i = 0; i < f.islands; i++)
-        take_report(&f, i, gather_next(t, s, &g, bytes, 0, true));
-    mail_free(&mail);
-    free(bytes);
-    return f;
-}
-
-void finds_free(struct finds *f)
-{
-    for (size_t i = 0; i < f->islands; i++)
-        free(f->memory[i]);
-    free(f->memory);
-    free(f->find);
-    *f = (struct finds){0};
 }

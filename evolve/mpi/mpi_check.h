@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_MPI_CHECK_H
 #define FOOTPOINT_MPI_CHECK_H
 
-#define CHECK(call) migrate_check((call), #call)
-void migrate_check(int code, const char *call);
+#define CHECK(call) mpi_check((call), #call)
+void mpi_check(int code, const char *call);
 
 #endif

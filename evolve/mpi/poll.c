@@ -1,30 +1,32 @@
-/* Polls by reductions that do not block; see team.h.  A rank joins a poll when its islands have done a generation,
- * and reads the result some generations later; a rank that is slow holds up the others no sooner than that. */
-#include "team.h"
+/* Polls by reductions that do not block; see poll.h.  A rank joins a poll when it has done a generation, and reads the
+ * result some generations later; a rank that is slow holds up the others no sooner than that. */
+#include "poll.h"
 #include "mpi_check.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-struct poll poll_new(const struct team *t, size_t best)
+struct poll poll_new(const struct team *t, size_t sums, size_t minima)
 {
-    struct poll p = {.best = best, .lag = 1};
+    struct poll p = {.sums = sums, .minima = minima, .lag = 1};
     for (int ranks = 1; ranks < t->size && ranks < 1 << 30; ranks *= 2)
         p.lag += 2;
     p.slot = new_array(p.lag, sizeof *p.slot);
     for (size_t i = 0; i < p.lag; i++)
-        for (int k = 0; k < 2; k++)
-            p.slot[i].best[k] = new_array(best, sizeof(double));
+        for (int k = 0; k < 2; k++) {
+            p.slot[i].sum[k] = new_array(sums, sizeof(double));
+            p.slot[i].least[k] = new_array(minima, sizeof(double));
+        }
     return p;
 }
 
-void poll_cast(const struct team *t, struct poll *p, const double sum[POLL_SUMS], const double *best)
+void poll_cast(const struct team *t, struct poll *p, const double *sum, const double *least)
 {
     struct poll_slot *s = &p->slot[p->cast++ % p->lag];
-    memcpy(s->sum[0], sum, sizeof s->sum[0]);
-    memcpy(s->best[0], best, p->best * sizeof *best);
-    CHECK(MPI_Iallreduce(s->sum[0], s->sum[1], POLL_SUMS, MPI_DOUBLE, MPI_SUM, t->comm, &s->request[0]));
-    CHECK(MPI_Ireduce(s->best[0], s->best[1], (int)p->best, MPI_DOUBLE, MPI_MIN, 0, t->comm, &s->request[1]));
+    memcpy(s->sum[0], sum, p->sums * sizeof *sum);
+    memcpy(s->least[0], least, p->minima * sizeof *least);
+    CHECK(MPI_Iallreduce(s->sum[0], s->sum[1], (int)p->sums, MPI_DOUBLE, MPI_SUM, t->comm, &s->request[0]));
+    CHECK(MPI_Ireduce(s->least[0], s->least[1], (int)p->minima, MPI_DOUBLE, MPI_MIN, 0, t->comm, &s->request[1]));
 }
 
 const struct poll_slot *poll_count(struct poll *p)
@@ -43,7 +45,9 @@ const struct poll_slot *poll_count(struct poll *p)
 void poll_free(struct poll *p)
 {
     for (size_t i = 0; i < p->lag; i++)
-        for (int k = 0; k < 2; k++)
-            free(p->slot[i].best[k]);
+        for (int k = 0; k < 2; k++) {
+            free(p->slot[i].sum[k]);
+            free(p->slot[i].least[k]);
+        }
     free(p->slot);
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-void migrate_check(int code, const char *call)
+void mpi_check(int code, const char *call)
 {
     char text[MPI_MAX_ERROR_STRING] = "";
     int length;
@@ -82,66 +82,9 @@ void team_collect(const struct team *t, double *number, size_t n)
     free(own);
 }
 
-size_t sea_islands(const struct sea *s)
-{
-    return s->rings * s->places;
-}
-
-/* One ring after the other, from that of the longest genomes on: each island to the rank with the least to do, found on
- * a heap of ranks by load and rank. */
-struct burden {
-    size_t load;
-    int rank;
-};
-
-static bool lighter(const struct burden *a, const struct burden *b)
-{
-    return a->load < b->load || (a->load == b->load && a->rank < b->rank);
-}
-
-static void sink(struct burden *heap, size_t n)
-{
-    for (size_t at = 0, child; (child = 2 * at + 1) < n; at = child) {
-        if (child + 1 < n && lighter(&heap[child + 1], &heap[child]))
-            child++;
-        if (!lighter(&heap[child], &heap[at]))
-            break;
-        const struct burden moved = heap[at];
-        heap[at] = heap[child];
-        heap[child] = moved;
-    }
-}
-
-void team_share(const struct team *t, struct sea *s)
-{
-    const size_t ranks = (size_t)t->size;
-    struct burden *heap = new_array(ranks, sizeof *heap);
-    bool *shared = new_array(s->rings, sizeof *shared);
-    for (size_t r = 0; r < ranks; r++)
-        heap[r].rank = (int)r;
-    for (size_t k = 0; k < s->rings; k++) {
-        size_t ring = s->rings;
-        for (size_t i = 0; i < s->rings; i++)
-            if (!shared[i] && (ring == s->rings || s->max_length[i] > s->max_length[ring]))
-                ring = i;
-        shared[ring] = true;
-        for (size_t i = 0; i < s->places; i++) {
-            s->owner[ring * s->places + i] = heap[0].rank;
-            heap[0].load += s->max_length[ring];
-            sink(heap, ranks);
-        }
-    }
-    free(shared);
-    free(heap);
-}
-
-bool team_can_tag(const struct team *t, size_t islands, struct diag *d)
+int team_last_tag(const struct team *t)
 {
     int *bound, known;
     CHECK(MPI_Comm_get_attr(t->comm, MPI_TAG_UB, &bound, &known));
-    if (!known || islands <= (size_t)(*bound - TAG_MIGRANTS))
-        return true;
-    diag_at(d, "footpoint-evolve", 0, 0, "%zu islands, but this MPI has tags for %d alone", islands, *bound);
-    d->code = EXIT_USAGE;
-    return false;
+    return known ? *bound : INT_MAX;
 }

@@ -2,10 +2,11 @@
  * on the held-out ones. */
 #include "../eval/errors.h"
 #include "../eval/frame.h"
+#include "../eval/sampled_region.h"
+#include "../input/scene_files.h"
+#include "../samples/samples.h"
 #include "perceptron_options.h"
 #include "perceptron_train.h"
-#include "../input/scene_files.h"
-#include "../eval/sampled_region.h"
 
 #include <stdlib.h>
 

@@ -2,17 +2,17 @@
  * table of monomials; rank 0 breeds, and the polynomials of a generation are fitted and measured by all ranks. */
 #include "../../codegen/genome/console.h"
 #include "../eval/frame.h"
+#include "../input/scene_files.h"
 #include "../mpi/team.h"
+#include "../samples/samples.h"
 #include "pga_terms.h"
 #include "pga_write.h"
-#include "../input/scene_files.h"
-#include "../run/stop.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-struct search {
+struct pga {
     const struct pga_options *options;
     const struct team *team;
     struct scene *scene;
@@ -20,11 +20,11 @@ struct search {
     struct genome_file *program;
     struct columns table;
     struct sample_set heldout[2]; /* on rank 0 */
-    struct judge *judge;
+    struct objective *objective;
     FILE *log; /* not owned; NULL: none */
 };
 
-static bool choose_tier(struct search *s, struct diag *d)
+static bool choose_tier(struct pga *s, struct diag *d)
 {
     const char *name = s->options->tier;
     if (s->scene->tiers == 0)
@@ -36,7 +36,7 @@ static bool choose_tier(struct search *s, struct diag *d)
 }
 
 /* What cannot be written, or is read, shows before the search. */
-static bool files_suit(const struct search *s, struct diag *d)
+static bool files_suit(const struct pga *s, struct diag *d)
 {
     const struct pga_options *o = s->options;
     const struct file_use file[] = {
@@ -45,7 +45,7 @@ static bool files_suit(const struct search *s, struct diag *d)
                                  outfile_probe(o->output, d) && outfile_probe(o->log, d));
 }
 
-static bool load(struct search *s, struct diag *d)
+static bool load(struct pga *s, struct diag *d)
 {
     const struct pga_options *o = s->options;
     struct sample_set training = {0};
@@ -58,8 +58,8 @@ static bool load(struct search *s, struct diag *d)
     s->table = frame_columns(kernel, s->program, training.s, training.n);
     kernel_free(kernel);
     sample_set_free(&training);
-    s->judge = judge_new(s->program, &s->table, o->coefficients == COEFFICIENTS_WORST ? NORM_MAX : NORM_MEAN);
-    s->judge->decimal = true;
+    s->objective = objective_new(s->program, &s->table, o->coefficients == COEFFICIENTS_WORST ? NORM_MAX : NORM_MEAN);
+    s->objective->decimal = true;
     return s->team->rank > 0 || (scene_samples(s->scene, PART_HELDOUT, &s->heldout[0], d) &&
                                  scene_samples(s->scene, PART_HELDOUT_RANDOM, &s->heldout[1], d));
 }
@@ -117,7 +117,7 @@ static void serve(const struct share *w, size_t population)
     free(error);
 }
 
-static void log_line(const struct search *s, size_t limit, int k, const struct pga_state *state)
+static void log_line(const struct pga *s, size_t limit, int k, const struct pga_state *state)
 {
     if (s->log)
         fprintf(s->log, "%zu,%s,%zu,%zu,%zu,%zu,%.6e,%.6e\n", limit, frame_output[k], state->generation,
@@ -125,20 +125,19 @@ static void log_line(const struct search *s, size_t limit, int k, const struct p
 }
 
 /* Terms given by hand take the place of a search. */
-static bool take_terms(const struct search *s, const struct polynomials *p, int k, struct pga_find *find,
-                       struct diag *d)
+static bool take_terms(const struct pga *s, const struct polynomials *p, int k, struct pga_find *find, struct diag *d)
 {
     gene_bit *chosen = new_array(p->count, sizeof *chosen);
     const struct pga_state state = {.best = chosen};
     const bool good = pga_terms_read(s->options->terms, frame_output[k], s->program, p, chosen, d);
-    if (good && !pga_find_new(p, &state, s->judge, frame_target(s->program, k), s->options->coefficients, find))
+    if (good && !pga_find_new(p, &state, s->objective, frame_target(s->program, k), s->options->coefficients, find))
         find->error = INFINITY;
     free(chosen);
     return good;
 }
 
 /* On rank 0: one search. */
-static void breed(const struct search *s, size_t limit, struct share *w, int k, struct pga_find *find)
+static void breed(const struct pga *s, size_t limit, struct share *w, int k, struct pga_find *find)
 {
     const struct pga_options *o = s->options;
     const size_t count = w->polynomials->count;
@@ -156,13 +155,13 @@ static void breed(const struct search *s, size_t limit, struct share *w, int k, 
     if (!o->quiet)
         fprintf(stderr, "%s: %zu generations of %zu in %.3f s, %zu terms, mean error %.4e\n", frame_output[k],
                 o->generations, plan.population, seconds_now() - begun, state.terms, state.error);
-    if (!pga_find_new(w->polynomials, &state, s->judge, frame_target(s->program, k), o->coefficients, find))
+    if (!pga_find_new(w->polynomials, &state, s->objective, frame_target(s->program, k), o->coefficients, find))
         find->error = INFINITY;
     pga_free(g);
 }
 
 /* On rank 0: the searches for one output. */
-static bool search_all(const struct search *s, struct share *w, int k, struct pga_find (*find)[2], struct diag *d)
+static bool search_all(const struct pga *s, struct share *w, int k, struct pga_find (*find)[2], struct diag *d)
 {
     const struct pga_options *o = s->options;
     bool good = true;
@@ -181,7 +180,7 @@ static bool search_all(const struct search *s, struct share *w, int k, struct pg
 }
 
 /* Collective. */
-static bool search_output(const struct search *s, int k, struct pga_find (*find)[2], struct diag *d)
+static bool search_output(const struct pga *s, int k, struct pga_find (*find)[2], struct diag *d)
 {
     const struct pga_options *o = s->options;
     int *symbol = new_array(s->tier->terminals, sizeof *symbol);
@@ -200,7 +199,7 @@ static bool search_output(const struct search *s, int k, struct pga_find (*find)
     return team_agree(s->team, good, d);
 }
 
-static bool open_log(struct search *s, struct outfile *log, struct diag *d)
+static bool open_log(struct pga *s, struct outfile *log, struct diag *d)
 {
     if (s->team->rank > 0 || !s->options->log)
         return true;
@@ -222,7 +221,7 @@ static void print_finds(const struct pga_options *o, struct pga_find (*find)[2])
 }
 
 /* Collective. */
-static bool search_and_write(struct search *s, struct diag *d)
+static bool search_and_write(struct pga *s, struct diag *d)
 {
     struct pga_find(*find)[2] = new_array(s->options->limits, sizeof *find);
     struct outfile log;
@@ -244,12 +243,12 @@ static bool search_and_write(struct search *s, struct diag *d)
     return good;
 }
 
-static bool run(struct search *s, struct diag *d)
+static bool run(struct pga *s, struct diag *d)
 {
     const bool good = team_agree(s->team, load(s, d), d) && search_and_write(s, d);
     for (int k = 0; k < 2; k++)
         sample_set_free(&s->heldout[k]);
-    judge_free(s->judge);
+    objective_free(s->objective);
     columns_free(&s->table);
     genome_file_free(s->program);
     scene_free(s->scene);
@@ -263,10 +262,10 @@ int main(int argc, char **argv)
     if (MPI_Init(&argc, &argv) != MPI_SUCCESS)
         return EXIT_SYSTEM;
     struct team team = team_new(MPI_COMM_WORLD);
-    struct search search = {.options = &o, .team = &team};
+    struct pga pga = {.options = &o, .team = &team};
     bool good = pga_options_read(argc, argv, &o, &d);
     if (good && o.action == PGA_SEARCH)
-        good = run(&search, &d);
+        good = run(&pga, &d);
     else if (good && team.rank == 0)
         fputs(o.action == PGA_HELP ? pga_help : "footpoint-pga " FOOTPOINT_VERSION "\n", stdout);
     good = good && (team.rank > 0 || stdout_written(&d));

@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_PGA_OPTIONS_H
 #define FOOTPOINT_PGA_OPTIONS_H
 
-#include "pga.h"
 #include "../input/scene.h"
+#include "pga.h"
 
 enum coefficients { COEFFICIENTS_SQUARES, COEFFICIENTS_MEAN, COEFFICIENTS_WORST };
 enum pga_action { PGA_SEARCH, PGA_HELP, PGA_VERSION };

@@ -2,10 +2,10 @@
 #include "pga_write.h"
 
 #include "../../codegen/genome/outfile.h"
-#include "../archive/archive.h"
-#include "../fit/fit_constants.h"
+#include "../eval/errors.h"
 #include "../eval/frame.h"
 #include "../eval/sampled_region.h"
+#include "../fit/fit_constants.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 enum { POLISH_STEPS = 20 };
 static const char *const coefficients_name[] = {"squares", "mean", "worst"};
 
-bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct judge *judge, size_t target,
+bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct objective *objective, size_t target,
                   enum coefficients coefficients, struct pga_find *f)
 {
     size_t *at = new_array(p->count, sizeof *at);
@@ -32,10 +32,10 @@ bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct
         monomials_tree(term, coefficient, f->terms, &squares);
         if (coefficients == COEFFICIENTS_SQUARES) {
             tree_copy(&squares, &f->tree);
-            f->error = judge_error(judge, &f->tree, target, INFINITY);
+            f->error = objective_error(objective, &f->tree, target, INFINITY);
         } else {
-            struct fitter *fitter = fitter_new(judge->table);
-            fit_constants(fitter, judge, &squares, target, POLISH_STEPS, &f->tree, &f->error);
+            struct fitter *fitter = fitter_new(objective->table);
+            fit_constants(fitter, objective, &squares, target, POLISH_STEPS, &f->tree, &f->error);
             fitter_free(fitter);
         }
         free(squares.gene);
@@ -60,7 +60,7 @@ static void add_output(const struct pga_options *o, struct genome_file *program,
     struct kernel *kernel = kernel_new_widest();
     struct tree bound = {new_array(f->tree.length, sizeof *bound.gene), 0};
     char key[40];
-    archive_bind(program, &f->tree, &bound);
+    tree_bind(program, &f->tree, &bound);
     snprintf(key, sizeof key, "found_%s", frame_output[k]);
     NOTE(key, "p-GA seed %llu generations %zu population %zu evaluations %zu%s", (unsigned long long)o->plan.seed,
          o->generations, o->plan.population, f->evaluations, o->plan.exchange ? " exchange" : "");

@@ -3,20 +3,21 @@
 #define FOOTPOINT_PGA_WRITE_H
 
 #include "../eval/objective.h"
+#include "../surface/sample.h"
 #include "pga.h"
 #include "pga_options.h"
 
 /** The search for one output. */
 struct pga_find {
     struct tree tree; /* genes owned; constants are decimal numbers */
-    double error;     /* in the judge's norm, as written */
+    double error;     /* in the objective's norm, as written */
     double condition; /* of the normal equations, columns scaled */
     size_t terms, evaluations, singular;
 };
 
 /** The polynomial of a search's best individual, its coefficients as the options wish; false where there is none.
- *  @param[in] judge  of decimal numbers, by what the coefficients minimise; by the mean where that is the squares */
-bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct judge *judge, size_t target,
+ *  @param[in] objective  of decimal numbers, by what the coefficients minimise; by the mean where that is squares */
+bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct objective *objective, size_t target,
                   enum coefficients coefficients, struct pga_find *f);
 void pga_find_free(struct pga_find *f);
 

@@ -1,8 +1,8 @@
 /* Polynomials over samples; see polynomials.h. */
 #include "polynomials.h"
 
-#include "../fit/normal_equations.h"
 #include "../common/simd.h"
+#include "../fit/normal_equations.h"
 
 #include <gsl/gsl_eigen.h>
 #include <math.h>

@@ -6,6 +6,7 @@
 #include "generations.h"
 
 #include "../../codegen/genome/console.h"
+#include "../mpi/poll.h"
 #include "rank0.h"
 
 #include <math.h>
@@ -13,19 +14,26 @@
 #include <stdlib.h>
 #include <time.h>
 
+/* The sums of a poll over the ranks: genes times samples evaluated, ranks that wish a checkpoint, and, by reason, ranks
+ * that wish to end. */
+enum { POLL_WORK, POLL_SAVE, POLL_STOP, POLL_SUMS = POLL_STOP + STOP_REASONS };
+
 /* What the loop knows of an island of this rank. */
-struct berth {
+struct local {
     size_t island, generation;
-    struct inbound guests; /* of the migration after this generation */
-    unsigned char *saved;  /* owned: the state for the checkpoint under way */
-    struct log_row *row;   /* owned: of the last generations */
+    struct inbound migrants; /* of the migration after this generation */
+    unsigned char *saved;    /* owned: the state for the checkpoint under way */
+    struct log_row *row;     /* owned: of the last generations */
 };
 
 struct loop {
-    struct run *run;
-    struct keeper keeper;
-    struct berth *berth; /* owned: by island */
-    size_t berths;
+    const struct call *call; /* not owned, as are these */
+    const struct problem *problem;
+    const struct islands *islands;
+    struct outcome *out;
+    struct rank0 rank0;
+    struct local *local; /* owned: by island */
+    size_t locals;
     size_t base, done, end; /* first generation; done by all islands of this rank; the last */
     size_t save_at;         /* generation of the next checkpoint; 0: none */
     struct poll poll;       /* number k is on generation base + k */
@@ -34,9 +42,9 @@ struct loop {
     double started;
 };
 
-static struct island *island_of(const struct loop *l, const struct berth *b)
+static struct island *island_of(const struct loop *l, const struct local *b)
 {
-    return l->run->sea.island[b->island];
+    return l->islands->island[b->island];
 }
 
 static size_t counted(const struct loop *l)
@@ -54,38 +62,41 @@ static size_t horizon(const struct loop *l)
 static size_t furthest_behind(const struct loop *l)
 {
     size_t least = horizon(l);
-    for (size_t i = 0; i < l->berths; i++)
-        least = l->berth[i].generation < least ? l->berth[i].generation : least;
+    for (size_t i = 0; i < l->locals; i++)
+        least = l->local[i].generation < least ? l->local[i].generation : least;
     return least;
 }
 
-/* Send the emigrants of this generation, and expect the guests. */
-static void depart(struct loop *l, struct berth *b)
+/* Send the migrants of this generation, and expect those of another island. */
+static void migrate(struct loop *l, struct local *b)
 {
-    const struct run *r = l->run;
-    const struct evolve_options *o = r->options;
-    const size_t places = r->sea.places, ring = b->island / places, place = b->island % places;
-    if (b->generation == 0 || b->generation % o->migrate_every != 0 || b->generation >= l->end || r->plan.migrants == 0)
+    const struct evolve_options *o = l->call->options;
+    const struct team *team = l->call->team;
+    const struct islands *s = l->islands;
+    const size_t places = s->places, ring = b->island / places, place = b->island % places;
+    const size_t migrants = l->problem->plan.migrants;
+    if (b->generation == 0 || b->generation % o->migrate_every != 0 || b->generation >= l->end || migrants == 0)
         return;
-    const struct migration m = {o->topology, o->seed, run_ring(r, ring), places, b->generation / o->migrate_every};
+    const struct migration m = {o->topology, o->seed, ring_key(&s->ring[ring]), places,
+                                b->generation / o->migrate_every};
     const size_t target = topology_target(&m, place), source = topology_source(&m, place);
     if (target == place)
         return;
-    const size_t ints = island_parcel_size(island_of(l, b), r->plan.migrants), bytes = ints * sizeof(int);
+    const size_t ints = island_parcel_size(island_of(l, b), migrants), bytes = ints * sizeof(int);
     int *parcel = new_array(ints, sizeof *parcel);
-    island_pack(island_of(l, b), r->plan.migrants, parcel);
-    mail_send(r->team, &l->mail, parcel, bytes, r->sea.owner[ring * places + target],
+    island_pack(island_of(l, b), migrants, parcel);
+    mail_send(team, &l->mail, parcel, bytes, s->owner[ring * places + target],
               TAG_MIGRANTS + (int)(ring * places + target));
-    inbound_expect(r->team, &b->guests, bytes, r->sea.owner[ring * places + source], TAG_MIGRANTS + (int)b->island);
+    inbound_expect(team, &b->migrants, bytes, s->owner[ring * places + source], TAG_MIGRANTS + (int)b->island);
 }
 
-static void advance(struct loop *l, struct berth *b)
+static void advance(struct loop *l, struct local *b)
 {
     struct island *is = island_of(l, b);
-    if (b->guests.parcel) {
-        island_receive(is, l->run->plan.migrants, b->guests.parcel);
-        free(b->guests.parcel);
-        b->guests.parcel = NULL;
+    if (b->migrants.parcel) {
+        island_receive(is, l->problem->plan.migrants, b->migrants.parcel);
+        free(b->migrants.parcel);
+        b->migrants.parcel = NULL;
     }
     island_step(is);
     b->generation++;
@@ -96,19 +107,19 @@ static void advance(struct loop *l, struct berth *b)
         b->saved = new_array(island_state_size(is), 1);
         island_save(is, b->saved);
     }
-    depart(l, b);
+    migrate(l, b);
 }
 
 /* Let the island go on that is ready and furthest behind; false if none is.  None is a migration ahead of another of
  * this rank, so that parcels between two ranks keep their order. */
 static bool advance_one(struct loop *l)
 {
-    const size_t close = furthest_behind(l) + l->run->options->migrate_every, far = horizon(l);
-    struct berth *chosen = NULL;
-    for (size_t i = 0; i < l->berths; i++) {
-        struct berth *b = &l->berth[i];
+    const size_t close = furthest_behind(l) + l->call->options->migrate_every, far = horizon(l);
+    struct local *chosen = NULL;
+    for (size_t i = 0; i < l->locals; i++) {
+        struct local *b = &l->local[i];
         if (b->generation < far && b->generation < close && (!chosen || b->generation < chosen->generation) &&
-            inbound_here(&b->guests))
+            inbound_here(&b->migrants))
             chosen = b;
     }
     if (chosen)
@@ -118,23 +129,23 @@ static bool advance_one(struct loop *l)
 
 static void send_rows(struct loop *l, size_t generation)
 {
-    for (size_t i = 0; i < l->berths; i++) {
+    for (size_t i = 0; i < l->locals; i++) {
         struct log_row *row = new_array(1, sizeof *row);
-        *row = l->berth[i].row[generation % l->rows];
-        mail_send(l->run->team, &l->mail, row, sizeof *row, 0, TAG_LOG);
+        *row = l->local[i].row[generation % l->rows];
+        mail_send(l->call->team, &l->mail, row, sizeof *row, 0, TAG_LOG);
     }
 }
 
 static void send_states(struct loop *l)
 {
-    for (size_t i = 0; i < l->berths; i++) {
-        struct berth *b = &l->berth[i];
+    for (size_t i = 0; i < l->locals; i++) {
+        struct local *b = &l->local[i];
         const size_t bytes = island_state_size(island_of(l, b));
         if (!b->saved) { /* at the end islands rest */
             b->saved = new_array(bytes, 1);
             island_save(island_of(l, b), b->saved);
         }
-        mail_send(l->run->team, &l->mail, b->saved, bytes, 0, TAG_STATE);
+        mail_send(l->call->team, &l->mail, b->saved, bytes, 0, TAG_STATE);
         b->saved = NULL;
     }
 }
@@ -143,44 +154,44 @@ static void send_states(struct loop *l)
  * is reckoned to take as long as the beginning did. */
 static bool time_is_up(const struct loop *l)
 {
-    const struct run *r = l->run;
+    const struct call *c = l->call;
     const double now = seconds_now(), generations = (double)(l->done - l->base) + 1;
     const double coming = (now - l->started) / generations * (double)(l->poll.lag + 1);
-    return r->team->rank == 0 && r->options->time_limit > 0 &&
-           now - r->begun + coming + (l->started - r->begun) >= r->options->time_limit;
+    return c->team->rank == 0 && c->options->time_limit > 0 &&
+           now - c->begun + coming + (l->started - c->begun) >= c->options->time_limit;
 }
 
 static void vote(struct loop *l)
 {
-    const struct run *r = l->run;
-    double sum[POLL_SUMS] = {0}, *best = new_array(r->sea.rings, sizeof *best);
-    sum[POLL_WORK] = judge_work(r->judge);
-    sum[POLL_SAVE] = keeper_wishes_save(&l->keeper) ? 1 : 0;
+    const struct islands *s = l->islands;
+    double sum[POLL_SUMS] = {0}, *best = new_array(s->rings, sizeof *best);
+    sum[POLL_WORK] = objective_work(l->problem->objective);
+    sum[POLL_SAVE] = rank0_wishes_save(&l->rank0) ? 1 : 0;
     sum[POLL_STOP + stop_noted()] = 1;
     if (time_is_up(l))
         sum[POLL_STOP + STOP_TIME] = 1;
-    for (size_t i = 0; i < r->sea.rings; i++) {
-        const struct champion *c = &r->archive->champion[r->quest[i].tier][r->quest[i].output];
+    for (size_t i = 0; i < s->rings; i++) {
+        const struct champion *c = &l->problem->archive->champion[s->ring[i].tier][s->ring[i].output];
         best[i] = c->tree.length > 0 ? c->error : INFINITY;
     }
-    for (size_t i = 0; i < l->berths; i++) {
-        double *least = &best[l->berth[i].island / r->sea.places];
-        *least = fmin(*least, island_best(island_of(l, &l->berth[i]))->error);
+    for (size_t i = 0; i < l->locals; i++) {
+        double *least = &best[l->local[i].island / s->places];
+        *least = fmin(*least, island_best(island_of(l, &l->local[i]))->error);
     }
-    poll_cast(r->team, &l->poll, sum, best);
+    poll_cast(l->call->team, &l->poll, sum, best);
     free(best);
 }
 
 /* All islands of this rank have done one generation more. */
 static void pass(struct loop *l)
 {
-    const struct evolve_options *o = l->run->options;
+    const struct evolve_options *o = l->call->options;
     const size_t k = ++l->done;
     if (o->log && k % o->log_every == 0)
         send_rows(l, k);
     if (o->checkpoint && (k == l->save_at || k == l->end)) {
         send_states(l);
-        keeper_save(&l->keeper, k);
+        rank0_save(&l->rank0, k);
     }
     vote(l);
 }
@@ -188,16 +199,15 @@ static void pass(struct loop *l)
 /* What a poll decided; it holds for all ranks alike. */
 static void decide(struct loop *l, const struct poll_slot *s)
 {
-    struct run *r = l->run;
     const size_t then = counted(l) + l->poll.lag;
     for (int reason = STOP_REASONS - 1; reason > STOP_DONE; reason--)
         if (s->sum[1][POLL_STOP + reason] > 0 && then < l->end) {
             l->end = then;
-            r->reason = (enum stop_reason)reason;
+            l->out->reason = (enum stop_reason)reason;
         }
     if (s->sum[1][POLL_SAVE] > 0 && l->save_at < counted(l))
         l->save_at = then;
-    keeper_show(&l->keeper, counted(l), s->best[1], s->sum[1][POLL_WORK]);
+    rank0_show(&l->rank0, counted(l), s->least[1], s->sum[1][POLL_WORK]);
 }
 
 static bool count_polls(struct loop *l)
@@ -218,36 +228,44 @@ static void rest(unsigned *idle)
         nanosleep(&moment, NULL);
 }
 
-static void board(struct loop *l)
+/* The islands of this rank. */
+static void find_locals(struct loop *l)
 {
-    const struct run *r = l->run;
-    const size_t n = sea_islands(&r->sea);
-    l->berth = new_array(n, sizeof *l->berth);
+    const size_t n = islands_count(l->islands);
+    l->local = new_array(n, sizeof *l->local);
     for (size_t i = 0; i < n; i++) {
-        if (!r->sea.island[i])
+        if (!l->islands->island[i])
             continue;
-        struct berth *b = &l->berth[l->berths++];
-        *b = (struct berth){.island = i, .generation = r->generation, .row = new_array(l->rows, sizeof *b->row)};
+        struct local *b = &l->local[l->locals++];
+        *b = (struct local){.island = i, .generation = l->base, .row = new_array(l->rows, sizeof *b->row)};
     }
 }
 
-bool evolve_islands(struct run *r, struct diag *d)
+bool evolve_islands(const struct call *call, const struct problem *p, const struct islands *islands,
+                    const struct run_files *files, struct outcome *out, struct diag *d)
 {
-    const bool over = r->reason != STOP_DONE || r->sea.rings == 0;
-    const size_t end = over ? r->generation : r->options->generations;
-    struct loop l = {.run = r, .base = r->generation, .done = r->generation, .end = end};
-    const bool good = keeper_open(&l.keeper, r, d);
-    if (!team_agree(r->team, good, d)) {
-        run_log_close(&l.keeper.log);
-        free(l.keeper.state_bytes);
+    const bool over = out->reason != STOP_DONE || islands->rings == 0;
+    const size_t end = over ? out->generation : call->options->generations;
+    struct loop l = {.call = call,
+                     .problem = p,
+                     .islands = islands,
+                     .out = out,
+                     .rank0 = {.call = call, .scene = p->scene, .islands = islands, .files = files},
+                     .base = out->generation,
+                     .done = out->generation,
+                     .end = end};
+    const bool good = rank0_open(&l.rank0, out->generation, d);
+    if (!team_agree(call->team, good, d)) {
+        run_log_close(&l.rank0.log);
+        free(l.rank0.state_bytes);
         return false;
     }
-    l.poll = poll_new(r->team, r->sea.rings);
+    l.poll = poll_new(call->team, POLL_SUMS, islands->rings);
     l.rows = l.poll.lag + 1;
     l.started = seconds_now();
-    board(&l);
-    for (size_t i = 0; i < l.berths; i++)
-        depart(&l, &l.berth[i]);
+    find_locals(&l);
+    for (size_t i = 0; i < l.locals; i++)
+        migrate(&l, &l.local[i]);
     for (unsigned idle = 0; l.done < l.end || l.poll.counted < l.poll.cast;) {
         bool busy = advance_one(&l);
         while (l.done < furthest_behind(&l)) {
@@ -255,18 +273,18 @@ bool evolve_islands(struct run *r, struct diag *d)
             busy = true;
         }
         busy = count_polls(&l) || busy;
-        keeper_poll(&l.keeper, l.done);
+        rank0_poll(&l.rank0, l.done);
         mail_sweep(&l.mail);
         idle = busy ? 0 : idle;
         if (!busy)
             rest(&idle);
     }
-    r->generation = l.end;
-    keeper_close(&l.keeper);
+    out->generation = l.end;
+    out->unsaved = !rank0_close(&l.rank0, l.end);
     mail_free(&l.mail);
     poll_free(&l.poll);
-    for (size_t i = 0; i < l.berths; i++)
-        free(l.berth[i].row);
-    free(l.berth);
+    for (size_t i = 0; i < l.locals; i++)
+        free(l.local[i].row);
+    free(l.local);
     return true;
 }

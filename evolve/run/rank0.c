@@ -9,29 +9,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool serves(const struct keeper *k)
+static bool serves(const struct rank0 *k)
 {
-    return k->run->team->rank == 0;
+    return k->call->team->rank == 0;
 }
 
-bool keeper_open(struct keeper *k, struct run *r, struct diag *d)
+bool rank0_open(struct rank0 *k, size_t generation, struct diag *d)
 {
-    const struct evolve_options *o = r->options;
-    *k = (struct keeper){.run = r, .logged = r->generation, .saved = seconds_now()};
+    const struct evolve_options *o = k->call->options;
+    const struct resume *resume = k->call->resume;
+    k->logged = generation;
+    k->saved = seconds_now();
     if (o->checkpoint)
-        k->state_bytes = team_state_sizes(r->team, &r->sea);
+        k->state_bytes = islands_state_sizes(k->islands, k->call->team);
     if (!serves(k))
         return true;
     k->progress =
-        progress_start(!o->quiet, r->generation, o->generations, o->time_limit > 0 ? r->begun + o->time_limit : 0);
+        progress_start(!o->quiet, generation, o->generations, o->time_limit > 0 ? k->call->begun + o->time_limit : 0);
     if (!o->log)
         return true;
-    return r->resume && r->resume->mark.bytes > 0 ? run_log_continue(&k->log, o->log, &r->resume->mark, d)
-                                                  : run_log_open(&k->log, o->log, d);
+    return resume && resume->mark.bytes > 0 ? run_log_continue(&k->log, o->log, &resume->mark, d)
+                                            : run_log_open(&k->log, o->log, d);
 }
 
 /* Say once, not each time, that a file cannot be written. */
-static void complain(struct keeper *k, bool good, bool *bad, const struct diag *d)
+static void complain(struct rank0 *k, bool good, bool *bad, const struct diag *d)
 {
     if (!good && !*bad) {
         progress_break(&k->progress);
@@ -40,27 +42,26 @@ static void complain(struct keeper *k, bool good, bool *bad, const struct diag *
     *bad = !good;
 }
 
-static bool take_row(struct keeper *k, bool wait)
+static bool take_row(struct rank0 *k, bool wait)
 {
-    const struct run *r = k->run;
-    const size_t island = k->rows.taken, places = r->sea.places;
-    struct log_row *row = gather_next(r->team, &r->sea, &k->rows, NULL, sizeof *row, wait);
+    const size_t island = k->rows.taken, places = k->islands->places;
+    struct log_row *row = gather_next(k->call->team, &k->rows, NULL, sizeof *row, wait);
     if (!row)
         return false;
-    const struct quest q = r->quest[island / places];
-    run_log_add(&k->log, island, r->scene->tier[q.tier].name, frame_output[q.output], island % places, row);
+    const struct ring *ring = &k->islands->ring[island / places];
+    run_log_add(&k->log, island, k->scene->tier[ring->tier].name, frame_output[ring->output], island % places, row);
     free(row);
     return true;
 }
 
 /* Lines up to `generation`, as far as they have come in. */
-static void take_log(struct keeper *k, size_t generation, bool wait)
+static void take_log(struct rank0 *k, size_t generation, bool wait)
 {
-    const size_t every = k->run->options->log_every;
+    const size_t every = k->call->options->log_every;
     while (k->logged < generation) {
         if (!k->rows.active) {
             if (k->log.stream && (k->logged + 1) % every == 0)
-                gather_start(&k->rows, TAG_LOG);
+                gather_start(&k->rows, TAG_LOG, k->islands->owner, islands_count(k->islands));
         }
         while (k->rows.active)
             if (!take_row(k, wait))
@@ -69,9 +70,10 @@ static void take_log(struct keeper *k, size_t generation, bool wait)
     }
 }
 
-static void begin_checkpoint(struct keeper *k)
+static void begin_checkpoint(struct rank0 *k)
 {
-    const struct run *r = k->run;
+    const struct evolve_options *o = k->call->options;
+    const size_t islands = islands_count(k->islands);
     struct diag d;
     struct log_mark mark = {.sha256 = "-"};
     char facts[FACTS];
@@ -79,23 +81,22 @@ static void begin_checkpoint(struct keeper *k)
         complain(k, run_log_sync(&k->log, &d), &k->bad_log, &d);
         mark = run_log_mark(&k->log);
     }
-    resume_facts(facts, r->scene->sha256, k->saving, &mark);
-    evolve_options_facts(r->options, facts, sizeof facts);
-    k->writing = checkpoint_begin(&k->writer, r->options->checkpoint, facts, RESUME_ISLANDS + sea_islands(&r->sea), &d);
+    resume_facts(facts, k->scene->sha256, k->saving, &mark);
+    evolve_options_facts(o, facts, sizeof facts);
+    k->writing = checkpoint_begin(&k->writer, o->checkpoint, facts, RESUME_ISLANDS + islands, &d);
     if (k->writing)
-        checkpoint_section(&k->writer, r->start_text, r->start_bytes);
+        checkpoint_section(&k->writer, k->files->start_text, k->files->start_bytes);
     else
         complain(k, false, &k->bad_save, &d);
-    gather_start(&k->states, TAG_STATE);
+    gather_start(&k->states, TAG_STATE, k->islands->owner, islands);
 }
 
-static void take_states(struct keeper *k, bool wait)
+static void take_states(struct rank0 *k, bool wait)
 {
-    const struct run *r = k->run;
     struct diag d;
     while (k->states.active) {
         const size_t bytes = k->state_bytes[k->states.taken];
-        void *state = gather_next(r->team, &r->sea, &k->states, k->state_bytes, 0, wait);
+        void *state = gather_next(k->call->team, &k->states, k->state_bytes, 0, wait);
         if (!state)
             return;
         if (k->writing)
@@ -108,7 +109,7 @@ static void take_states(struct keeper *k, bool wait)
     k->saving = 0;
 }
 
-static void take_all(struct keeper *k, size_t generation, bool wait)
+static void take_all(struct rank0 *k, size_t generation, bool wait)
 {
     if (k->saving > 0) {
         take_log(k, k->saving < generation ? k->saving : generation, wait);
@@ -121,19 +122,19 @@ static void take_all(struct keeper *k, size_t generation, bool wait)
         take_log(k, generation, wait);
 }
 
-void keeper_poll(struct keeper *k, size_t generation)
+void rank0_poll(struct rank0 *k, size_t generation)
 {
     if (serves(k))
         take_all(k, generation, false);
 }
 
-bool keeper_wishes_save(const struct keeper *k)
+bool rank0_wishes_save(const struct rank0 *k)
 {
-    const struct evolve_options *o = k->run->options;
+    const struct evolve_options *o = k->call->options;
     return serves(k) && o->checkpoint && k->saving == 0 && seconds_now() - k->saved >= o->checkpoint_every;
 }
 
-void keeper_save(struct keeper *k, size_t generation)
+void rank0_save(struct rank0 *k, size_t generation)
 {
     if (!serves(k))
         return;
@@ -154,37 +155,38 @@ static void append(char text[BEST], const char *name, double error)
     snprintf(text + used, BEST - used, "%s%s %s", used > 0 ? "  " : "", name, number);
 }
 
-void keeper_show(struct keeper *k, size_t generation, const double *best, double work)
+void rank0_show(struct rank0 *k, size_t generation, const double *best, double work)
 {
-    const struct run *r = k->run;
+    const struct islands *s = k->islands;
     char text[BEST] = "", brief[BEST] = "";
     if (!serves(k))
         return;
-    for (size_t i = 0; i < r->sea.rings; i++) {
-        const struct quest q = r->quest[i];
-        const bool pair = i + 1 < r->sea.rings && r->quest[i + 1].tier == q.tier;
+    for (size_t i = 0; i < s->rings; i++) {
+        const struct ring *ring = &s->ring[i];
+        const char *tier = k->scene->tier[ring->tier].name;
+        const bool pair = i + 1 < s->rings && s->ring[i + 1].tier == ring->tier;
         const double worse = pair ? fmax(best[i], best[i + 1]) : best[i];
         char name[40];
-        snprintf(name, sizeof name, "%.16s %s", r->scene->tier[q.tier].name, frame_output[q.output]);
+        snprintf(name, sizeof name, "%.16s %s", tier, frame_output[ring->output]);
         append(text, name, best[i]);
         if (pair)
-            append(text, frame_output[r->quest[i + 1].output], best[i + 1]);
-        snprintf(name, sizeof name, "%.8s", r->scene->tier[q.tier].name);
+            append(text, frame_output[s->ring[i + 1].output], best[i + 1]);
+        snprintf(name, sizeof name, "%.8s", tier);
         append(brief, name, worse);
         i += pair;
     }
     progress_show(&k->progress, generation, text, brief, work);
 }
 
-void keeper_close(struct keeper *k)
+bool rank0_close(struct rank0 *k, size_t generation)
 {
     struct diag d;
     if (serves(k)) {
-        take_all(k, k->run->generation, true);
+        take_all(k, generation, true);
         progress_break(&k->progress);
         complain(k, run_log_sync(&k->log, &d), &k->bad_log, &d);
         run_log_close(&k->log);
-        k->run->unsaved = k->bad_log || k->bad_save;
     }
     free(k->state_bytes);
+    return !(k->bad_log || k->bad_save);
 }

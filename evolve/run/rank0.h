@@ -3,11 +3,15 @@
 #ifndef FOOTPOINT_RANK0_H
 #define FOOTPOINT_RANK0_H
 
-#include "run.h"
+#include "islands.h"
 #include "progress.h"
+#include "run_parts.h"
 
-struct keeper {
-    struct run *run; /* not owned */
+struct rank0 {
+    const struct call *call; /* not owned, as are these */
+    const struct scene *scene;
+    const struct islands *islands;
+    const struct run_files *files;
     struct run_log log;
     struct gather rows, states;
     size_t logged; /* generations whose lines are written, or that have none */
@@ -20,18 +24,19 @@ struct keeper {
     struct progress progress;
 };
 
-/** Collective, as it learns the sizes of all islands' states; the rest is rank 0's.  False with *d: the log cannot be
- *  written, or is another run's. */
-bool keeper_open(struct keeper *k, struct run *r, struct diag *d);
+/** Collective, as it learns the sizes of all islands' states; the rest is rank 0's.  The pointers in *k are set, and
+ *  `generation` is where the islands are.  False with *d: the log cannot be written, or is another run's. */
+bool rank0_open(struct rank0 *k, size_t generation, struct diag *d);
 /** Take what has come in.  All islands of this rank have done `generation`; nothing later is expected. */
-void keeper_poll(struct keeper *k, size_t generation);
+void rank0_poll(struct rank0 *k, size_t generation);
 /** True when the next checkpoint is due. */
-bool keeper_wishes_save(const struct keeper *k);
+bool rank0_wishes_save(const struct rank0 *k);
 /** The states of this generation are on their way.  Waits for an earlier checkpoint under way. */
-void keeper_save(struct keeper *k, size_t generation);
-/** Show what a poll said. */
-void keeper_show(struct keeper *k, size_t generation, const double *best, double work);
-/** Wait for all that is on its way, and close the files. */
-void keeper_close(struct keeper *k);
+void rank0_save(struct rank0 *k, size_t generation);
+/** Show what a poll said: the best error of each ring, and the work done. */
+void rank0_show(struct rank0 *k, size_t generation, const double *best, double work);
+/** Wait for all that is on its way up to `generation`, and close the files.  False where the last checkpoint or the log
+ *  could not be written, which has been said. */
+bool rank0_close(struct rank0 *k, size_t generation);
 
 #endif

@@ -65,9 +65,9 @@ bool resume_suits(const struct resume *r, const char *scene_sha256, size_t gener
     return false;
 }
 
-bool resume_islands(const struct resume *r, const struct team *t, struct sea *s, struct diag *d)
+bool resume_islands(const struct resume *r, const struct team *t, const struct islands *s, struct diag *d)
 {
-    const size_t n = sea_islands(s);
+    const size_t n = islands_count(s);
     struct mail mail = {0};
     bool good =
         t->rank > 0 || r->file.sections == n + RESUME_ISLANDS || diag_at(d, r->path, 0, 0, "checkpoint lacks islands");

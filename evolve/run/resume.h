@@ -4,7 +4,7 @@
 #define FOOTPOINT_RESUME_H
 
 #include "checkpoint.h"
-#include "../mpi/team.h"
+#include "islands.h"
 #include "run_log.h"
 
 /** Sections before those of the islands: the start file, empty where there was none. */
@@ -28,7 +28,7 @@ bool resume_read(struct resume *r, const struct team *t, const char *path, struc
 /** False with *d if the checkpoint is of another scene. */
 bool resume_suits(const struct resume *r, const char *scene_sha256, size_t generations, struct diag *d);
 /** Collective: load all islands.  False with *d where a section is no state of its island. */
-bool resume_islands(const struct resume *r, const struct team *t, struct sea *s, struct diag *d);
+bool resume_islands(const struct resume *r, const struct team *t, const struct islands *s, struct diag *d);
 /** Write the genomes aside, for a reader of files: path[0..n-1], to be removed by the caller. */
 bool resume_start_file(const struct resume *r, char *path, size_t n, struct diag *d);
 void resume_free(struct resume *r);

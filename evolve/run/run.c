@@ -2,14 +2,15 @@
  * training samples; islands are shared out, and what they find is independent of who computes them. */
 #include "run.h"
 
-#include "seeding.h"
-#include "generations.h"
+#include "../common/data_root.h"
 #include "../eval/frame.h"
 #include "../eval/frame_cost.h"
-#include "progress.h"
-#include "../common/data_root.h"
 #include "../input/scene_files.h"
 #include "../samples/default_tiers.h"
+#include "../samples/samples.h"
+#include "generations.h"
+#include "progress.h"
+#include "seeding.h"
 
 #include <limits.h>
 #include <math.h>
@@ -17,302 +18,299 @@
 #include <string.h>
 #include <unistd.h>
 
-static void genomes_path(const struct run *r, char path[1024])
+struct run_samples {
+    struct sample_set training; /* empty once the table is there */
+    struct heldout heldout;     /* on rank 0 */
+    struct variation vary;      /* of the training samples */
+    bool follows;               /* frame and tiers follow from that */
+};
+
+struct run {
+    struct call call;
+    struct run_files files;
+    struct problem problem;
+    struct run_samples samples;
+    struct islands islands;
+    struct outcome outcome;
+};
+
+static void genomes_path(const struct call *call, const struct scene *scene, char path[1024])
 {
-    snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", r->options->root, r->scene->name);
+    snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", call->options->root, scene->name);
 }
 
-static bool choose_paths(struct run *r, struct diag *d)
+static bool choose_paths(const struct call *call, const struct scene *scene, struct run_files *f, struct diag *d)
 {
-    const struct evolve_options *o = r->options;
+    const struct evolve_options *o = call->options;
     if (root_is_installed(o->root))
-        snprintf(r->output, sizeof r->output, "%.250s.gen", r->scene->name);
+        snprintf(f->output, sizeof f->output, "%.250s.gen", scene->name);
     else
-        genomes_path(r, r->output);
+        genomes_path(call, scene, f->output);
     if (o->output)
-        snprintf(r->output, sizeof r->output, "%s", o->output);
-    if (r->resume)
-        return !*r->resume->start || resume_start_file(r->resume, r->start, sizeof r->start, d);
+        snprintf(f->output, sizeof f->output, "%s", o->output);
+    if (call->resume)
+        return !*call->resume->start || resume_start_file(call->resume, f->start, sizeof f->start, d);
     if (o->start)
-        snprintf(r->start, sizeof r->start, "%s", o->start);
+        snprintf(f->start, sizeof f->start, "%s", o->start);
     else if (!o->from_scratch)
-        genomes_path(r, r->start);
-    if (!o->start && access(r->start, F_OK) != 0)
-        r->start[0] = '\0';
+        genomes_path(call, scene, f->start);
+    if (!o->start && access(f->start, F_OK) != 0)
+        f->start[0] = '\0';
     return true;
 }
 
 /* The start file as checkpoints hold it. */
-static bool keep_start(struct run *r, struct diag *d)
+static bool keep_start(struct run_files *f, struct diag *d)
 {
-    r->start_text = r->start[0] ? read_text(r->start, &r->start_bytes, d) : new_text("", 0);
-    return r->start_text != NULL;
+    f->start_text = f->start[0] ? read_text(f->start, &f->start_bytes, d) : new_text("", 0);
+    return f->start_text != NULL;
 }
 
-static bool load_archive(struct run *r, struct diag *d)
+static bool load_archive(const struct evolve_options *o, const struct run_files *f, struct problem *p, struct diag *d)
 {
-    struct genome_file *program = frame_program(r->options->root, r->scene, r->output, d);
-    r->archive = program ? archive_new(r->scene, program, r->start[0] ? r->start : NULL, d) : NULL;
-    return r->archive && (!r->options->seeds || archive_read_seeds(r->archive, r->options->seeds, d));
+    struct genome_file *program = frame_program(o->root, p->scene, f->output, d);
+    p->archive = program ? archive_new(p->scene, program, f->start[0] ? f->start : NULL, d) : NULL;
+    return p->archive && (!o->seeds || archive_read_seeds(p->archive, o->seeds, d));
 }
 
-static bool draw_training(struct run *r, struct diag *d)
+static bool draw_training(const struct scene *scene, struct run_samples *s, struct diag *d)
 {
-    if (r->training.n > 0)
+    if (s->training.n > 0)
         return true;
-    if (!scene_samples(r->scene, PART_TRAINING, &r->training, d))
+    if (!scene_samples(scene, PART_TRAINING, &s->training, d))
         return false;
-    r->vary = vary_measure(r->scene->segment, &r->training);
+    s->vary = variation_measure(scene->segment, &s->training);
     return true;
 }
 
 /* A scene without tiers takes those that suit its segments. */
-static bool complete_scene(struct run *r, struct diag *d)
+static bool complete_scene(const char *root, struct scene *scene, struct run_samples *s, struct diag *d)
 {
-    if (r->scene->tiers > 0)
+    if (scene->tiers > 0)
         return true;
-    if (!draw_training(r, d) || !scene_follow(r->options->root, r->scene, r->vary.kind, d))
+    if (!draw_training(scene, s, d) || !scene_default_tiers(root, scene, s->vary.kind, d))
         return false;
-    r->follows = true;
+    s->follows = true;
     return true;
 }
 
 /* A run may go on with its start file and its checkpoint; apart from that, what it writes is nothing that it reads. */
-static bool files_suit(const struct run *r, struct diag *d)
+static bool files_suit(const struct call *call, const struct scene *scene, const struct run_files *f, struct diag *d)
 {
     enum { NONE, GENOMES, CHECKPOINTS };
-    const struct evolve_options *o = r->options;
-    const struct file_use file[] = {{"--output", r->output, true, GENOMES},
-                                    {"--start", r->resume || !*r->start ? NULL : r->start, false, GENOMES},
+    const struct evolve_options *o = call->options;
+    const struct file_use file[] = {{"--output", f->output, true, GENOMES},
+                                    {"--start", call->resume || !*f->start ? NULL : f->start, false, GENOMES},
                                     {"--checkpoint", o->checkpoint, true, CHECKPOINTS},
                                     {"--resume", o->resume, false, CHECKPOINTS},
                                     {"--front", o->front, true, NONE},
                                     {"--log", o->log, true, NONE},
                                     {"--seeds", o->seeds, false, NONE}};
-    return scene_files_apart("footpoint-evolve", o->root, r->scene, file, sizeof file / sizeof *file, d) &&
-           outfile_probe(r->output, d) && outfile_probe(o->checkpoint, d) && outfile_probe(o->front, d);
+    return scene_files_apart("footpoint-evolve", o->root, scene, file, sizeof file / sizeof *file, d) &&
+           outfile_probe(f->output, d) && outfile_probe(o->checkpoint, d) && outfile_probe(o->front, d);
 }
 
 /* What is read: the cheap part, in which most mistakes show. */
 static bool load(struct run *r, struct diag *d)
 {
-    const struct evolve_options *o = r->options;
-    r->scene = scene_read(o->root, o->scene, d);
-    if (!r->scene || (r->resume && !resume_suits(r->resume, r->scene->sha256, o->generations, d)) ||
-        !choose_paths(r, d))
+    const struct evolve_options *o = r->call.options;
+    const struct resume *resume = r->call.resume;
+    struct scene *scene = r->problem.scene = scene_read(o->root, o->scene, d);
+    if (!scene || (resume && !resume_suits(resume, scene->sha256, o->generations, d)) ||
+        !choose_paths(&r->call, scene, &r->files, d))
         return false;
-    const bool first = r->team->rank == 0;
-    if (first && r->scene->warnings)
-        fputs(r->scene->warnings, stderr);
-    const bool good =
-        complete_scene(r, d) && (!first || (files_suit(r, d) && keep_start(r, d))) && load_archive(r, d);
-    if (r->resume && r->start[0])
-        unlink(r->start);
+    const bool first = r->call.team->rank == 0;
+    if (first && scene->warnings)
+        fputs(scene->warnings, stderr);
+    const bool good = complete_scene(o->root, scene, &r->samples, d) &&
+                      (!first || (files_suit(&r->call, scene, &r->files, d) && keep_start(&r->files, d))) &&
+                      load_archive(o, &r->files, &r->problem, d);
+    if (resume && r->files.start[0])
+        unlink(r->files.start);
     return good;
 }
 
 /* A value without a number somewhere would make every expression with it hopeless, without a word. */
-static bool finite_column(const struct run *r, const char *name, int line, size_t column, struct diag *d)
+static bool finite_column(const struct problem *p, const char *name, int line, size_t column, struct diag *d)
 {
-    const double *v = columns_at(&r->table, column);
+    const double *v = columns_at(&p->table, column);
     size_t bad = 0;
-    for (size_t i = 0; i < r->table.n; i++)
+    for (size_t i = 0; i < p->table.n; i++)
         bad += isfinite(v[i]) ? 0 : 1;
-    return bad == 0 || diag_at(d, r->scene->path, line, 0, "'%.64s' is not finite on %zu of %zu training samples", name,
-                               bad, r->table.n);
+    return bad == 0 || diag_at(d, p->scene->path, line, 0, "'%.64s' is not finite on %zu of %zu training samples", name,
+                               bad, p->table.n);
 }
 
-static bool finite_columns(const struct run *r, struct diag *d)
+static bool finite_columns(const struct problem *p, struct diag *d)
 {
     for (int k = 0; k < 2; k++)
-        if (!finite_column(r, frame_output[k], 0, frame_target(r->archive->program, k), d))
+        if (!finite_column(p, frame_output[k], 0, frame_target(p->archive->program, k), d))
             return false;
-    for (size_t i = 0; i < r->scene->tiers; i++) {
-        const struct tier *t = &r->scene->tier[i];
+    for (size_t i = 0; i < p->scene->tiers; i++) {
+        const struct tier *t = &p->scene->tier[i];
         for (size_t k = 0; k < t->terminals; k++) {
-            const long symbol = genome_find_symbol(r->archive->program, t->terminal[k]);
-            if (symbol >= 0 && !finite_column(r, t->terminal[k], t->line, (size_t)symbol, d))
+            const long symbol = genome_find_symbol(p->archive->program, t->terminal[k]);
+            if (symbol >= 0 && !finite_column(p, t->terminal[k], t->line, (size_t)symbol, d))
                 return false;
         }
     }
     return true;
 }
 
-static bool sample(struct run *r, struct diag *d)
+/* The table of training samples, and on rank 0 those held out. */
+static bool sample(struct problem *p, struct run_samples *s, bool heldout, struct diag *d)
 {
-    if (!draw_training(r, d))
+    if (!draw_training(p->scene, s, d))
         return false;
     struct kernel *kernel = kernel_new_widest();
-    r->table = frame_columns(kernel, r->archive->program, r->training.s, r->training.n);
+    p->table = frame_columns(kernel, p->archive->program, s->training.s, s->training.n);
     kernel_free(kernel);
-    sample_set_free(&r->training);
-    if (!finite_columns(r, d))
-        return false;
-    if (r->team->rank > 0)
-        return true;
-    bool drawn = true;
-    for (int k = 0; k < HELDOUT_PARTS && drawn; k++)
-        drawn = !scene_has(r->scene, heldout_part[k].part) ||
-                scene_samples(r->scene, heldout_part[k].part, &r->heldout[k], d);
-    return drawn;
+    sample_set_free(&s->training);
+    return finite_columns(p, d) && (!heldout || scene_heldout(p->scene, &s->heldout, d));
 }
 
 /* A front keeps what costs no more than its limit: where a value of a frame is dearer, the limit is raised. */
-static size_t front_limit(const struct run *r)
+static size_t front_limit(const struct problem *p)
 {
     enum { SPARE = 128 };
-    const struct genome_file *program = r->archive->program;
-    struct frame_cost *f = frame_cost_new(program, &r->plan.prices);
+    const struct genome_file *program = p->archive->program;
+    struct frame_cost *f = frame_cost_new(program, &p->plan.prices);
     double dearest = 0;
-    for (size_t i = 0; i < r->scene->tiers; i++)
-        for (size_t k = 0; k < r->scene->tier[i].terminals; k++) {
-            int gene = GENE_SYMBOL + (int)genome_find_symbol(program, r->scene->tier[i].terminal[k]);
+    for (size_t i = 0; i < p->scene->tiers; i++)
+        for (size_t k = 0; k < p->scene->tier[i].terminals; k++) {
+            int gene = GENE_SYMBOL + (int)genome_find_symbol(program, p->scene->tier[i].terminal[k]);
             const struct tree t = {&gene, 1};
             dearest = fmax(dearest, frame_cost_of(f, &t));
         }
     frame_cost_free(f);
-    return dearest > (double)r->plan.front_limit ? (size_t)dearest + SPARE : r->plan.front_limit;
+    return dearest > (double)p->plan.front_limit ? (size_t)dearest + SPARE : p->plan.front_limit;
 }
 
-static void make_plan(struct run *r)
+static void make_plan(const struct evolve_options *o, struct problem *p)
 {
-    const struct evolve_options *o = r->options;
-    r->plan = o->breeding == BREED_PAPER ? plan_paper() : plan_default();
-    r->plan.seed = o->seed;
-    r->plan.population = o->population;
-    r->plan.selection = o->selection;
-    r->plan.parsimony = o->parsimony;
-    r->plan.prices = o->cost == COST_PAPER ? (struct prices){.add = 0, .div = 1} : (struct prices){.add = 1, .div = 8};
-    r->plan.migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
-    r->plan.front_limit = front_limit(r);
+    struct plan *plan = &p->plan;
+    *plan = o->breeding == BREED_PAPER ? plan_paper() : plan_default();
+    plan->seed = o->seed;
+    plan->population = o->population;
+    plan->selection = o->selection;
+    plan->parsimony = o->parsimony;
+    plan->prices = o->cost == COST_PAPER ? (struct prices){.add = 0, .div = 1} : (struct prices){.add = 1, .div = 8};
+    plan->migrants = (size_t)(o->migrate_fraction * (double)o->population + 0.5);
+    plan->front_limit = front_limit(p);
 }
 
 /* The tiers whose expressions are chosen, those apart that are exact and named already. */
-static void tell_chosen(const struct run *r)
+static void tell_chosen(const struct problem *p)
 {
     size_t told = 0;
-    for (size_t i = 0; i < r->scene->tiers; i++)
-        if (run_chooses(r, i) && !archive_is_exact(r->archive, i)) {
+    for (size_t i = 0; i < p->scene->tiers; i++)
+        if (problem_chooses(p, i) && !archive_is_exact(p->archive, i)) {
             if (told++ == 0)
-                printf("%s: nothing to evolve for", r->scene->name);
-            printf(" %s", r->scene->tier[i].name);
+                printf("%s: nothing to evolve for", p->scene->name);
+            printf(" %s", p->scene->tier[i].name);
         }
     if (told > 0)
         printf(": one gene, chosen among the frame's values\n");
 }
 
 /* Which inputs the scene varies, and what follows from that.  A run that is resumed has said it before. */
-static void tell_segments(const struct run *r)
+static void tell_segments(const struct problem *p, const struct run_samples *s)
 {
-    if (r->team->rank > 0 || r->resume)
-        return;
-    printf("%s: ", r->scene->name);
-    if (r->scene->segment->surface)
-        printf("segments are %s", r->scene->segment->name);
+    printf("%s: ", p->scene->name);
+    if (p->scene->segment->surface)
+        printf("segments are %s", p->scene->segment->name);
     else
-        vary_print(&r->vary, stdout);
-    if (r->follows)
-        printf(", frame %s", r->scene->tier[0].frame);
-    archive_print_exact(r->archive, stdout);
-    tell_chosen(r);
+        variation_print(&s->vary, stdout);
+    if (s->follows)
+        printf(", frame %s", p->scene->tier[0].frame);
+    archive_print_exact(p->archive, stdout);
+    tell_chosen(p);
     fflush(stdout);
 }
 
-/* Judge, genes, seeds and the fronts that they found. */
-static void judge_champions(struct run *r)
+/* What trees are measured by, what they are made of, and what they are fitted with. */
+static void make_tools(const struct evolve_options *o, struct problem *p)
 {
-    const enum functions f = r->options->functions;
-    make_plan(r);
-    r->judge = judge_new(r->archive->program, &r->table, r->scene->norm);
-    r->judge->decimal = true;
-    r->fits = fits_new(r->judge);
-    r->hooks = fits_hooks(r->fits);
-    r->genes = new_array(r->scene->tiers, sizeof *r->genes);
-    for (size_t i = 0; i < r->scene->tiers; i++) {
-        const bool rational = f == FUNCTIONS_OF_TIER ? r->scene->tier[i].rational : f == FUNCTIONS_RATIONAL;
-        r->genes[i] = archive_genes(r->archive, i, rational);
+    const enum functions f = o->functions;
+    p->max_length = o->max_length;
+    make_plan(o, p);
+    p->objective = objective_new(p->archive->program, &p->table, p->scene->norm);
+    p->objective->decimal = true;
+    p->fits = fits_new(p->objective);
+    p->hooks = fits_hooks(p->fits);
+    p->genes = new_array(p->scene->tiers, sizeof *p->genes);
+    for (size_t i = 0; i < p->scene->tiers; i++) {
+        const bool rational = f == FUNCTIONS_OF_TIER ? p->scene->tier[i].rational : f == FUNCTIONS_RATIONAL;
+        p->genes[i] = archive_genes(p->archive, i, rational);
     }
-    archive_find_exact(r->archive, &r->plan, &r->table, r->vary.tolerance);
-    tell_segments(r);
-    for (size_t i = 0; i < r->scene->tiers; i++)
-        if (run_chooses(r, i))
-            archive_choose_values(r->archive, i, r->options->generations > 0);
-    if (r->options->generations > 0 && r->options->growth == GROWTH_YES && !r->resume)
-        evolve_grow(r);
-    archive_judge(r->archive, &r->plan, r->judge, r->options->max_length);
 }
 
-static bool needs_ring(const struct run *r, size_t tier, const struct champion *c)
+/* What is known before islands breed: exact values, seeds, and the fronts of both.  Collective; returns why growth
+ * ended early, or STOP_DONE. */
+static enum stop_reason prepare(const struct call *call, struct problem *p, const struct run_samples *s)
 {
-    return c->exact == 0 && !run_chooses(r, tier) && (r->options->generations > 0 || c->tree.length == 0);
+    const struct evolve_options *o = call->options;
+    enum stop_reason reason = STOP_DONE;
+    make_tools(o, p);
+    archive_find_exact(p->archive, &p->plan, &p->table, s->vary.tolerance);
+    if (call->team->rank == 0 && !call->resume)
+        tell_segments(p, s);
+    for (size_t i = 0; i < p->scene->tiers; i++)
+        if (problem_chooses(p, i))
+            archive_choose_values(p->archive, i, o->generations > 0);
+    if (o->generations > 0 && o->growth == GROWTH_YES && !call->resume)
+        reason = grow_seeds(call, p);
+    archive_measure(p->archive, &p->plan, p->objective, o->max_length);
+    return reason;
 }
 
-/* Rings for all outputs that are neither exact nor chosen; in a run of no generations for those alone that have no
- * champion. */
-static void found_rings(struct run *r)
+/* False of outputs that are exact or chosen; in a run of no generations true of those alone that have no champion. */
+static bool needs_ring(const struct problem *p, size_t tier, int output, size_t generations)
 {
-    const struct evolve_options *o = r->options;
-    struct sea *s = &r->sea;
-    const size_t outputs = TIER_OUTPUTS * r->scene->tiers;
-    r->quest = new_array(outputs, sizeof *r->quest);
-    s->max_length = new_array(outputs, sizeof *s->max_length);
+    const struct tier *t = &p->scene->tier[tier];
+    const struct champion *c = &p->archive->champion[tier][output];
+    return output >= tier_first(t) && output <= tier_last(t) && c->exact == 0 && !problem_chooses(p, tier) &&
+           (generations > 0 || c->tree.length == 0);
+}
+
+static void make_rings(const struct evolve_options *o, const struct problem *p, struct islands *s)
+{
+    s->ring = new_array(TIER_OUTPUTS * p->scene->tiers, sizeof *s->ring);
     s->places = o->islands;
-    for (size_t i = 0; i < outputs; i++) {
-        const struct quest q = {i / TIER_OUTPUTS, (int)(i % TIER_OUTPUTS)};
-        const struct tier *t = &r->scene->tier[q.tier];
-        if (q.output >= tier_first(t) && q.output <= tier_last(t) &&
-            needs_ring(r, q.tier, &r->archive->champion[q.tier][q.output])) {
-            r->quest[s->rings] = q;
-            s->max_length[s->rings++] = run_max_length(r, q.tier);
-        }
-    }
-    s->owner = new_array(s->rings * s->places, sizeof *s->owner);
-    s->island = new_array(s->rings * s->places, sizeof(struct island *));
-    r->seeded = new_array(s->rings * s->places, sizeof *r->seeded);
-    team_share(r->team, s);
+    for (size_t tier = 0; tier < p->scene->tiers; tier++)
+        for (int output = 0; output < TIER_OUTPUTS; output++)
+            if (needs_ring(p, tier, output, o->generations))
+                s->ring[s->rings++] = (struct ring){tier, output, problem_longest(p, tier)};
+    s->owner = new_array(islands_count(s), sizeof *s->owner);
+    s->island = new_array(islands_count(s), sizeof(struct island *));
+    s->seeded = new_array(islands_count(s), sizeof *s->seeded);
 }
 
-/* The last island of a ring of several starts from random trees alone, and in front breeding takes no guests. */
-static bool starts_at_random(const struct run *r, size_t place)
+/* The last island of a ring of several starts from random trees alone, and in front breeding takes no migrants. */
+static bool starts_at_random(const struct islands *s, size_t place)
 {
-    return r->sea.places > 1 && place == r->sea.places - 1;
+    return s->places > 1 && place == s->places - 1;
 }
 
-size_t run_max_length(const struct run *r, size_t tier)
+/* The islands of this rank; those of a resumed run are still to be loaded. */
+static void make_islands(const struct call *call, const struct problem *p, struct islands *s)
 {
-    return r->options->max_length ? r->options->max_length : r->scene->tier[tier].max_length;
-}
-
-bool run_chooses(const struct run *r, size_t tier)
-{
-    return !r->scene->tier[tier].twin && run_max_length(r, tier) == 1;
-}
-
-size_t run_ring(const struct run *r, size_t ring)
-{
-    return 2 * r->quest[ring].tier + (size_t)(r->quest[ring].output % TIER_BOTH);
-}
-
-static void found_islands(struct run *r)
-{
-    struct sea *s = &r->sea;
-    for (size_t i = 0; i < sea_islands(s); i++) {
-        const size_t ring = i / s->places;
-        const struct quest q = r->quest[ring];
+    for (size_t i = 0; i < islands_count(s); i++) {
+        const struct ring *ring = &s->ring[i / s->places];
         struct tree *seed;
-        const size_t seeds = archive_seeds(r->archive, q.tier, q.output, s->max_length[ring], &seed);
-        const bool random = starts_at_random(r, i % s->places);
-        const struct goal goal = {.target = frame_target(r->archive->program, q.output),
-                                  .max_length = s->max_length[ring],
-                                  .genes = &r->genes[q.tier],
-                                  .ring = run_ring(r, ring),
+        const size_t seeds = archive_seeds(p->archive, ring->tier, ring->output, ring->max_length, &seed);
+        const bool random = starts_at_random(s, i % s->places);
+        const struct goal goal = {.target = frame_target(p->archive->program, ring->output),
+                                  .max_length = ring->max_length,
+                                  .genes = &p->genes[ring->tier],
+                                  .ring = ring_key(ring),
                                   .place = i % s->places,
-                                  .fit = &r->hooks,
-                                  .closed = random && r->plan.breeding == BREED_FRONT};
-        r->seeded[i] = !random && (seeds > 0 || r->options->growth == GROWTH_YES);
-        if (s->owner[i] == r->team->rank) {
-            s->island[i] = island_new(&r->plan, &goal, r->judge);
-            if (!r->resume)
+                                  .fit = &p->hooks,
+                                  .closed = random && p->plan.breeding == BREED_FRONT};
+        s->seeded[i] = !random && (seeds > 0 || call->options->growth == GROWTH_YES);
+        if (s->owner[i] == call->team->rank) {
+            s->island[i] = island_new(&p->plan, &goal, p->objective);
+            if (!call->resume)
                 island_start(s->island[i], seed, random ? 0 : seeds);
         }
         free(seed);
@@ -320,13 +318,14 @@ static void found_islands(struct run *r)
 }
 
 /* A message has at most INT_MAX bytes. */
-static bool fits_messages(const struct run *r, struct diag *d)
+static bool fits_messages(const struct evolve_options *o, const struct plan *plan, const struct islands *s,
+                          struct diag *d)
 {
-    for (size_t i = 0; i < sea_islands(&r->sea); i++) {
-        const struct island *is = r->sea.island[i];
-        if (is && (island_parcel_size(is, r->plan.migrants) > INT_MAX / sizeof(int) ||
-                   (r->options->checkpoint && island_state_size(is) > INT_MAX))) {
-            diag_at(d, "footpoint-evolve", 0, 0, "--population %zu is too large to be sent", r->options->population);
+    for (size_t i = 0; i < islands_count(s); i++) {
+        const struct island *is = s->island[i];
+        if (is && (island_parcel_size(is, plan->migrants) > INT_MAX / sizeof(int) ||
+                   (o->checkpoint && island_state_size(is) > INT_MAX))) {
+            diag_at(d, "footpoint-evolve", 0, 0, "--population %zu is too large to be sent", o->population);
             d->code = EXIT_USAGE;
             return false;
         }
@@ -334,121 +333,126 @@ static bool fits_messages(const struct run *r, struct diag *d)
     return true;
 }
 
-static bool settle(struct run *r, struct diag *d)
+/* Collective. */
+static bool start_islands(const struct call *call, const struct problem *p, struct islands *s, struct diag *d)
 {
-    found_rings(r);
-    if (!team_agree(r->team, team_can_tag(r->team, sea_islands(&r->sea), d), d))
+    make_rings(call->options, p, s);
+    islands_share(s, call->team->size);
+    if (!team_agree(call->team, islands_can_be_tagged(s, call->team, d), d))
         return false;
-    found_islands(r);
-    if (!team_agree(r->team, fits_messages(r, d), d))
+    make_islands(call, p, s);
+    if (!team_agree(call->team, fits_messages(call->options, &p->plan, s, d), d))
         return false;
-    r->generation = r->resume ? r->resume->generation : 0;
-    return !r->resume || resume_islands(r->resume, r->team, &r->sea, d);
+    return !call->resume || resume_islands(call->resume, call->team, s, d);
 }
 
-static void say(const struct run *r, const char *phase)
+static void say(const struct call *call, const char *phase)
 {
-    progress_phase(r->team->rank == 0 && !r->options->quiet, phase);
+    progress_phase(call->team->rank == 0 && !call->options->quiet, phase);
 }
 
-/* The fronts of all islands, judged and merged in their order, and the champions chosen from them, on rank 0.
+/* The fronts of all islands, measured and merged in their order, and the champions chosen from them, on rank 0.
  * Collective. */
-static void harvest(struct run *r)
+static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s)
 {
-    struct finds f = team_gather(r->team, &r->sea);
+    struct reports f = islands_reports(s, call->team);
     size_t members = 0;
     double lowest = INFINITY;
-    for (size_t i = 0; i < f.finds; i++) {
-        const size_t island = f.find[i].island;
-        const struct tree *t = &f.find[i].tree;
-        const struct quest q = r->quest[island / r->sea.places];
-        const double error = judge_error(r->judge, t, frame_target(r->archive->program, q.output), INFINITY);
-        archive_offer(r->archive, &r->plan, q.tier, q.output, t, error,
-                      r->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
+    for (size_t i = 0; i < f.n; i++) {
+        const size_t island = f.found[i].island;
+        const struct tree *t = &f.found[i].tree;
+        const struct ring *ring = &s->ring[island / s->places];
+        const double error =
+            objective_error(p->objective, t, frame_target(p->archive->program, ring->output), INFINITY);
+        archive_offer(p->archive, &p->plan, ring->tier, ring->output, t, error,
+                      s->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
         members++;
         lowest = fmin(lowest, error);
-        if (i + 1 < f.finds && f.find[i + 1].island == island)
+        if (i + 1 < f.n && f.found[i + 1].island == island)
             continue;
-        if (!r->options->quiet)
-            fprintf(stderr, "island %zu of %s %s (%s): %zu on its front, lowest error %.3e\n", island % r->sea.places,
-                    r->scene->tier[q.tier].name, frame_output[q.output], r->seeded[island] ? "seeded" : "random",
-                    members, lowest);
+        if (!call->options->quiet)
+            fprintf(stderr, "island %zu of %s %s (%s): %zu on its front, lowest error %.3e\n", island % s->places,
+                    p->scene->tier[ring->tier].name, frame_output[ring->output],
+                    s->seeded[island] ? "seeded" : "random", members, lowest);
         members = 0;
         lowest = INFINITY;
     }
-    if (r->team->rank == 0)
-        archive_crown(r->archive, &r->plan);
-    finds_free(&f);
+    if (call->team->rank == 0)
+        archive_choose_champions(p->archive, &p->plan);
+    reports_free(&f);
 }
 
-static bool finish(struct run *r, struct diag *d)
+/* On rank 0: what was found, to the files and in a table. */
+static bool write_found(const struct call *call, struct archive *a, const char *output, const struct heldout *heldout,
+                        const struct outcome *out, struct diag *d)
 {
-    const struct evolve_options *o = r->options;
-    const struct run_facts facts = {o->seed, r->generation, o->islands};
-    if (r->team->rank > 0)
-        return true;
-    const bool saved = o->checkpoint && !r->unsaved && r->generation > 0; /* growth has no checkpoints */
-    if (r->reason != STOP_DONE)
-        fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(r->reason), r->generation, o->generations,
-                saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
-    say(r, "measuring on samples held out ...");
-    const bool written = archive_write(r->archive, r->output, &facts, r->heldout, d);
-    const bool fronts = written && (!o->front || archive_write_front(r->archive, o->front, r->heldout, d));
-    say(r, "");
+    const struct evolve_options *o = call->options;
+    const struct run_facts facts = {o->seed, out->generation, o->islands};
+    const bool saved = o->checkpoint && !out->unsaved && out->generation > 0; /* growth has no checkpoints */
+    if (out->reason != STOP_DONE)
+        fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(out->reason), out->generation,
+                o->generations, saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
+    say(call, "measuring on samples held out ...");
+    const bool written = archive_write(a, output, &facts, heldout, d);
+    const bool fronts = written && (!o->front || archive_write_front(a, o->front, heldout, d));
+    say(call, "");
     if (!fronts)
         return false;
-    archive_table(r->archive, stdout);
+    archive_table(a, stdout);
     if (o->generations > 0)
-        archive_front_table(r->archive, stdout);
+        archive_front_table(a, stdout);
     if (fflush(stdout) != 0)
         return diag_system(d, "standard output", "cannot write");
-    *d = (struct diag){.code = r->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */
-    return !r->unsaved;
+    *d = (struct diag){.code = out->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */
+    return !out->unsaved;
+}
+
+static void problem_free(struct problem *p)
+{
+    for (size_t i = 0; p->genes && i < p->scene->tiers; i++)
+        gene_set_free(&p->genes[i]);
+    free(p->genes);
+    fits_free(p->fits);
+    objective_free(p->objective);
+    columns_free(&p->table);
+    archive_free(p->archive);
+    scene_free(p->scene);
 }
 
 static void run_free(struct run *r)
 {
-    for (size_t i = 0; i < sea_islands(&r->sea); i++)
-        island_free(r->sea.island[i]);
-    for (size_t i = 0; r->genes && i < r->scene->tiers; i++)
-        gene_set_free(&r->genes[i]);
-    free(r->genes);
-    free(r->sea.island);
-    free(r->sea.owner);
-    free(r->sea.max_length);
-    free(r->quest);
-    free(r->seeded);
-    free(r->start_text);
-    fits_free(r->fits);
-    judge_free(r->judge);
-    columns_free(&r->table);
-    sample_set_free(&r->training);
-    for (int part = 0; part < HELDOUT_PARTS; part++)
-        sample_set_free(&r->heldout[part]);
-    archive_free(r->archive);
-    scene_free(r->scene);
+    islands_free(&r->islands);
+    free(r->files.start_text);
+    sample_set_free(&r->samples.training);
+    heldout_free(&r->samples.heldout);
+    problem_free(&r->problem);
 }
 
 bool run_evolution(const struct evolve_options *o, const struct team *team, const struct resume *resume, double begun,
                    int *status, struct diag *d)
 {
-    struct run r = {.options = o, .team = team, .resume = resume, .begun = begun};
+    struct run r = {.call = {o, team, resume, begun}};
+    struct problem *p = &r.problem;
     /* The ranks agree before any of them goes on. */
     bool good = team_agree(team, load(&r, d), d);
     if (good) {
-        say(&r, "drawing samples ...");
-        good = team_agree(team, sample(&r, d), d);
-        say(&r, "");
+        say(&r.call, "drawing samples ...");
+        good = team_agree(team, sample(p, &r.samples, team->rank == 0, d), d);
+        say(&r.call, "");
     }
     if (good) {
-        judge_champions(&r);
-        good = settle(&r, d) && evolve_islands(&r, d);
+        r.outcome.reason = prepare(&r.call, p, &r.samples);
+        r.outcome.generation = resume ? resume->generation : 0;
+        good =
+            start_islands(&r.call, p, &r.islands, d) && evolve_islands(&r.call, p, &r.islands, &r.files, &r.outcome, d);
     }
     if (good) {
-        harvest(&r);
-        good = team_agree(team, finish(&r, d), d);
+        collect_fronts(&r.call, p, &r.islands);
+        good = team_agree(
+            team, team->rank > 0 || write_found(&r.call, p->archive, r.files.output, &r.samples.heldout, &r.outcome, d),
+            d);
     }
-    *status = stop_status(r.reason);
+    *status = stop_status(r.outcome.reason);
     run_free(&r);
     return good;
 }

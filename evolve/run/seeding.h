@@ -2,11 +2,11 @@
 #ifndef FOOTPOINT_SEEDING_H
 #define FOOTPOINT_SEEDING_H
 
-#include "run.h"
+#include "run_parts.h"
 
 /** Collective: greedy polynomials, grown polynomials and, where the genes have them, grown quotients become seeds
- *  of the archive; the same on any number of ranks.  If a signal or the time limit ends growth before all are there,
- *  r->reason says so. */
-void evolve_grow(struct run *r);
+ *  of the archive; the same on any number of ranks.  Returns why growth ended before all were there (a signal, the time
+ *  limit), or STOP_DONE. */
+enum stop_reason grow_seeds(const struct call *call, const struct problem *p);
 
 #endif

@@ -1,9 +1,9 @@
 /* Samples on meshes of smooth bodies; see body_samples.h. */
 #include "body_samples.h"
 
+#include "../common/stream.h"
 #include "../surface/foot_patch.h"
 #include "bodies.h"
-#include "../common/stream.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -39,7 +39,7 @@ static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct 
     footpoint_gregory_position(&patch, xi, eta, r);
     for (int k = 0; k < 3; k++)
         s->xs[k] = r[k] + height * n[k];
-    if (!reference_patch_closest(&patch, s->xs, &closest) || !closest.minimum ||
+    if (!foot_patch_closest(&patch, s->xs, &closest) || !closest.minimum ||
         fabs(closest.xi - xi) + fabs(closest.eta - eta) > 1e-6)
         return false;
     s->xi = closest.xi;

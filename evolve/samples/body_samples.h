@@ -3,7 +3,9 @@
 #define FOOTPOINT_BODY_SAMPLES_H
 
 #include "../surface/patch.h"
-#include "../input/scene.h"
+#include "../surface/sample.h"
+
+#include <stdint.h>
 
 struct smooth {
     uint64_t seed;
@@ -16,7 +18,7 @@ struct smooth {
  *  and part; different parts share no sample. */
 void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set);
 
-/** scene_drawn (scene.h) of these. */
+/** scene_drawn (samples.h) of these. */
 size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH]);
 
 #endif

@@ -39,32 +39,6 @@ static void add_tier(struct scene *s, const char *frame, const struct offer *o)
         t->terminal[k] = copy(o->terminal[k]);
 }
 
-void scene_choose_reference(struct scene *s, bool from_corner)
-{
-    double lo[2], hi[2];
-    scene_box(s, lo, hi);
-    for (int k = 0; k < 2; k++)
-        s->reference[k] = s->segment->triangle ? 1.0 / 3 : from_corner ? -1 : (lo[k] + hi[k]) / 2;
-}
-
-struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag *d)
-{
-    const char *const kind = s->segment->name;
-    char *path = scene_path(root, kind);
-    struct scene *usual = NULL;
-    if (strcmp(path, s->path) == 0)
-        diag_at(d, path, 0, 0, "frame and tiers are missing, which other scenes of segments %s take from here", kind);
-    else
-        usual = scene_read(root, kind, d);
-    if (usual && usual->tiers == 0) {
-        diag_at(d, path, 0, 0, "no tiers, which scene '%s' of segments %s should take from here", s->name, kind);
-        scene_free(usual);
-        usual = NULL;
-    }
-    free(path);
-    return usual;
-}
-
 /* Its tiers become the scene's. */
 static bool take_tiers(const char *root, struct scene *s, struct diag *d)
 {
@@ -81,7 +55,7 @@ static bool take_tiers(const char *root, struct scene *s, struct diag *d)
     return true;
 }
 
-bool scene_follow(const char *root, struct scene *s, enum vary_kind kind, struct diag *d)
+bool scene_default_tiers(const char *root, struct scene *s, enum variation_kind kind, struct diag *d)
 {
     const bool own = !s->segment->surface && kind < VARY_WARPED;
     if (!own && !take_tiers(root, s, d))

@@ -6,9 +6,9 @@
  *   if the scene says so, Newton's iteration from (0,0) finds it, as the paper found its own.
  * The lattice is held in integers, multiples of a common unit, so that ties are exact.  Off the lattice C, D and S are
  * uniform in the same ranges. */
+#include "../common/stream.h"
 #include "../surface/foot_bilinear.h"
 #include "samples.h"
-#include "../common/stream.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -87,7 +87,7 @@ static bool newton_finds(const struct sample *s, int steps)
 static bool label(const struct lattice *l, struct sample *s)
 {
     const double lo[2] = {l->xi[0], l->eta[0]}, hi[2] = {l->xi[1], l->eta[1]};
-    return reference_foot(s, lo, hi) && (l->newton == 0 || newton_finds(s, l->newton));
+    return foot_bilinear(s, lo, hi) && (l->newton == 0 || newton_finds(s, l->newton));
 }
 
 static void add_slaves(const struct lattice *l, const struct grid *g, int corner[4][3], struct sample_set *set)

@@ -1,9 +1,9 @@
 /* Random node normals on the paper's configurations; see lattice_normals.h. */
 #include "lattice_normals.h"
 
+#include "../common/stream.h"
 #include "../surface/foot_patch.h"
 #include "samples.h"
-#include "../common/stream.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -71,7 +71,7 @@ bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part p
             memcpy(s.xs, facets.s[i].xs, sizeof s.xs);
             stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);
             draw_normals(stream, l->tangent, &s);
-            if (reference_patch_foot(&s, lo, hi))
+            if (foot_patch(&s, lo, hi))
                 patch_set_add(set, &s);
         }
     if (count)

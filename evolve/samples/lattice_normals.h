@@ -2,8 +2,9 @@
 #ifndef FOOTPOINT_LATTICE_NORMALS_H
 #define FOOTPOINT_LATTICE_NORMALS_H
 
-#include "../surface/patch.h"
 #include "../input/scene.h"
+#include "../surface/patch.h"
+#include "../surface/sample.h"
 
 struct lattice_gregory {
     const struct scene *scene; /* of the configurations, a lattice; not owned */

@@ -2,10 +2,10 @@
  * within the face, or up to a tenth of it outside, and nearer than the scene's distance; one half, chosen by seed,
  * trains, the other is held out.  Beside them random slave nodes over the master faces, from one stream for training
  * and another for the held-out set.  Slave nodes are sorted by x, so that a face meets only those of its own slab. */
-#include "../input/mesh.h"
-#include "samples.h"
 #include "../common/stream.h"
+#include "../input/mesh.h"
 #include "../surface/surface.h"
+#include "samples.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

@@ -1,41 +1,11 @@
 /* Gregory and Bezier patches as kinds of segments: the vectors of a sample are corners and node normals. */
-#include "lattice_normals.h"
 #include "../surface/foot_patch.h"
-#include "samples.h"
-#include "body_samples.h"
 #include "../surface/surface.h"
+#include "body_samples.h"
+#include "lattice_normals.h"
+#include "samples.h"
 
 #include <string.h>
-
-void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3])
-{
-    struct footpoint_gregory patch = {0};
-    struct patch_sample s = {.kind = f->patch};
-    struct footpoint_jet jet;
-    memcpy(s.x, x[0], sizeof s.x);
-    memcpy(s.n, x[4], sizeof s.n);
-    patch_sample_points(&s, &patch);
-    footpoint_gregory_jet(&patch, xi, eta, &jet);
-    for (int k = 0; k < 3; k++) {
-        r[0][k] = patch.net.origin[k] + jet.r[k];
-        r[1][k] = jet.r_xi[k];
-        r[2][k] = jet.r_eta[k];
-    }
-}
-
-bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
-{
-    struct patch_sample p = {.kind = f->patch};
-    memcpy(p.x, s->x[0], sizeof p.x);
-    memcpy(p.n, s->x[4], sizeof p.n);
-    memcpy(p.xs, s->xs, sizeof p.xs);
-    if (!reference_patch_foot(&p, lo, hi))
-        return false;
-    s->xi = p.xi;
-    s->eta = p.eta;
-    s->gap = p.gap;
-    return true;
-}
 
 /* Configurations that make `samples` samples. */
 static size_t configurations(const struct lattice *l, size_t samples)

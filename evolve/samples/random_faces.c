@@ -1,10 +1,9 @@
-/* Ordinary faces of elements drawn at random: corners as random_quads.c draws them for bilinear segments (a triangle is half
- * of a parallelogram).  Mid-side nodes stand where a body of random principal curvatures has them, so that the longest
- * edge rises by up to `curve` of its length, and off that place by up to `shift` of the shortest edge in x, y and z; a
- * node in the middle likewise off where the edges alone would have it.  Faces that fold over, or turn by more than 60
- * degrees, are drawn again. */
-#include "../input/scene.h"
-#include "../surface/surface.h"
+/* Ordinary faces of elements drawn at random: corners as random_quads.c draws them for bilinear segments (a triangle is
+ * half of a parallelogram).  Mid-side nodes stand where a body of random principal curvatures has them, so that the
+ * longest edge rises by up to `curve` of its length, and off that place by up to `shift` of the shortest edge in x, y
+ * and z; a node in the middle likewise off where the edges alone would have it.  Faces that fold over, or turn by more
+ * than 60 degrees, are drawn again. */
+#include "samples.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -14,7 +13,7 @@
 static bool draw_corners(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
 {
     double corner[4][3];
-    if (!shapes_draw_quad4(surface_find(segment_find("quad4")), stream, shapes, corner))
+    if (!draw_quad(surface_find(segment_find("quad4")), stream, shapes, corner))
         return false;
     memcpy(x[0], corner[0], sizeof corner[0]);
     memcpy(x[1], corner[1], sizeof corner[1]);
@@ -99,7 +98,7 @@ static bool unfolded(const struct surface *f, const struct shapes *shapes, doubl
     return true;
 }
 
-bool faces_draw(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+bool draw_face(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
 {
     if (!draw_corners(f, stream, shapes, x))
         return false;

@@ -4,9 +4,9 @@
  * PART_HELDOUT_EVEN has aspect ratios, not their logarithms, and angles of warp uniform.  The slave node is put at
  * r(xi,eta) + gap n(xi,eta), the whole is rotated, scaled and moved at random, and labelled with the certain foot
  * point. */
-#include "samples.h"
 #include "../common/stream.h"
 #include "../surface/surface.h"
+#include "samples.h"
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -63,7 +63,7 @@ static double height_of_warp(const struct surface *f, const double c1[3], const 
 }
 
 /* About the origin, c1 along x, c2 in the x-y plane, mid-lines of length 2 and up. False: draw again. */
-bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
+bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3])
 {
     const double part = gsl_ran_flat(stream, -1, 1), longer = 1 + fabs(part) * (shapes->aspect - 1);
     const double aspect = !shapes->evenly ? pow(shapes->aspect, part) : part < 0 ? 1 / longer : longer;
@@ -197,7 +197,7 @@ bool shapes_samples(const struct scene *scene, enum sample_part part, struct sam
         stream_key(stream, scene->seed, (uint64_t)part, i, 0);
         for (n = 0; n < tries; n++) {
             double shortest = INFINITY;
-            if (!f->draw(f, stream, shapes, s.x))
+            if (!(f->shape ? draw_face : draw_quad)(f, stream, shapes, s.x))
                 continue;
             move(stream, kind, s.x);
             for (int k = 0; k < corners; k++)

@@ -1,16 +1,32 @@
-/* Where the samples of a scene come from: one function for each kind of source; scene_samples (scene.h) dispatches. */
+/* The samples of a scene, drawn and labelled with their certain foot points: one function for each kind of source. */
 #ifndef FOOTPOINT_SAMPLES_H
 #define FOOTPOINT_SAMPLES_H
 
 #include "../input/scene.h"
+#include "../surface/surface.h"
 
 #include <gsl/gsl_rng.h>
+
+/** False for PART_HELDOUT_EVEN of scenes that have none. */
+bool scene_has(const struct scene *s, enum sample_part part);
+
+/** Append the part's samples, of a part that the scene has, to *set; their coordinates are numbers of the scene's
+ *  precision.  Deterministic in the scene alone.  False with *d filled when none is left. */
+bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
+
+/** How the parts held out are drawn, in words for banners: lines of text, as many as it returns. */
+size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH]);
+
+/** All parts held out that the scene has.  False with *d filled; then, too, to be freed. */
+bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d);
+
+/* ---- for the files of this room ---- */
 
 bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 
-/** What each draws, in words: scene_drawn (scene.h). */
+/** What each draws, in words: scene_drawn. */
 size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t mesh_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
@@ -19,6 +35,11 @@ size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LEN
 /** Of segments with normals: the lattice with random ones, where `training` and `heldout` count samples before those
  *  are left out whose foot point is not in the box, or smooth bodies. */
 bool patches_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
+
+/** A random segment about the origin, edges of length about 2, in the limits of the shapes: bilinear (random_quads.c),
+ *  or of shape functions of degree up to 2 in xi and in eta (random_faces.c).  False: draw again. */
+bool draw_quad(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
+bool draw_face(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
 
 /** A random slave node of segment s->x: s->xs = r(xi,eta) + gap n with (xi,eta) uniform in the scene's box and gap
  *  uniform in -gap..gap (mesh length), labelled with its certain foot point.  False, to be drawn again, when another

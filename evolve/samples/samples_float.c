@@ -1,6 +1,6 @@
 /* Samples for code in single precision: its callers have coordinates in float, so that the truth is that of those. */
-#include "samples.h"
 #include "../surface/surface.h"
+#include "samples.h"
 
 /* Of xi and eta: what rounding may move a foot point by beyond the edge of the box. */
 #define BEYOND 1e-3

@@ -2,6 +2,7 @@
 #include "samples_write.h"
 
 #include "../input/scene_files.h"
+#include "samples.h"
 
 static void print_head(const struct segment_kind *kind, FILE *out)
 {
@@ -39,8 +40,7 @@ bool samples_write(const char *root, const char *scene_name, const char *path, s
     struct scene *scene = scene_read(root, scene_name, d);
     struct outfile f;
     const struct file_use output = {"--samples", path, true, 0};
-    bool good =
-        scene && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) && outfile_open(&f, path, d);
+    bool good = scene && scene_files_apart("footpoint-evolve", root, scene, &output, 1, d) && outfile_open(&f, path, d);
     if (good) {
         print_head(scene->segment, f.stream);
         for (int k = 0; k < HELDOUT_PARTS && good; k++)

@@ -1,5 +1,5 @@
-/* What segments vary; see variation.h.  A kind is that of the sample that varies most, each by its own tolerance: a segment
- * of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
+/* What segments vary; see variation.h.  A kind is that of the sample that varies most, each by its own tolerance: a
+ * segment of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
 #include "variation.h"
 
 #include <float.h>
@@ -10,10 +10,10 @@
 static const double nothing = 1e-12;            /* of the size: what is smaller does not vary */
 static const double rounding = 8 * DBL_EPSILON; /* of the largest coordinate */
 
-const char *const vary_name[] = {[VARY_RECTANGLES] = "rectangles",
-                                 [VARY_PARALLELOGRAMS] = "parallelograms",
-                                 [VARY_PLANE] = "plane",
-                                 [VARY_WARPED] = "warped"};
+const char *const variation_name[] = {[VARY_RECTANGLES] = "rectangles",
+                                      [VARY_PARALLELOGRAMS] = "parallelograms",
+                                      [VARY_PLANE] = "plane",
+                                      [VARY_WARPED] = "warped"};
 
 static double dot(const double a[3], const double b[3])
 {
@@ -64,7 +64,7 @@ static double turn(double c[3][3], double eta)
     return atan2(sqrt(dot(both, both)), dot(n[0], n[1]));
 }
 
-static struct vary measure(const struct sample *s)
+static struct variation measure(const struct sample *s)
 {
     double x[4][3], c[3][3], n[3], a[3], b[3];
     memcpy(x, s->x, sizeof x);
@@ -74,11 +74,11 @@ static struct vary measure(const struct sample *s)
     cross(c[0], c[2], b);
     const double nn = dot(n, n), size = sqrt(fmin(dot(c[0], c[0]), dot(c[1], c[1])));
     if (!(nn > 0))
-        return (struct vary){VARY_WARPED, INFINITY, M_PI, M_PI_2, nothing};
-    struct vary v = {.taper = fmax(fabs(dot(a, n)), fabs(dot(b, n))) / nn,
-                     .warp = fmax(turn(c, 1), turn(c, -1)),
-                     .skew = atan2(fabs(dot(c[0], c[1])), sqrt(nn)),
-                     .tolerance = nothing + rounding * largest_coordinate(x) / size};
+        return (struct variation){VARY_WARPED, INFINITY, M_PI, M_PI_2, nothing};
+    struct variation v = {.taper = fmax(fabs(dot(a, n)), fabs(dot(b, n))) / nn,
+                          .warp = fmax(turn(c, 1), turn(c, -1)),
+                          .skew = atan2(fabs(dot(c[0], c[1])), sqrt(nn)),
+                          .tolerance = nothing + rounding * largest_coordinate(x) / size};
     v.kind = v.warp > v.tolerance    ? VARY_WARPED
              : v.taper > v.tolerance ? VARY_PLANE
              : v.skew > v.tolerance  ? VARY_PARALLELOGRAMS
@@ -99,12 +99,12 @@ static struct sample spanned(const struct segment_kind *kind, const struct sampl
     return p;
 }
 
-struct vary vary_measure(const struct segment_kind *kind, const struct sample_set *set)
+struct variation variation_measure(const struct segment_kind *kind, const struct sample_set *set)
 {
-    struct vary most = {.kind = kind->surface ? VARY_WARPED : VARY_RECTANGLES, .tolerance = nothing};
+    struct variation most = {.kind = kind->surface ? VARY_WARPED : VARY_RECTANGLES, .tolerance = nothing};
     for (size_t i = 0; i < set->n; i++) {
         const struct sample p = kind->surface ? spanned(kind, &set->s[i]) : set->s[i];
-        const struct vary v = measure(&p);
+        const struct variation v = measure(&p);
         most.kind = v.kind > most.kind ? v.kind : most.kind;
         most.taper = fmax(most.taper, v.taper);
         most.warp = fmax(most.warp, v.warp);
@@ -114,9 +114,9 @@ struct vary vary_measure(const struct segment_kind *kind, const struct sample_se
     return most;
 }
 
-void vary_print(const struct vary *v, FILE *stream)
+void variation_print(const struct variation *v, FILE *stream)
 {
     const double degree = M_PI / 180;
-    fprintf(stream, "segments are %s (taper up to %.3g, warp up to %.3g deg, skew up to %.3g deg)", vary_name[v->kind],
-            v->taper, v->warp / degree, v->skew / degree);
+    fprintf(stream, "segments are %s (taper up to %.3g, warp up to %.3g deg, skew up to %.3g deg)",
+            variation_name[v->kind], v->taper, v->warp / degree, v->skew / degree);
 }

@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 /** Each kind includes those before it. */
-enum vary_kind {
+enum variation_kind {
     VARY_RECTANGLES,     /* sizes alone */
     VARY_PARALLELOGRAMS, /* and angles */
     VARY_PLANE,          /* and taper */
@@ -15,8 +15,8 @@ enum vary_kind {
 };
 
 /** The most that segments have of each, as scenes measure it; mid-lines 2 c1 and 2 c2. */
-struct vary {
-    enum vary_kind kind;
+struct variation {
+    enum variation_kind kind;
     double taper;     /* c3 = (A - B + C - D)/4 is a c1 + b c2 + g n: the larger of |a| and |b| */
     double warp;      /* angle between the normals at opposite corners, rad */
     double skew;      /* angle of c1 and c2 off the right angle, rad */
@@ -24,12 +24,12 @@ struct vary {
 };
 
 /** Of bilinear segments; of any others how far rounding goes, by corners A, B and the last one, and VARY_WARPED. */
-struct vary vary_measure(const struct segment_kind *kind, const struct sample_set *set);
+struct variation variation_measure(const struct segment_kind *kind, const struct sample_set *set);
 
 /** "rectangles", "parallelograms", "plane", "warped". */
-extern const char *const vary_name[];
+extern const char *const variation_name[];
 
 /** "segments are ... (taper up to ...)", without an end of line. */
-void vary_print(const struct vary *v, FILE *stream);
+void variation_print(const struct variation *v, FILE *stream);
 
 #endif

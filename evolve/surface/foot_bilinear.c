@@ -244,7 +244,7 @@ static int all_stationary(const struct local *l, struct stationary found[5])
     return n;
 }
 
-int reference_stationary(const double x[4][3], const double xs[3], struct stationary found[5])
+int foot_bilinear_stationary(const double x[4][3], const double xs[3], struct stationary found[5])
 {
     struct local l;
     return localise(x, xs, &l) ? all_stationary(&l, found) : -1;
@@ -324,7 +324,7 @@ static bool excluded(const double x[4][3], const double xs[3], const double lo[2
     return empty_box((const double(*)[3])c, d, xi, eta, 3);
 }
 
-bool reference_foot(struct sample *s, const double lo[2], const double hi[2])
+bool foot_bilinear(struct sample *s, const double lo[2], const double hi[2])
 {
     const double(*x)[3] = (const double(*)[3])s->x;
     struct stationary found[5];
@@ -344,8 +344,8 @@ bool reference_foot(struct sample *s, const double lo[2], const double hi[2])
     return false;
 }
 
-bool reference_foot_quad4(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
 {
     (void)f;
-    return reference_foot(s, lo, hi);
+    return foot_bilinear(s, lo, hi);
 }

@@ -14,10 +14,10 @@ struct stationary {
 
 /** All real stationary points of the unbounded bilinear surface, nearest first.  x[4][3], xs[3] as in struct sample.
  *  Returns how many (0..5), or -1 if the segment is degenerate or not finite. */
-int reference_stationary(const double x[4][3], const double xs[3], struct stationary found[5]);
+int foot_bilinear_stationary(const double x[4][3], const double xs[3], struct stationary found[5]);
 
 /** Foot point of the scene's meaning: the local minimum nearest to xs whose (xi,eta) lies in lo < xi,eta <= hi
  *  (component-wise).  Fills xi, eta, gap of *s.  False if there is none. */
-bool reference_foot(struct sample *s, const double lo[2], const double hi[2]);
+bool foot_bilinear(struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

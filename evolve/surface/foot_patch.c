@@ -1,9 +1,10 @@
-/* The certain closest point on a Gregory patch: the nearest of its stationary points (foot_patch_boxes.h), of those of its
- * edges, and of its corners.  Edges are cubic curves: the zeros of a quintic are isolated by the signs of its Bernstein
- * coefficients. */
+/* The certain closest point on a Gregory patch: the nearest of its stationary points (foot_patch_boxes.h), of those of
+ * its edges, and of its corners.  Edges are cubic curves: the zeros of a quintic are isolated by the signs of its
+ * Bernstein coefficients. */
 #include "foot_patch.h"
 
 #include "foot_patch_boxes.h"
+#include "surface.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,8 +17,8 @@ static struct patch_box box_of(const double lo[2], const double hi[2])
     return (struct patch_box){{(1 + lo[0]) / 2, (1 + hi[0]) / 2}, {(1 + lo[1]) / 2, (1 + hi[1]) / 2}};
 }
 
-int reference_patch_stationary(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
-                               const double hi[2], struct stationary found[PATCH_STATIONARY_MAX])
+int foot_patch_stationary(const struct footpoint_gregory *patch, const double xs[3], const double lo[2],
+                          const double hi[2], struct stationary found[PATCH_STATIONARY_MAX])
 {
     struct patch_local l;
     const struct patch_box box = box_of(lo, hi);
@@ -79,7 +80,7 @@ static void edge_quintic(const struct patch_local *l, int edge, double b[6])
     }
 }
 
-bool reference_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest)
+bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3], struct stationary *closest)
 {
     const struct patch_box whole = {{0, 1}, {0, 1}};
     struct stationary found[PATCH_STATIONARY_MAX], best = {.distance = INFINITY};
@@ -122,7 +123,7 @@ static bool gap_at(const struct patch_local *l, double xi, double eta, double *g
     return length > 0;
 }
 
-bool reference_patch_foot(struct patch_sample *s, const double lo[2], const double hi[2])
+bool foot_patch(struct patch_sample *s, const double lo[2], const double hi[2])
 {
     const struct patch_box box = box_of(lo, hi);
     struct footpoint_gregory patch;
@@ -139,4 +140,34 @@ bool reference_patch_foot(struct patch_sample *s, const double lo[2], const doub
             return true;
         }
     return false;
+}
+
+void surface_point_patch(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3])
+{
+    struct footpoint_gregory patch = {0};
+    struct patch_sample s = {.kind = f->patch};
+    struct footpoint_jet jet;
+    memcpy(s.x, x[0], sizeof s.x);
+    memcpy(s.n, x[4], sizeof s.n);
+    patch_sample_points(&s, &patch);
+    footpoint_gregory_jet(&patch, xi, eta, &jet);
+    for (int k = 0; k < 3; k++) {
+        r[0][k] = patch.net.origin[k] + jet.r[k];
+        r[1][k] = jet.r_xi[k];
+        r[2][k] = jet.r_eta[k];
+    }
+}
+
+bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+{
+    struct patch_sample p = {.kind = f->patch};
+    memcpy(p.x, s->x[0], sizeof p.x);
+    memcpy(p.n, s->x[4], sizeof p.n);
+    memcpy(p.xs, s->xs, sizeof p.xs);
+    if (!foot_patch(&p, lo, hi))
+        return false;
+    s->xi = p.xi;
+    s->eta = p.eta;
+    s->gap = p.gap;
+    return true;
 }

@@ -7,9 +7,9 @@
  *
  * Bounds of second derivatives over a box: those of the Bezier net by its third derivatives, which are bounded by third
  * differences of the net; those of the blends q = 9 s^2 t^2 u v w, s = 1 - u, t = 1 - v, w = v/(u + v) (see
- * runtime/geometry/gregory.c) in closed form, from factors that are monotonic and not negative.  First derivatives and points
- * follow by integration from the centre.  Bounds are computed in double; signs count only beyond a margin for rounding.
- */
+ * runtime/geometry/gregory.c) in closed form, from factors that are monotonic and not negative.  First derivatives and
+ * points follow by integration from the centre.  Bounds are computed in double; signs count only beyond a margin for
+ * rounding. */
 #include "foot_patch_boxes.h"
 
 #include <math.h>

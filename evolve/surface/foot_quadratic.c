@@ -29,7 +29,7 @@ struct box {
     int depth;
 };
 
-struct search {
+struct subdivision {
     const struct local *local;
     double lo[2], hi[2];
     bool triangle, found, lost;
@@ -129,7 +129,7 @@ static void to_bernstein(long double *c, int step)
         c[i * step] = b[i];
 }
 
-static struct box whole_box(struct search *s)
+static struct box whole_box(struct subdivision *s)
 {
     struct box b = {.depth = 0};
     long double v[3][3][3], d[SIDE][SIDE] = {{0}};
@@ -221,7 +221,7 @@ static struct range range_of(const struct box *b, int m, int n)
 
 enum verdict { NO_MINIMUM, CONVEX, UNSETTLED };
 
-static enum verdict judge_box(const struct search *s, const struct box *b)
+static enum verdict verdict_of(const struct subdivision *s, const struct box *b)
 {
     const struct range d = range_of(b, 0, 0), x = range_of(b, 1, 0), y = range_of(b, 0, 1);
     const double margin = s->margin, factor = DEGREE - 1; /* D_xixi is 12 of its differences, D_xieta 16 */
@@ -266,7 +266,7 @@ static bool newton(const struct local *l, const struct box *b, long double at[2]
     return false;
 }
 
-static bool inside(const struct search *s, const long double at[2])
+static bool inside(const struct subdivision *s, const long double at[2])
 {
     for (int k = 0; k < 2; k++)
         if (!(at[k] > s->lo[k] + BOUND && at[k] <= s->hi[k] + BOUND))
@@ -275,7 +275,7 @@ static bool inside(const struct search *s, const long double at[2])
 }
 
 /* True if the minimum that Newton's iteration finds is the box's own. */
-static bool take_minimum(struct search *s, const struct box *b)
+static bool take_minimum(struct subdivision *s, const struct box *b)
 {
     long double at[2], v[6][3];
     bool own = true;
@@ -293,9 +293,9 @@ static bool take_minimum(struct search *s, const struct box *b)
     return own;
 }
 
-static void search_box(struct search *s, const struct box *b)
+static void search_box(struct subdivision *s, const struct box *b)
 {
-    const enum verdict verdict = judge_box(s, b);
+    const enum verdict verdict = verdict_of(s, b);
     struct box half[2];
     if (verdict == NO_MINIMUM || (verdict == CONVEX && take_minimum(s, b)))
         return;
@@ -307,27 +307,27 @@ static void search_box(struct search *s, const struct box *b)
     search_box(s, &half[1]);
 }
 
-bool reference_foot_polynomial(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
+bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
 {
     struct local l;
-    struct search search = {.local = &l, .triangle = f->triangle, .least = INFINITY};
+    struct subdivision sub = {.local = &l, .triangle = f->triangle, .least = INFINITY};
     long double v[6][3], n[3];
     if (!localise(f, s, &l))
         return false;
-    memcpy(search.lo, lo, sizeof search.lo);
-    memcpy(search.hi, hi, sizeof search.hi);
-    const struct box all = whole_box(&search);
-    search_box(&search, &all);
-    if (search.lost || !search.found)
+    memcpy(sub.lo, lo, sizeof sub.lo);
+    memcpy(sub.hi, hi, sizeof sub.hi);
+    const struct box all = whole_box(&sub);
+    search_box(&sub, &all);
+    if (sub.lost || !sub.found)
         return false;
-    evaluate(&l, search.at[0], search.at[1], v);
+    evaluate(&l, sub.at[0], sub.at[1], v);
     for (int k = 0; k < 3; k++)
         n[k] = v[1][(k + 1) % 3] * v[2][(k + 2) % 3] - v[1][(k + 2) % 3] * v[2][(k + 1) % 3];
     const long double length = sqrtl(dot(n, n));
     if (!(length > 0))
         return false;
-    s->xi = (double)search.at[0];
-    s->eta = (double)search.at[1];
+    s->xi = (double)sub.at[0];
+    s->eta = (double)sub.at[1];
     s->gap = (double)(l.size * dot(v[0], n) / length);
     return true;
 }

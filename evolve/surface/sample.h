@@ -23,4 +23,28 @@ struct sample_set {
 void sample_set_add(struct sample_set *set, const struct sample *s);
 void sample_set_free(struct sample_set *set);
 
+/** Which of a scene's samples.  No two share a configuration. */
+enum sample_part {
+    PART_TRAINING,       /* what evolution sees */
+    PART_HELDOUT,        /* lattice and mesh: the rest of the same points; random: a second stream */
+    PART_HELDOUT_RANDOM, /* off the grid: drawn at random from the same ranges */
+    PART_HELDOUT_EVEN    /* ordinary shapes: another distribution in the same limits, to which nothing is fitted */
+};
+
+enum { HELDOUT_PARTS = 3 };
+/** The parts held out, and what notes and samples call them: "heldout", "heldout_random", "heldout_even". */
+extern const struct heldout_part {
+    enum sample_part part;
+    const char *name;
+} heldout_part[HELDOUT_PARTS];
+
+enum { DRAWN_LINES = 3, DRAWN_LENGTH = 240 };
+/** All samples held out, and how they were drawn, in words for banners. */
+struct heldout {
+    struct sample_set part[HELDOUT_PARTS]; /* as heldout_part[]; empty where the scene has none */
+    char drawn[DRAWN_LINES][DRAWN_LENGTH];
+    size_t lines; /* of `drawn` */
+};
+void heldout_free(struct heldout *h);
+
 #endif

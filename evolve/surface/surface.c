@@ -42,17 +42,17 @@ static void point_of_shape(const struct surface *f, double (*x)[3], double xi, d
 #define WEIGHTED(kind, count, triangle_)                                                                               \
     {                                                                                                                  \
         .name = #kind, .nodes = count, .triangle = triangle_, .shape = footpoint_##kind##_shape,                       \
-        .point = point_of_shape, .foot = reference_foot_polynomial, .draw = faces_draw                                 \
+        .point = point_of_shape, .foot = surface_foot_quadratic                                                        \
     }
 
 static const struct surface surfaces[] = {
-    {.name = "quad4", .nodes = 4, .point = point_quad4, .foot = reference_foot_quad4, .draw = shapes_draw_quad4},
+    {.name = "quad4", .nodes = 4, .point = point_quad4, .foot = surface_foot_bilinear},
     WEIGHTED(tri3, 3, true),
     WEIGHTED(tri6, 6, true),
     WEIGHTED(quad8, 8, false),
     WEIGHTED(quad9, 9, false),
-    {.name = "gregory", .nodes = 4, .patch = PATCH_GREGORY, .point = patches_point, .foot = patches_foot},
-    {.name = "bezier", .nodes = 4, .patch = PATCH_BEZIER, .point = patches_point, .foot = patches_foot}};
+    {.name = "gregory", .nodes = 4, .patch = PATCH_GREGORY, .point = surface_point_patch, .foot = surface_foot_patch},
+    {.name = "bezier", .nodes = 4, .patch = PATCH_BEZIER, .point = surface_point_patch, .foot = surface_foot_patch}};
 
 const struct surface *surface_find(const struct segment_kind *k)
 {

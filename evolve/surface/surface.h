@@ -1,15 +1,12 @@
-/* Kinds of master segments as scenes need them: the geometry behind a segment_kind of codegen/genome/segment_kind.h, how ordinary
- * ones are drawn, and the certain foot point on them. */
+/* Kinds of master segments as scenes need them: the geometry behind a segment_kind of codegen/genome/segment_kind.h,
+ * and the certain foot point on them. */
 #ifndef FOOTPOINT_SURFACE_H
 #define FOOTPOINT_SURFACE_H
 
 #include "patch.h"
 #include "sample.h"
 
-#include <gsl/gsl_rng.h>
 #include <stdbool.h>
-
-struct shapes;
 
 /** One kind.  Segments are the vectors of a sample, in the order of the segment_kind; those of length are in one unit.
  */
@@ -26,8 +23,6 @@ struct surface {
      *  lo < xi,eta <= hi (component-wise; on triangles xi + eta <= hi[0], too).  Fills xi, eta, gap of *s.  False if
      *  there is none, or if none can be told with certainty. */
     bool (*foot)(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
-    /** A random segment about the origin, edges of length about 2.  False: draw again.  NULL: see patches_samples(). */
-    bool (*draw)(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
 };
 
 /** Of a kind; never NULL for one that segment_find() knows. */
@@ -39,13 +34,11 @@ bool surface_normal(const struct surface *f, double (*x)[3], double xi, double e
 /* The functions of the table's rows. */
 
 /** Bilinear: the quintic of foot_bilinear.h. */
-bool reference_foot_quad4(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
-bool shapes_draw_quad4(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
-/** Kinds with shape functions of degree up to 2 in xi and in eta: see foot_quadratic.c and random_faces.c. */
-bool reference_foot_polynomial(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
-bool faces_draw(const struct surface *f, gsl_rng *stream, const struct shapes *shapes, double (*x)[3]);
-/** Gregory and Bezier patches: see patch_samples.c. */
-void patches_point(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
-bool patches_foot(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+bool surface_foot_bilinear(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+/** Kinds with shape functions of degree up to 2 in xi and in eta: see foot_quadratic.c. */
+bool surface_foot_quadratic(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
+/** Gregory and Bezier patches: see foot_patch.c. */
+void surface_point_patch(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3]);
+bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

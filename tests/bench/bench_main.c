@@ -6,7 +6,7 @@
 #include "../../codegen/genome/base.h"
 #include "../../codegen/genome/console.h"
 #include "../../evolve/common/data_root.h"
-#include "../../evolve/input/scene.h"
+#include "../../evolve/samples/samples.h"
 #include "../rivals/contact_table.h"
 #include "bench_map.h"
 #include "bench_measure.h"

@@ -3,6 +3,7 @@
 #define FOOTPOINT_BENCH_TUNE_H
 
 #include "../../evolve/input/scene.h"
+#include "../../evolve/surface/sample.h"
 #include "bench_methods.h"
 
 /** The box of the scene's contact points and, as the method asks, the starting point of least mean error (xi and eta)

@@ -4,6 +4,12 @@
 
 rooms() {
     sed 's/ *#.*//; /^$/d' << 'EOF'
+generated:
+runtime/geometry:   runtime
+runtime/certain:    runtime/geometry runtime generated
+runtime/batch:      runtime/certain runtime/geometry runtime generated
+runtime/calculix:   runtime/certain runtime/geometry runtime
+runtime:            runtime/* generated
 codegen/genome:
 codegen/graph:      codegen/genome
 codegen/passes:     codegen/graph codegen/genome
@@ -24,7 +30,7 @@ runtime/calculix:   runtime/certain runtime/geometry runtime generated
 evolve/common:      codegen/genome
 evolve/input:       evolve/common codegen/genome
 evolve/surface:     evolve/common codegen/genome runtime/geometry
-evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome
+evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome runtime/geometry
 evolve/genotype:    evolve/common codegen/genome
 evolve/eval:        evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
 evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome

@@ -53,7 +53,7 @@ struct fixture {
     struct tier tier;
     struct sample_set set;
     struct columns table;
-    struct judge *judge;
+    struct objective *objective;
     struct plan plan;
 };
 
@@ -75,8 +75,8 @@ static int setup(void **state)
         f->set.s[f->set.n].xs[1] = 1 - (double)(f->set.n % 7) / 3;
     }
     f->table = table_of(&f->set);
-    f->judge = judge_new(NULL, &f->table, NORM_MEAN);
-    f->judge->decimal = true;
+    f->objective = objective_new(NULL, &f->table, NORM_MEAN);
+    f->objective->decimal = true;
     f->plan = plan_default();
     *state = f;
     return 0;
@@ -85,7 +85,7 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     struct fixture *f = *state;
-    judge_free(f->judge);
+    objective_free(f->objective);
     columns_free(&f->table);
     sample_set_free(&f->set);
     free(f);
@@ -99,7 +99,7 @@ enum { P = GENE_SYMBOL + 15, Q = GENE_SYMBOL + 16 };
 static void offer(struct fixture *f, struct archive *a, const int *gene, size_t length)
 {
     const struct tree t = {(int *)gene, length};
-    const double error = judge_error(f->judge, &t, 17, INFINITY);
+    const double error = objective_error(f->objective, &t, 17, INFINITY);
     archive_offer(a, &f->plan, 0, 0, &t, error, ORIGIN_RANDOM);
 }
 
@@ -109,16 +109,16 @@ static void champions_yield_to_the_better_alone(void **state)
 {
     struct fixture *f = *state;
     struct archive *a = archive_of(&f->scene, START);
-    archive_judge(a, &f->plan, f->judge, 0);
+    archive_measure(a, &f->plan, f->objective, 0);
     const struct champion *c = &a->champion[0][0];
     assert_true(fabs(c->error - 0.12345678901) < 1e-15 && c->cost == 4); /* p and q are differences */
     const int worse[] = {GENE_MUL, P, P}, better[] = {GENE_ADD, decimal_gene(0.125e-3), GENE_MUL, Q, P};
     offer(f, a, worse, 3);
-    archive_crown(a, &f->plan);
+    archive_choose_champions(a, &f->plan);
     assert_false(c->bred);
     assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.12345678901");
     offer(f, a, better, 5);
-    archive_crown(a, &f->plan);
+    archive_choose_champions(a, &f->plan);
     assert_true(c->bred && c->tree.length == 5);
     assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.000125");
     assert_true(fabs(c->error - 0.125e-3) < 1e-15);
@@ -133,10 +133,10 @@ static void budgets_decide(void **state)
     const int cheap[] = {GENE_ADD, Q, decimal_gene(-0.1)}, free_of_cost[] = {Q};
     f->tier.budget = 2; /* q is a difference */
     struct archive *a = archive_of(&f->scene, START);
-    archive_judge(a, &f->plan, f->judge, 0);
+    archive_measure(a, &f->plan, f->objective, 0);
     offer(f, a, free_of_cost, 1);
     offer(f, a, cheap, 3);
-    archive_crown(a, &f->plan);
+    archive_choose_champions(a, &f->plan);
     const struct champion *c = &a->champion[0][0];
     assert_true(c->bred && c->cost <= 2);
     assert_true(c->error == front_error(a->front[0][0], 2));
@@ -150,11 +150,11 @@ static void parsimony_decides_without_a_budget(void **state)
     const int dear[] = {GENE_ADD, GENE_MUL, P, P, GENE_MUL, P, GENE_SUB, Q, P};
     f->plan.parsimony = 0.3;
     struct archive *a = archive_of(&f->scene, NULL);
-    archive_judge(a, &f->plan, f->judge, 0);
+    archive_measure(a, &f->plan, f->objective, 0);
     offer(f, a, (const int[]){decimal_gene(0.3)}, 1);
     offer(f, a, (const int[]){GENE_MUL, P, Q}, 3);
     offer(f, a, dear, 9);
-    archive_crown(a, &f->plan);
+    archive_choose_champions(a, &f->plan);
     assert_int_equal(a->champion[0][0].tree.length, 3);
     assert_true(a->champion[0][0].error == 0);
     archive_free(a);
@@ -179,7 +179,7 @@ static void seeds_go_where_they_fit(void **state)
     archive_add_seed(a, 0, 0, &(struct tree){(int[]){GENE_SYMBOL}, 1}); /* xA is no terminal */
     assert_int_equal(archive_seeds(a, 0, 0, 9, &seed), 3);
     free(seed);
-    archive_judge(a, &f->plan, f->judge, 0);
+    archive_measure(a, &f->plan, f->objective, 0);
     assert_int_equal(front_count(a->front[0][0]), front_count(a->old[0][0]));
     assert_false(archive_read_seeds(a, "/nowhere/seeds.gen", &d));
     FILE *file = fopen(START, "w");
@@ -195,7 +195,7 @@ static void exact_values_are_taken(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
+    const struct heldout heldout = {.part = {f->set, f->set}};
     const struct run_facts facts = {1, 0, 1};
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
@@ -211,14 +211,14 @@ static void exact_values_are_taken(void **state)
         f->tier.budget = 0;
         archive_find_exact(a, &f->plan, &f->table, 1e-10);
         assert_true(c[0].exact == 0 && c[1].exact == Q);
-        archive_judge(a, &f->plan, f->judge, 0);
+        archive_measure(a, &f->plan, f->objective, 0);
         assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[1].cost == 1 && c[1].bred == !known);
         const int product[] = {GENE_MUL, P, Q}, constant[] = {decimal_gene(0.1)};
         archive_offer(a, &f->plan, 0, 1, &(struct tree){(int *)constant, 1}, 0, ORIGIN_RANDOM);
         offer(f, a, product, 3);
-        archive_crown(a, &f->plan);
+        archive_choose_champions(a, &f->plan);
         assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[0].tree.length == 3);
-        if (!archive_write(a, WRITTEN, &facts, heldout, &d))
+        if (!archive_write(a, WRITTEN, &facts, &heldout, &d))
             fail_msg("%s", d.text);
         struct genome_file *g = genome_read(WRITTEN, &d);
         assert_non_null(g);
@@ -235,13 +235,13 @@ static void fronts_are_written(void **state)
 {
     struct fixture *f = *state;
     struct diag d;
-    const struct sample_set heldout[HELDOUT_PARTS] = {f->set, f->set};
+    const struct heldout heldout = {.part = {f->set, f->set}};
     struct archive *a = archive_of(&f->scene, START);
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
-    archive_judge(a, &f->plan, f->judge, 0);
+    archive_measure(a, &f->plan, f->objective, 0);
     offer(f, a, (const int[]){GENE_MUL, decimal_gene(0.5), Q}, 3);
-    if (!archive_write_front(a, WRITTEN, heldout, &d))
+    if (!archive_write_front(a, WRITTEN, &heldout, &d))
         fail_msg("%s", d.text);
     struct genome_file *g = genome_read(WRITTEN, &d);
     assert_non_null(g);

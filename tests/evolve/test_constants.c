@@ -81,7 +81,7 @@ static void constants_are_found(void **state)
         gene[at[i]] = decimal_gene(start[i]);
     for (int norm = NORM_MEAN; norm <= NORM_P99; norm++) {
         double error;
-        assert_true(fit_constants(f->fitter, f->judge[norm], &tree, GOAL, 60, &found, &error));
+        assert_true(fit_constants(f->fitter, f->objective[norm], &tree, GOAL, 60, &found, &error));
         for (size_t i = 0; i < 4; i++)
             if (!(fabs(decimal_value(found_gene[at[i]]) - truth[i]) < 2e-3))
                 fail_msg("norm %d, constant %zu: %.7g, expected %g", norm, i, decimal_value(found_gene[at[i]]),
@@ -101,13 +101,13 @@ static void norms_have_their_own_optimum(void **state)
         const double at = (double)i / (SAMPLES - 1);
         columns_at(&f->table, GOAL)[i] = at * at * at;
     }
-    fit_constants(f->fitter, f->judge[NORM_MEAN], &tree, GOAL, 40, &found, &error);
+    fit_constants(f->fitter, f->objective[NORM_MEAN], &tree, GOAL, 40, &found, &error);
     assert_true(fabs(decimal_value(found_gene[0]) - 0.125) < 5e-3);
-    fit_constants(f->fitter, f->judge[NORM_MAX], &tree, GOAL, 40, &found, &error);
+    fit_constants(f->fitter, f->objective[NORM_MAX], &tree, GOAL, 40, &found, &error);
     assert_true(fabs(decimal_value(found_gene[0]) - 0.5) < 2e-2);
 }
 
-/* Whatever the tree and the norm: same genes but for constants, never worse, and the error is the judge's. */
+/* Whatever the tree and the norm: same genes but for constants, never worse, and the error is the objective's. */
 static void never_worse(void **state)
 {
     struct fixture *f = *state;
@@ -118,11 +118,11 @@ static void never_worse(void **state)
         const struct tree tree = {gene, random_genome(f->rng, LONGEST, gene)};
         struct tree found = {found_gene, 0};
         double error;
-        const double before = judge_error(f->judge[norm], &tree, GOAL, INFINITY);
-        better += fit_constants(f->fitter, f->judge[norm], &tree, GOAL, 4, &found, &error);
+        const double before = objective_error(f->objective[norm], &tree, GOAL, INFINITY);
+        better += fit_constants(f->fitter, f->objective[norm], &tree, GOAL, 4, &found, &error);
         finite += isfinite(before) ? 1 : 0;
         assert_true(error <= before);
-        assert_true(judge_error(f->judge[norm], &found, GOAL, INFINITY) == error);
+        assert_true(objective_error(f->objective[norm], &found, GOAL, INFINITY) == error);
         assert_int_equal(found.length, tree.length);
         for (size_t i = 0; i < tree.length; i++)
             assert_true(gene[i] < 0 ? decimal_valid(found_gene[i]) : found_gene[i] == gene[i]);
@@ -138,7 +138,7 @@ static void samples_that_are_not_finite(void **state)
     struct tree found = {found_gene, 0};
     double error;
     columns_at(&f->table, 0)[SAMPLES / 2] = NAN;
-    assert_false(fit_constants(f->fitter, f->judge[NORM_MEAN], &tree, GOAL, 5, &found, &error));
+    assert_false(fit_constants(f->fitter, f->objective[NORM_MEAN], &tree, GOAL, 5, &found, &error));
     assert_true(tree_equal(&tree, &found) && error == INFINITY);
     assert_false(fit_root_terms(f->fitter, &tree, GOAL, 10, &found));
 }

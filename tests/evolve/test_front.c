@@ -1,6 +1,6 @@
 /* A front against the definition: what is offered in any order ends as the set of trees that none outdoes. */
-#include "../../evolve/genotype/front.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/genotype/front.h"
 
 #include <math.h>
 #include <setjmp.h>

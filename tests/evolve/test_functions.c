@@ -2,14 +2,15 @@
  * against differences, operations counted by hand, hand-written methods among the seeds, and evolution from them. */
 #include "../../evolve/archive/archive.h"
 #include "../../evolve/common/decimal.h"
-#include "../../evolve/fit/fits.h"
-#include "../../evolve/eval/frame.h"
-#include "../../evolve/island/island.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/eval/frame.h"
 #include "../../evolve/eval/tape.h"
-#include "../../evolve/fit/fit_twin.h"
 #include "../../evolve/fit/compose.h"
+#include "../../evolve/fit/fit_twin.h"
+#include "../../evolve/fit/fits.h"
 #include "../../evolve/genotype/twin_text.h"
+#include "../../evolve/island/island.h"
+#include "../../evolve/samples/samples.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -27,7 +28,7 @@ struct fixture {
     struct genome_file *program; /* the archive's */
     struct sample_set set;
     struct columns table;
-    struct judge *judge;
+    struct objective *objective;
     struct gene_set genes;
     struct plan plan;
 };
@@ -45,8 +46,8 @@ static int setup(void **state)
     struct kernel *kernel = kernel_new_widest();
     f->table = frame_columns(kernel, f->program, f->set.s, f->set.n);
     kernel_free(kernel);
-    f->judge = judge_new(f->program, &f->table, NORM_MEAN);
-    f->judge->decimal = true;
+    f->objective = objective_new(f->program, &f->table, NORM_MEAN);
+    f->objective->decimal = true;
     f->genes = archive_genes(f->archive, 0, false);
     f->plan = plan_default();
     *state = f;
@@ -57,7 +58,7 @@ static int teardown(void **state)
 {
     struct fixture *f = *state;
     gene_set_free(&f->genes);
-    judge_free(f->judge);
+    objective_free(f->objective);
     columns_free(&f->table);
     sample_set_free(&f->set);
     archive_free(f->archive);
@@ -75,14 +76,14 @@ static struct tree tree_of(const struct fixture *f, const char *text)
 
 static double error_of(const struct fixture *f, const struct tree *t)
 {
-    return judge_error(f->judge, t, frame_target(f->program, TIER_BOTH), INFINITY);
+    return objective_error(f->objective, t, frame_target(f->program, TIER_BOTH), INFINITY);
 }
 
 static double cost_of(const struct fixture *f, const char *text)
 {
     struct tree t = tree_of(f, text);
-    struct twin_counter *c = twin_counter_new(f->judge->twins);
-    const struct operations o = twin_count(c, &t);
+    struct twin_counter *c = twin_counter_new(f->objective->twins);
+    const struct operation_count o = count_twin_operations(c, &t);
     twin_counter_free(c);
     free(t.gene);
     return operations_price(&o, &f->plan.prices);
@@ -102,10 +103,10 @@ static void check_against_text(const struct fixture *f, const struct tree *t)
     fclose(stream);
     struct genome_file *copy = genome_parse("copy", text, size, &d);
     assert_non_null(copy);
-    twin_expand(f->judge->twins, t, copy, "value", out);
+    twin_expand(f->objective->twins, t, copy, "value", out);
     struct kernel *kernel = kernel_new_widest();
     struct columns table = frame_columns(kernel, copy, f->set.s, n);
-    twin_errors(f->judge->twin, t, error);
+    twin_errors(f->objective->twin, t, error);
     for (size_t half = 0; half < 2; half++) {
         const struct kernel_task task = {out[half].gene, out[half].length, copy->constant, &table};
         kernel_values(kernel, &task, value);
@@ -162,7 +163,7 @@ static void test_derivatives(void **state)
     static const char *const text[] = {"place * 0.9 p", "inside + halves 0.02 -0.03 newton_kept * 0.8 ut",
                                        "max -0.2 solve_u + 0.1 solve_v - p 0.05", "newton * 0.7 newton * 0.7 p"};
     const double step = 1e-6;
-    struct twin_run *r = twin_run_new(f->judge->twins, &f->table);
+    struct twin_run *r = twin_run_new(f->objective->twins, &f->table);
     for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
         struct tree t = tree_of(f, text[i]);
         twin_load(r, &t);
@@ -236,7 +237,7 @@ static void test_seeds(void **state)
                                          "place solve_v inside solve_u inside ut",
                                          "place newton_kept newton_kept newton_kept ut"};
     struct front *found = front_new(f->plan.front_limit, 12);
-    twin_seeds(&f->genes, f->judge, &f->plan.prices, found);
+    compose_twins(&f->genes, f->objective, &f->plan.prices, found);
     for (size_t i = 0; i < sizeof method / sizeof *method; i++) {
         struct tree t = tree_of(f, method[i]);
         assert_true(front_error(found, cost_of(f, method[i])) <= error_of(f, &t));
@@ -250,18 +251,18 @@ static void test_evolution(void **state)
 {
     const struct fixture *f = *state;
     struct front *found = front_new(f->plan.front_limit, 12);
-    struct fits *fits = fits_new(f->judge);
+    struct fits *fits = fits_new(f->objective);
     const struct fitting hooks = fits_hooks(fits);
     struct plan plan = f->plan;
     plan.population = 60;
     plan.migrants = 0;
     const struct goal goal = {
         .target = frame_target(f->program, TIER_BOTH), .max_length = 12, .genes = &f->genes, .fit = &hooks};
-    twin_seeds(&f->genes, f->judge, &plan.prices, found);
+    compose_twins(&f->genes, f->objective, &plan.prices, found);
     struct tree *seed = new_array(front_count(found), sizeof *seed);
     for (size_t i = 0; i < front_count(found); i++)
         seed[i] = front_member(found, i)->tree;
-    struct island *is = island_new(&plan, &goal, f->judge);
+    struct island *is = island_new(&plan, &goal, f->objective);
     island_start(is, seed, front_count(found));
     for (int k = 0; k < 15; k++)
         island_step(is);
@@ -293,9 +294,9 @@ static void test_fit(void **state)
     const struct fixture *f = *state;
     int gene[LONGEST];
     struct tree fitted = {gene, 0}, t = tree_of(f, "place * 0.5 inside + halves 0.1 -0.1 p");
-    struct twin_run *r = twin_run_new(f->judge->twins, &f->table);
+    struct twin_run *r = twin_run_new(f->objective->twins, &f->table);
     for (enum scene_norm norm = NORM_MEAN; norm <= NORM_MAX; norm++) {
-        f->judge->norm = norm;
+        f->objective->norm = norm;
         assert_true(twin_fit(r, &t, norm, 20, &fitted));
         assert_int_equal(fitted.length, t.length);
         const double error = error_of(f, &fitted);
@@ -310,7 +311,7 @@ static void test_fit(void **state)
                 gene[i] = kept;
             }
     }
-    f->judge->norm = NORM_MEAN;
+    f->objective->norm = NORM_MEAN;
     struct tree none = tree_of(f, "newton p");
     assert_false(twin_fit(r, &none, NORM_MEAN, 5, &fitted));
     free(none.gene);

@@ -89,12 +89,13 @@ static void sparse_polynomial_is_found(void **state)
         columns_at(&f->table, GOAL)[i] =
             0.25 - x[0] + 2 * x[1] * x[2] - 1.5 * x[0] * x[3] * x[3] + 3 * x[2] * x[2] * x[2];
     }
-    greedy_polynomials(&plan, f->judge[NORM_MEAN], GOAL, &f->front);
+    greedy_polynomials(&plan, f->objective[NORM_MEAN], GOAL, &f->front);
     assert_true(f->front.n >= 4);
-    const struct seed *last = &f->front.seed[f->front.n - 1];
+    const struct pareto_member *last = &f->front.member[f->front.n - 1];
     assert_true(last->error < 1e-6 && last->operations.add == 4 && last->operations.div == 0);
     for (size_t i = 0; i < f->front.n; i++)
-        assert_true(judge_error(f->judge[NORM_MEAN], &f->front.seed[i].tree, GOAL, INFINITY) == f->front.seed[i].error);
+        assert_true(objective_error(f->objective[NORM_MEAN], &f->front.member[i].tree, GOAL, INFINITY) ==
+                    f->front.member[i].error);
 }
 
 /* Too many monomials: a lower degree; short trees alone where only these fit. */
@@ -104,17 +105,17 @@ static void limits_hold(void **state)
     struct fixture *f = *state;
     int many[MANY];
     struct columns wide = columns_new(200, MANY + 1);
-    struct judge *judge = judge_new(f->program, &wide, NORM_MEAN);
+    struct objective *objective = objective_new(f->program, &wide, NORM_MEAN);
     for (size_t j = 0; j < wide.count; j++)
         for (size_t i = 0; i < wide.n; i++)
             columns_at(&wide, j)[i] = gsl_rng_uniform(f->rng);
     for (int j = 0; j < MANY; j++)
         many[j] = GENE_SYMBOL + j;
-    greedy_polynomials(&(struct greedy_plan){many, MANY, 4, 1000, 33}, judge, MANY, &f->front);
+    greedy_polynomials(&(struct greedy_plan){many, MANY, 4, 1000, 33}, objective, MANY, &f->front);
     assert_true(f->front.n > 1);
     for (size_t i = 0; i < f->front.n; i++)
-        assert_true(f->front.seed[i].tree.length <= 33);
-    judge_free(judge);
+        assert_true(f->front.member[i].tree.length <= 33);
+    objective_free(objective);
     columns_free(&wide);
 }
 
@@ -128,9 +129,9 @@ static void useless_columns(void **state)
         columns_at(&f->table, 3)[i] = i == 5 ? INFINITY : 1;
         columns_at(&f->table, GOAL)[i] = exp(columns_at(&f->table, 0)[i]);
     }
-    greedy_polynomials(&(struct greedy_plan){symbol, SYMBOLS, 3, 20, 200}, f->judge[NORM_MEAN], GOAL, &f->front);
+    greedy_polynomials(&(struct greedy_plan){symbol, SYMBOLS, 3, 20, 200}, f->objective[NORM_MEAN], GOAL, &f->front);
     assert_true(f->front.n == 4);
-    assert_true(f->front.seed[3].error < 0.02 && f->front.seed[3].operations.add == 3);
+    assert_true(f->front.member[3].error < 0.02 && f->front.member[3].operations.add == 3);
 }
 
 int main(void)

@@ -1,7 +1,7 @@
 /* Gregory patches beyond any scene: repeated nodes, normals along edges, sizes near the ends of double, and tilts up to
  * tan = 2.  What is made is finite everywhere; what cannot be made has the status that the header says. */
-#include "../../evolve/surface/foot_patch.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/surface/foot_patch.h"
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
 #include "../../runtime/geometry/footpoint-node-normals.h"
 
@@ -273,7 +273,7 @@ static void test_closest(void **state)
         const double gap = gsl_ran_flat(rng, -0.1, 0.1);
         for (int k = 0; k < 3; k++)
             xs[k] += gap * normal[k];
-        if (!reference_patch_closest(&g, xs, &s))
+        if (!foot_patch_closest(&g, xs, &s))
             continue;
         told[trial % 2]++;
         double r[3], nearest = INFINITY;

@@ -42,19 +42,19 @@ static double zero(double x, double y, double z)
     return 0 * (x + y + z);
 }
 
-/* Errors as the judge's, costs within the plan, each seed better than all cheaper ones. */
+/* Errors as the objective's, costs within the plan, each seed better than all cheaper ones. */
 static void check_front(const struct fixture *f)
 {
-    const struct seeds *s = &f->front;
+    const struct pareto *s = &f->front;
     assert_true(s->n > 0);
     for (size_t i = 0; i < s->n; i++) {
-        const struct seed *x = &s->seed[i];
+        const struct pareto_member *x = &s->member[i];
         assert_int_equal(gene_span(x->tree.gene, x->tree.length), x->tree.length);
         assert_true(x->tree.length <= f->plan.max_length);
-        assert_true(x->cost <= f->plan.max_cost + 1e-9 && x->cost == price_of(&f->plan.prices, &x->tree));
-        assert_true(judge_error(f->judge[NORM_MEAN], &x->tree, GOAL, INFINITY) == x->error);
+        assert_true(x->cost <= f->plan.max_cost + 1e-9 && x->cost == tree_price(&f->plan.prices, &x->tree));
+        assert_true(objective_error(f->objective[NORM_MEAN], &x->tree, GOAL, INFINITY) == x->error);
         if (i > 0)
-            assert_true(x->cost > s->seed[i - 1].cost && x->error < s->seed[i - 1].error);
+            assert_true(x->cost > s->member[i - 1].cost && x->error < s->member[i - 1].error);
     }
 }
 
@@ -62,20 +62,20 @@ static void product_is_found(void **state)
 {
     struct fixture *f = *state;
     set_goal(f, product);
-    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
-    assert_true(f->front.seed[f->front.n - 1].error < 1e-5);
+    assert_true(f->front.member[f->front.n - 1].error < 1e-5);
     for (size_t i = 0; i < f->front.n; i++)
-        assert_int_equal(f->front.seed[i].operations.div, 0);
+        assert_int_equal(f->front.member[i].operations.div, 0);
 }
 
 static void quotient_is_found(void **state)
 {
     struct fixture *f = *state;
     set_goal(f, quotient);
-    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_quotients(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
-    assert_true(f->front.seed[f->front.n - 1].error < 1e-5);
+    assert_true(f->front.member[f->front.n - 1].error < 1e-5);
 }
 
 /* Growing from a good value leaves it in the tree and corrects it. */
@@ -90,9 +90,9 @@ static void base_is_corrected(void **state)
         columns_at(&f->table, GOAL)[i] += columns_at(&f->table, 0)[i] * columns_at(&f->table, 1)[i];
     const struct tree base = {gene, 3};
     f->plan.max_cost = 12;
-    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, &base, &f->front);
+    grow_quotients(&f->plan, f->objective[NORM_MEAN], GOAL, &base, &f->front);
     check_front(f);
-    assert_true(f->front.seed[f->front.n - 1].error < 1e-5);
+    assert_true(f->front.member[f->front.n - 1].error < 1e-5);
 }
 
 static double clamped(double x, double y, double z)
@@ -108,9 +108,9 @@ static void clamp_is_found(void **state)
     f->plan.clamped = true;
     f->plan.low = -0.5;
     f->plan.high = 0.5;
-    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
-    const struct seed *last = &f->front.seed[f->front.n - 1];
+    const struct pareto_member *last = &f->front.member[f->front.n - 1];
     assert_true(last->error < 1e-5 && last->tree.gene[0] == GENE_MAX && last->tree.gene[2] == GENE_MIN);
     assert_true(fabs(decimal_value(last->tree.gene[1]) + 0.3) < 1e-4);
     assert_true(fabs(decimal_value(last->tree.gene[3]) - 0.4) < 1e-4);
@@ -120,16 +120,16 @@ static void clamp_is_found(void **state)
 static void same_every_time(void **state)
 {
     struct fixture *f = *state;
-    struct seeds again = {.prices = f->plan.prices};
+    struct pareto again = {.prices = f->plan.prices};
     set_goal(f, smooth);
     f->plan.max_length = 41;
-    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
-    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &again);
+    grow_quotients(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_quotients(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &again);
     check_front(f);
     assert_int_equal(f->front.n, again.n);
     for (size_t i = 0; i < again.n; i++)
-        assert_true(tree_equal(&f->front.seed[i].tree, &again.seed[i].tree));
-    seeds_free(&again);
+        assert_true(tree_equal(&f->front.member[i].tree, &again.member[i].tree));
+    pareto_free(&again);
 }
 
 /* No term to fit, or samples that are not numbers: no endless growth, no seed without an error. */
@@ -137,12 +137,12 @@ static void hopeless_goals(void **state)
 {
     struct fixture *f = *state;
     set_goal(f, zero);
-    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
-    assert_true(f->front.n == 1 && f->front.seed[0].error == 0 && f->front.seed[0].tree.length == 1);
-    seeds_free(&f->front);
+    grow_polynomials(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
+    assert_true(f->front.n == 1 && f->front.member[0].error == 0 && f->front.member[0].tree.length == 1);
+    pareto_free(&f->front);
     columns_at(&f->table, GOAL)[3] = NAN;
-    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
-    grow_quotients(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_quotients(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
     assert_int_equal(f->front.n, 0);
 }
 
@@ -154,7 +154,7 @@ static void useless_columns(void **state)
     memcpy(columns_at(&f->table, 1), columns_at(&f->table, 2), SAMPLES * sizeof(double));
     for (size_t i = 0; i < SAMPLES; i++)
         columns_at(&f->table, 2)[i] = i == 7 ? NAN : 1;
-    grow_polynomials(&f->plan, f->judge[NORM_MEAN], GOAL, NULL, &f->front);
+    grow_polynomials(&f->plan, f->objective[NORM_MEAN], GOAL, NULL, &f->front);
     check_front(f);
     assert_true(f->front.n > 3);
 }

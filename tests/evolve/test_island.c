@@ -1,7 +1,7 @@
 /* Islands: same seed, same result; known targets are found; seeds and guests are never lost to something worse. */
 #include "../../evolve/common/decimal.h"
-#include "../../evolve/island/island.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/island/island.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -16,7 +16,7 @@ enum { SAMPLES = 500, TARGET = 2, MAX_LENGTH = 25 };
 struct fixture {
     struct genome_file *program;
     struct columns table; /* x, y, x y + 0.5 */
-    struct judge *judge;
+    struct objective *objective;
     struct gene_set genes;
 };
 
@@ -37,8 +37,8 @@ static int setup(void **state)
         constant[k] = decimal_gene((k - 10) / 10.0);
     f->program = genome_file_new("test");
     f->genes = (struct gene_set){symbol, 2, constant, 21, operation, 3, 0};
-    f->judge = judge_new(f->program, &f->table, NORM_MEAN);
-    f->judge->decimal = true;
+    f->objective = objective_new(f->program, &f->table, NORM_MEAN);
+    f->objective->decimal = true;
     gsl_rng_free(rng);
     *state = f;
     return 0;
@@ -47,7 +47,7 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     struct fixture *f = *state;
-    judge_free(f->judge);
+    objective_free(f->objective);
     columns_free(&f->table);
     genome_file_free(f->program);
     free(f);
@@ -71,7 +71,7 @@ static struct plan plan_of(enum breeding breeding, uint64_t seed, size_t populat
 static bool same_operation(const struct tree *t, const struct tree *u)
 {
     struct counter *c = counter_new(MAX_LENGTH);
-    const bool same = operations_count(c, t, NULL).hash == operations_count(c, u, NULL).hash;
+    const bool same = count_operations(c, t, NULL).hash == count_operations(c, u, NULL).hash;
     counter_free(c);
     return same;
 }
@@ -89,7 +89,7 @@ static void check_front(const struct fixture *f, const struct island *is, const 
         assert_true(tree_equal(&t, &m->tree));
         assert_true(gene_span(t.gene, t.length) == t.length && t.length <= MAX_LENGTH);
         assert_true(m->error < last);
-        assert_true(judge_error(f->judge, &t, TARGET, INFINITY) == m->error);
+        assert_true(objective_error(f->objective, &t, TARGET, INFINITY) == m->error);
         last = m->error;
         for (int i = 0; i < k; i++)
             assert_false(same_operation(&front_member(front, (size_t)i)->tree, &t));
@@ -106,7 +106,7 @@ static void states_go_on(void **state)
         struct plan plan = plan_of((enum breeding)breeding, 7, 40);
         plan.patience = 4;
         const struct goal goal = goal_of(f, 3);
-        struct island *is = island_new(&plan, &goal, f->judge), *other = island_new(&plan, &goal, f->judge);
+        struct island *is = island_new(&plan, &goal, f->objective), *other = island_new(&plan, &goal, f->objective);
         const size_t size = island_state_size(is);
         unsigned char *bytes = new_array(size, 1), *later = new_array(size, 1);
         island_start(is, NULL, 0);
@@ -141,13 +141,13 @@ static double evolved(const struct fixture *f, const struct plan *plan, uint64_t
                       size_t *size)
 {
     const struct goal goal = goal_of(f, place);
-    struct island *is = island_new(plan, &goal, f->judge);
+    struct island *is = island_new(plan, &goal, f->objective);
     double last = INFINITY;
     island_start(is, NULL, 0);
     for (int k = 0; k < generations; k++) {
         island_step(is);
-        assert_true(island_best(is)->demerit <= last);
-        last = island_best(is)->demerit;
+        assert_true(island_best(is)->fitness <= last);
+        last = island_best(is)->fitness;
     }
     *size = island_report_size(is);
     *report = new_array(*size, sizeof **report);
@@ -207,16 +207,16 @@ static void seeds_survive(void **state)
         struct plan plan = plan_of((enum breeding)breeding, 1, 20);
         plan.patience = 2;
         const struct goal goal = goal_of(f, 0);
-        struct judge *judge = judge_new(f->program, &f->table, NORM_MAX);
-        judge->decimal = true;
-        struct island *is = island_new(&plan, &goal, judge);
+        struct objective *objective = objective_new(f->program, &f->table, NORM_MAX);
+        objective->decimal = true;
+        struct island *is = island_new(&plan, &goal, objective);
         island_start(is, seed, 2);
         for (int k = 0; k < 12; k++)
             island_step(is);
         assert_true(island_best(is)->error < 1e-15);
         assert_true(same_operation(&island_best(is)->tree, &seed[1]));
         island_free(is);
-        judge_free(judge);
+        objective_free(objective);
     }
 }
 
@@ -230,21 +230,21 @@ static void guests_compete(void **state)
         plan.parsimony = 0.01;
         struct goal goal = goal_of(f, 0), there = goal_of(f, 1), closed = goal_of(f, 2);
         closed.closed = true;
-        struct island *is = island_new(&plan, &goal, f->judge), *other = island_new(&plan, &there, f->judge);
-        struct island *hermit = island_new(&plan, &closed, f->judge);
+        struct island *is = island_new(&plan, &goal, f->objective), *other = island_new(&plan, &there, f->objective);
+        struct island *hermit = island_new(&plan, &closed, f->objective);
         island_start(is, &seed, 1);
         island_start(other, NULL, 0);
         island_start(hermit, NULL, 0);
-        const double best = fmin(island_best(is)->demerit, island_best(other)->demerit);
-        const double alone = island_best(hermit)->demerit;
+        const double best = fmin(island_best(is)->fitness, island_best(other)->fitness);
+        const double alone = island_best(hermit)->fitness;
         int *parcel = new_array(island_parcel_size(is, 3), sizeof *parcel);
         island_pack(is, 3, parcel);
         island_receive(other, 3, parcel);
         island_receive(other, 3, parcel); /* those that live there already change nothing */
         island_receive(hermit, 3, parcel);
-        assert_true(breeding == BREED_FRONT ? island_best(other)->demerit <= best
-                                            : island_best(other)->demerit == best);
-        assert_true(island_best(hermit)->demerit == alone);
+        assert_true(breeding == BREED_FRONT ? island_best(other)->fitness <= best
+                                            : island_best(other)->fitness == best);
+        assert_true(island_best(hermit)->fitness == alone);
         free(parcel);
         island_free(is);
         island_free(other);
@@ -277,7 +277,7 @@ static void fits_are_called(void **state)
         plan.polish_every = 1;
         struct goal goal = goal_of(f, 0);
         goal.fit = &fit[k];
-        struct island *is = island_new(&plan, &goal, f->judge);
+        struct island *is = island_new(&plan, &goal, f->objective);
         island_start(is, &seed, 1);
         for (int generation = 0; generation < 3; generation++)
             island_step(is);

@@ -1,9 +1,9 @@
 /* The evaluator against a recursive evaluation of one sample at a time: equal bits, in double and in float, for
  * every vector width. */
 #include "../../evolve/common/decimal.h"
-#include "../../evolve/eval/objective.h"
-#include "../../evolve/eval/kernel.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/eval/kernel.h"
+#include "../../evolve/eval/objective.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -416,17 +416,17 @@ static void ranks(void **state)
     const struct tree t = {gene, 5};
     struct columns c = random_table(f->rng, 5000);
     for (int k = 0; k < 3; k++) {
-        struct judge *j = judge_new(f->program, &c, norms[k]);
-        const double error = judge_error(j, &t, SYMBOLS, INFINITY), rank = judge_rank(j, &t, SYMBOLS, INFINITY);
+        struct objective *j = objective_new(f->program, &c, norms[k]);
+        const double error = objective_error(j, &t, SYMBOLS, INFINITY), rank = objective_rank(j, &t, SYMBOLS, INFINITY);
         assert_true(error > 0 && fabs(rank - error) <= (k == 0 ? 1e-6 * error : 0));
         if (k == 0)
-            assert_true(judge_rank(j, &t, SYMBOLS, 0.9 * error) == INFINITY);
+            assert_true(objective_rank(j, &t, SYMBOLS, 0.9 * error) == INFINITY);
         gene[3] = decimal_gene(f->program->constant[2].value);
         j->decimal = true;
-        assert_true(judge_error(j, &t, SYMBOLS, INFINITY) == error);
-        assert_true(judge_rank(j, &t, SYMBOLS, INFINITY) == rank);
+        assert_true(objective_error(j, &t, SYMBOLS, INFINITY) == error);
+        assert_true(objective_rank(j, &t, SYMBOLS, INFINITY) == rank);
         gene[3] = -3;
-        judge_free(j);
+        objective_free(j);
     }
     columns_free(&c);
 }

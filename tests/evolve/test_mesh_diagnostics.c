@@ -39,8 +39,7 @@ static const struct {
 
     {NODES "*ELEMENT\n1, 1, 2, 3, 4\n", "model.inp:6: error: *ELEMENT has no TYPE="},
     {NODES "*ELEMENT, TYPE=\n1, 1, 2\n", "model.inp:6: error: *ELEMENT has no TYPE="},
-    {NODES "*ELEMENT, TYPE=CAX8\none, 1, 2\n",
-     "model.inp:7: error: 'one' is not a whole number from 1 to 2147483647"},
+    {NODES "*ELEMENT, TYPE=CAX8\none, 1, 2\n", "model.inp:7: error: 'one' is not a whole number from 1 to 2147483647"},
     {NODES SLAVE "*ELEMENT, TYPE=C3D80\n1, 1, 2\n*SURFACE, NAME=M\n1, S1\n" PAIR,
      "model.inp:11: error: element 1 of a master surface is of type C3D80" KNOWN},
     {MODEL SLAVE "*ELEMENT, TYPE=CPS8R, ELSET=P\n7, 1, 2,\n3, 4, 1, 2, 3, 4\n*SURFACE, NAME=B\n1, S1\nP, S2\n"

@@ -313,12 +313,9 @@ static void kinds_of_faces(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spellings),
-        cmocka_unit_test(included_files),
-        cmocka_unit_test(sparse_numbers),
-        cmocka_unit_test(what_does_not_matter_is_skipped),
-        cmocka_unit_test(kinds_of_faces),
-        cmocka_unit_test(mutations),
+        cmocka_unit_test(spellings),      cmocka_unit_test(included_files),
+        cmocka_unit_test(sparse_numbers), cmocka_unit_test(what_does_not_matter_is_skipped),
+        cmocka_unit_test(kinds_of_faces), cmocka_unit_test(mutations),
     };
     return cmocka_run_group_tests_name("mesh text", tests, make_folder, remove_folder);
 }

@@ -1,8 +1,8 @@
 /* Costs of trees: known counts, invariance under what costs nothing, and agreement with the values themselves. */
 #include "../../evolve/common/decimal.h"
+#include "../../evolve/common/stream.h"
 #include "../../evolve/eval/objective.h"
 #include "../../evolve/eval/operation_count.h"
-#include "../../evolve/common/stream.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -72,7 +72,7 @@ static void known_counts(void **state)
     struct counter *c = counter_new(MAX_LENGTH);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const struct tree t = parse(known[i].text, gene);
-        const struct operations o = operations_count(c, &t, NULL);
+        const struct operation_count o = count_operations(c, &t, NULL);
         if (o.mul != known[i].mul || o.add != known[i].add || o.div != known[i].div)
             fail_msg("%s: %u mul, %u add, %u div", known[i].text, o.mul, o.add, o.div);
     }
@@ -122,17 +122,17 @@ static void equal_hashes_mean_equal_errors(void **state)
         columns_at(&table, 0)[i] = gsl_rng_uniform(rng) - 0.5;
         columns_at(&table, 1)[i] = i % 5 == 0 ? 0 : gsl_rng_uniform(rng);
     }
-    struct judge *j = judge_new(NULL, &table, NORM_MEAN);
+    struct objective *j = objective_new(NULL, &table, NORM_MEAN);
     j->decimal = true;
     for (int k = 0; k < TREES; k++) {
         tree_random(rng, test_genes(), 1 + k % 4, false, MAX_LENGTH, &t);
         u.length = shuffle(rng, t.gene, u.gene);
-        const struct operations o = operations_count(c, &t, NULL), p = operations_count(c, &u, NULL);
+        const struct operation_count o = count_operations(c, &t, NULL), p = count_operations(c, &u, NULL);
         if (o.hash != p.hash || o.mul != p.mul || o.add != p.add || o.div != p.div)
             fail_msg("tree %d of %zu genes changes with the order of its operands", k, t.length);
         if (!(o.mul + o.add + o.div <= t.length / 2))
             fail_msg("tree %d of %zu genes: %u operations", k, t.length, o.mul + o.add + o.div);
-        const double error = judge_error(j, &t, 2, INFINITY);
+        const double error = objective_error(j, &t, 2, INFINITY);
         const size_t at = o.hash >> 48;
         if (seen[at].hash == o.hash) {
             repeats++;
@@ -143,7 +143,7 @@ static void equal_hashes_mean_equal_errors(void **state)
         seen[at].error = error;
     }
     assert_true(repeats > TREES / 10);
-    judge_free(j);
+    objective_free(j);
     columns_free(&table);
     counter_free(c);
     gsl_rng_free(rng);
@@ -155,16 +155,16 @@ static void prices(void **state)
     int gene[MAX_LENGTH];
     struct counter *c = counter_new(MAX_LENGTH);
     const struct tree t = parse("%+x*xy+1y", gene);
-    const struct operations o = operations_count(c, &t, NULL);
+    const struct operation_count o = count_operations(c, &t, NULL);
     assert_true(operations_price(&o, &(struct prices){.add = 0, .div = 1}) == 2);
     assert_true(operations_price(&o, &(struct prices){.add = 1, .div = 8}) == 11);
     gene[0] = GENE_MIN;
-    const struct operations p = operations_count(c, &t, NULL);
+    const struct operation_count p = count_operations(c, &t, NULL);
     assert_int_equal(p.other, 1);
     const struct genome_constant seven = {NULL, 7};
     const struct tree product = {(int[]){GENE_MUL, -1, X}, 3}; /* -1 is 0 as a decimal number */
-    assert_int_equal(operations_count(c, &product, NULL).mul, 0);
-    assert_int_equal(operations_count(c, &product, &seven).mul, 1);
+    assert_int_equal(count_operations(c, &product, NULL).mul, 0);
+    assert_int_equal(count_operations(c, &product, &seven).mul, 1);
     counter_free(c);
 }
 

@@ -1,7 +1,7 @@
 /* The genetic algorithm on polynomials: a known polynomial comes back, sizes are obeyed, fits and errors are what the
  * samples say, dependent terms do no harm, and nothing depends on how the evaluation is shared out. */
-#include "../../evolve/paper/pga.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/paper/pga.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* The certain closest point against a solver that shares no code with it: Newton's iteration in vector form from many
  * starts, the points it finds polished with 192 bits (MPFR).  Then answers known by hand. */
-#include "../../evolve/surface/foot_bilinear.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/surface/foot_bilinear.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -330,7 +330,7 @@ static void finds_all_that_many_starts_find(void **state)
             stream_key(r, 1, (uint64_t)kind, (uint64_t)i, 0);
             draw(r, (enum kind)kind, raw, xs);
             const double(*x)[3] = as_const(raw);
-            const int n = reference_stationary(x, xs, s);
+            const int n = foot_bilinear_stationary(x, xs, s);
             const size_t m = search(&b, x, xs, f, 16);
             for (int k = 0; k + 1 < n; k++)
                 if (s[k].distance > s[k + 1].distance)
@@ -368,9 +368,9 @@ static void saddle_splits_above_its_focus(void **state)
     double x[4][3];
     (void)state;
     set(x, (double[]){-1, -1, 1}, (double[]){1, -1, -1}, (double[]){1, 1, 1}, (double[]){-1, 1, -1});
-    assert_int_equal(reference_stationary(as_const(x), (const double[]){0, 0, 0.5}, s), 1);
+    assert_int_equal(foot_bilinear_stationary(as_const(x), (const double[]){0, 0, 0.5}, s), 1);
     assert_true(s[0].minimum && fabs(s[0].xi) + fabs(s[0].eta) < 1e-15 && fabs(s[0].distance - 0.5) < 1e-15);
-    assert_int_equal(reference_stationary(as_const(x), (const double[]){0, 0, 1.25}, s), 3);
+    assert_int_equal(foot_bilinear_stationary(as_const(x), (const double[]){0, 0, 1.25}, s), 3);
     for (int k = 0; k < 2; k++) {
         assert_true(s[k].minimum && fabs(fabs(s[k].xi) - 0.5) < 1e-15 && fabs(s[k].xi - s[k].eta) < 1e-15);
         assert_true(fabs(s[k].distance - sqrt(1.5)) < 1e-15);
@@ -385,7 +385,7 @@ static void trapezium_has_one_minimum(void **state)
     double x[4][3];
     (void)state;
     set(x, (double[]){-2, -1, 0}, (double[]){2, -1, 0}, (double[]){1, 1, 0}, (double[]){-1, 1, 0});
-    const int n = reference_stationary(as_const(x), (const double[]){0.75, 0, 2}, s);
+    const int n = foot_bilinear_stationary(as_const(x), (const double[]){0.75, 0, 2}, s);
     assert_in_range(n, 1, 2);
     assert_true(s[0].minimum && fabs(s[0].xi - 0.5) < 1e-15 && fabs(s[0].eta) < 1e-15 &&
                 fabs(s[0].distance - 2) < 1e-15);
@@ -400,15 +400,15 @@ static void degenerate_segments_are_refused(void **state)
     double x[4][3];
     (void)state;
     set(x, point, point, point, point);
-    assert_int_equal(reference_stationary(as_const(x), (const double[]){0, 0, 0}, s), -1);
+    assert_int_equal(foot_bilinear_stationary(as_const(x), (const double[]){0, 0, 0}, s), -1);
     set(x, (double[]){0, 0, 0}, (double[]){1, 1, 1}, (double[]){3, 3, 3}, (double[]){-2, -2, -2});
-    assert_int_equal(reference_stationary(as_const(x), (const double[]){0, 0, 1}, s), -1);
+    assert_int_equal(foot_bilinear_stationary(as_const(x), (const double[]){0, 0, 1}, s), -1);
     unit_square(x);
-    assert_int_equal(reference_stationary(as_const(x), (const double[]){0, NAN, 0}, s), -1);
+    assert_int_equal(foot_bilinear_stationary(as_const(x), (const double[]){0, NAN, 0}, s), -1);
     x[2][1] = INFINITY;
-    assert_int_equal(reference_stationary(as_const(x), point, s), -1);
+    assert_int_equal(foot_bilinear_stationary(as_const(x), point, s), -1);
     memcpy(sample.x, x, sizeof x);
-    assert_false(reference_foot(&sample, (const double[]){-1, -1}, (const double[]){1, 1}));
+    assert_false(foot_bilinear(&sample, (const double[]){-1, -1}, (const double[]){1, 1}));
     assert_true(sample.xi == 7);
 }
 
@@ -418,10 +418,10 @@ static void foot_lies_in_the_box(void **state)
     struct sample s = {.xs = {-1, 0.5, -0.25}};
     (void)state;
     unit_square(s.x);
-    assert_false(reference_foot(&s, (const double[]){-1, -1}, (const double[]){0, 1}));
-    assert_true(reference_foot(&s, (const double[]){-1.5, -1}, (const double[]){-1, 0.5}));
+    assert_false(foot_bilinear(&s, (const double[]){-1, -1}, (const double[]){0, 1}));
+    assert_true(foot_bilinear(&s, (const double[]){-1.5, -1}, (const double[]){-1, 0.5}));
     assert_true(fabs(s.xi + 1) < 1e-15 && fabs(s.eta - 0.5) < 1e-15 && fabs(s.gap + 0.25) < 1e-15);
-    assert_false(reference_foot(&s, (const double[]){-1.5, 0.5}, (const double[]){-0.5, 1}));
+    assert_false(foot_bilinear(&s, (const double[]){-1.5, 0.5}, (const double[]){-0.5, 1}));
 }
 
 /* Powers of two scale exactly, and whole numbers move small segments exactly: the same bits. */
@@ -443,8 +443,8 @@ static void scaling_and_moving_keep_the_bits(void **state)
             double *v = k < 12 ? &t.x[k / 3][k % 3] : &t.xs[k - 12];
             *v = 1024 * (*v + 4096);
         }
-        const bool found = reference_foot(&s, lo, hi);
-        assert_int_equal(found, reference_foot(&t, lo, hi));
+        const bool found = foot_bilinear(&s, lo, hi);
+        assert_int_equal(found, foot_bilinear(&t, lo, hi));
         if (found) {
             assert_memory_equal(&s.xi, &t.xi, sizeof s.xi);
             assert_memory_equal(&s.eta, &t.eta, sizeof s.eta);

@@ -1,10 +1,10 @@
 /* The certain closest point on a patch against dense sampling and Newton's iteration from every sample, on patches far
  * worse than a scene's; then the samples made with it. */
 #include "../../codegen/genome/base.h"
+#include "../../evolve/common/stream.h"
+#include "../../evolve/samples/body_samples.h"
 #include "../../evolve/samples/lattice_normals.h"
 #include "../../evolve/surface/foot_patch.h"
-#include "../../evolve/samples/body_samples.h"
-#include "../../evolve/common/stream.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
 
 #include <gsl/gsl_randist.h>
@@ -89,8 +89,8 @@ static bool compare(const struct patch_sample *s, int *points)
     struct footpoint_gregory g;
     struct stationary found[PATCH_STATIONARY_MAX], closest;
     assert_int_equal(footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->n, &g), FOOTPOINT_OK);
-    const int n = reference_patch_stationary(&g, s->xs, lowest, highest, found);
-    const bool told = reference_patch_closest(&g, s->xs, &closest);
+    const int n = foot_patch_stationary(&g, s->xs, lowest, highest, found);
+    const bool told = foot_patch_closest(&g, s->xs, &closest);
     double nearest = INFINITY;
     if (n == PATCH_UNCERTAIN) {
         assert_false(told);
@@ -153,12 +153,12 @@ static void test_uncertain(void **state)
     struct footpoint_gregory g;
     struct stationary found[PATCH_STATIONARY_MAX], closest;
     assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.n, &g), FOOTPOINT_OK);
-    assert_int_equal(reference_patch_stationary(&g, s.xs, lowest, highest, found), PATCH_UNCERTAIN);
-    assert_false(reference_patch_closest(&g, s.xs, &closest));
-    assert_false(reference_patch_foot(&s, lowest, highest));
+    assert_int_equal(foot_patch_stationary(&g, s.xs, lowest, highest, found), PATCH_UNCERTAIN);
+    assert_false(foot_patch_closest(&g, s.xs, &closest));
+    assert_false(foot_patch(&s, lowest, highest));
     s.xs[1] = NAN;
-    assert_false(reference_patch_closest(&g, s.xs, &closest));
-    assert_false(reference_patch_foot(&s, lowest, highest));
+    assert_false(foot_patch_closest(&g, s.xs, &closest));
+    assert_false(foot_patch(&s, lowest, highest));
 }
 
 /* A corner is the closest point of all that lie beyond it, an edge of what lies beside it. */
@@ -170,11 +170,11 @@ static void test_border(void **state)
     struct footpoint_gregory g;
     struct stationary closest;
     assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.n, &g), FOOTPOINT_OK);
-    assert_true(reference_patch_closest(&g, (const double[]){2.3, 2.1, 0.5}, &closest));
+    assert_true(foot_patch_closest(&g, (const double[]){2.3, 2.1, 0.5}, &closest));
     assert_true(closest.xi == 1 && closest.eta == 1 && !closest.minimum);
-    assert_true(reference_patch_closest(&g, (const double[]){0.5, -3, 0.5}, &closest));
+    assert_true(foot_patch_closest(&g, (const double[]){0.5, -3, 0.5}, &closest));
     assert_true(fabs(closest.xi + 0.5) < 1e-11 && closest.eta == -1 && !closest.minimum);
-    assert_true(reference_patch_closest(&g, (const double[]){0.5, 1.75, 0.5}, &closest));
+    assert_true(foot_patch_closest(&g, (const double[]){0.5, 1.75, 0.5}, &closest));
     assert_true(fabs(closest.xi + 0.5) < 1e-15 && fabs(closest.eta - 0.75) < 1e-15 && closest.minimum);
 }
 

@@ -75,7 +75,7 @@ static void lattice_labels_are_certain(void **state)
         for (size_t i = 0; i < set.n; i++) {
             struct sample fresh = set.s[i];
             fresh.xi = fresh.eta = fresh.gap = 9;
-            assert_true(reference_foot(&fresh, lo, hi));
+            assert_true(foot_bilinear(&fresh, lo, hi));
             assert_true(fresh.xi == set.s[i].xi && fresh.eta == set.s[i].eta && fresh.gap == set.s[i].gap);
             low += set.s[i].x[2][2] < 0;
             high += set.s[i].x[2][2] > 0;
@@ -350,11 +350,15 @@ static void meshes_of_other_kinds_are_read(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_share_nothing),         cmocka_unit_test(seeds_draw_other_samples),
-        cmocka_unit_test(labels_are_foot_points),      cmocka_unit_test(shapes_keep_their_limits),
+        cmocka_unit_test(parts_share_nothing),
+        cmocka_unit_test(seeds_draw_other_samples),
+        cmocka_unit_test(labels_are_foot_points),
+        cmocka_unit_test(shapes_keep_their_limits),
         cmocka_unit_test(even_parts_are_even),
-        cmocka_unit_test(order_renumbers_the_corners), cmocka_unit_test(lattice_labels_are_certain),
-        cmocka_unit_test(empty_sets_are_refused),      cmocka_unit_test(meshes_of_other_kinds_are_read),
+        cmocka_unit_test(order_renumbers_the_corners),
+        cmocka_unit_test(lattice_labels_are_certain),
+        cmocka_unit_test(empty_sets_are_refused),
+        cmocka_unit_test(meshes_of_other_kinds_are_read),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);
 }

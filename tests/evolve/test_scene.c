@@ -51,7 +51,7 @@ static void shipped_segments_are_found_out(void **state)
 {
     static const struct {
         const char *name;
-        enum vary_kind kind;
+        enum variation_kind kind;
     } expected[] = {{"plane-quad4", VARY_PLANE},
                     {"parallelogram-quad4", VARY_PARALLELOGRAMS},
                     {"rectangle-quad4", VARY_RECTANGLES},
@@ -65,7 +65,7 @@ static void shipped_segments_are_found_out(void **state)
         struct diag d;
         s->training = 2000;
         assert_true(scene_samples(s, PART_TRAINING, &set, &d));
-        const struct vary v = vary_measure(segment_find("quad4"), &set);
+        const struct variation v = variation_measure(segment_find("quad4"), &set);
         assert_int_equal(v.kind, expected[i].kind);
         if (s->source == SOURCE_RANDOM) /* in the scene's own measures, and up to them */
             for (int k = 0; k < 3; k++) {
@@ -106,7 +106,7 @@ static void every_value_arrives(void **state)
 
     s = read_from_text(HEAD SHAPES, &d);
     assert_true(s && s->tiers == 0 && s->reference[0] == 0);
-    assert_true(scene_follow("", s, VARY_PLANE, &d));
+    assert_true(scene_default_tiers("", s, VARY_PLANE, &d));
     assert_true(s->tiers == 3 && s->reference[0] == 0);
     scene_free(s);
 
@@ -142,15 +142,15 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "heldout = 40;", "heldout = \"40\";", "8: error: 'heldout' must be a whole number"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"hexagon\"", "1: error: unknown segment 'hexagon'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"gregory\"", "9: error: unknown key 'aspect' in shapes"},
-    {HEAD LATTICE TAIL, "\"quad4\"", "\"gregory\"", "9: error: lattice lacks 'normal_sets' (such as 10), 'tilt' (such as 0.3)"},
+    {HEAD LATTICE TAIL, "\"quad4\"", "\"gregory\"",
+     "9: error: lattice lacks 'normal_sets' (such as 10), 'tilt' (such as 0.3)"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"quad5\"", "1: error: unknown segment 'quad5'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"tri3\"", "9: error: unknown key 'taper' in shapes"},
     {HEAD SHAPES TAIL, "\"quad4\"", "\"quad8\"",
      "9: error: shapes lacks 'curve' (such as 0.05), 'shift' (such as 0.03)"},
     {HEAD LATTICE TAIL, "\"quad4\"", "\"quad9\"", "9: error: a 'lattice' is of segments quad4, gregory and bezier"},
-    {HEAD "shapes: { aspect = 5; skew = \"45 deg\"; gap = 0.2; overhang = 0.1; };\n",
-     "\"quad4\";\norder = \"any\"", "\"tri3\";\norder = \"nearest\"",
-     "2: error: 'order' must be \"any\" for segment 'tri3'"},
+    {HEAD "shapes: { aspect = 5; skew = \"45 deg\"; gap = 0.2; overhang = 0.1; };\n", "\"quad4\";\norder = \"any\"",
+     "\"tri3\";\norder = \"nearest\"", "2: error: 'order' must be \"any\" for segment 'tri3'"},
     {HEAD SHAPES TAIL, "\"quad4\"", "4", "1: error: 'segment' must be a text in quotes"},
     {HEAD SHAPES TAIL, "\"any\"", "\"some\"",
      "2: error: 'order' must be \"any\" or \"nearest\" or \"nearest-shorter\""},
@@ -160,7 +160,7 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "0.0", "3: error: 'reference' must be two numbers, [a, b]"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[0.0, -1.5]", "3: error: 'reference' must be in -1..1"},
     {HEAD SHAPES TAIL, "[0.0, 0.0]", "[\"a\", \"b\"]", "3: error: 'reference' must be a number"},
-    {HEAD TAIL, "seed", "seed", 
+    {HEAD TAIL, "seed", "seed",
      " error: scene lacks 'mesh' (such as mesh: { file = \"contact.inp\"; distance = 0.5; }, or 'shapes')"},
     {HEAD SHAPES LATTICE TAIL, "seed", "seed",
      "9: error: both 'lattice' and 'shapes'; a scene has one of lattice, shapes and mesh"},
@@ -172,14 +172,10 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"45 deg\"", "\"45 degrees\"", "9: error: 'skew' has the unknown unit 'degrees'; deg or rad"},
     {HEAD SHAPES TAIL, "\"45 deg\"", "\"deg\"",
      "9: error: 'skew' must be an angle with its unit, \"45 deg\" or \"0.8 rad\""},
-    {HEAD SHAPES TAIL, "\"45 deg\"", "\"86 deg\"",
-     "9: error: 'skew' must be in 0..85 deg; \"45 deg\" is usual"},
-    {HEAD SHAPES TAIL, "\"45 deg\"", "\"nan deg\"",
-     "9: error: 'skew' must be in 0..85 deg; \"45 deg\" is usual"},
-    {HEAD SHAPES TAIL, "\"15 deg\"", "\"170 deg\"",
-     "9: error: 'warp' must be in 0..90 deg; \"15 deg\" is usual"},
-    {HEAD SHAPES TAIL, "\"15 deg\"", "\"2 rad\"",
-     "9: error: 'warp' must be in 0..90 deg; \"15 deg\" is usual"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"86 deg\"", "9: error: 'skew' must be in 0..85 deg; \"45 deg\" is usual"},
+    {HEAD SHAPES TAIL, "\"45 deg\"", "\"nan deg\"", "9: error: 'skew' must be in 0..85 deg; \"45 deg\" is usual"},
+    {HEAD SHAPES TAIL, "\"15 deg\"", "\"170 deg\"", "9: error: 'warp' must be in 0..90 deg; \"15 deg\" is usual"},
+    {HEAD SHAPES TAIL, "\"15 deg\"", "\"2 rad\"", "9: error: 'warp' must be in 0..90 deg; \"15 deg\" is usual"},
     {HEAD SHAPES TAIL, "aspect = 5", "aspect = 0.5", "9: error: 'aspect' must be in 1..1000; 5.0 is usual"},
     {HEAD SHAPES TAIL, "taper = 0.3", "taper = 1.0", "9: error: 'taper' must be in 0..0.95; 0.3 is usual"},
     {HEAD SHAPES TAIL, "gap = 0.2", "gap = -0.2", "9: error: 'gap' must be in 0..100; 0.2 is usual"},
@@ -264,13 +260,14 @@ static void usual_values(void **state)
         const bool patch = i > 4, middles = i > 1 && i < 5, triangle = i == 1 || i == 2;
         snprintf(text, sizeof text, "segment = \"%s\"; training = 9; heldout = 8; shapes: { gap = 0.2; %s %s %s };\n",
                  kind[i], patch ? "" : "aspect = 5; skew = \"45 deg\"; overhang = 0.1;",
-                 middles ? "curve = 0.05; shift = 0.03;" : "", triangle || patch ? "" : "taper = 0.3; warp = \"9 deg\";");
+                 middles ? "curve = 0.05; shift = 0.03;" : "",
+                 triangle || patch ? "" : "taper = 0.3; warp = \"9 deg\";");
         struct scene *s = read_from_text(text, &d), *usual = shipped(kind[i]);
         if (!s)
             fail_msg("%s: %s", kind[i], d.text);
         assert_true(s->order == CORNERS_ANY && s->norm == NORM_MEAN && s->seed == 1 && !s->warnings);
         assert_string_equal(s->precision, "double");
-        assert_true(s->tiers == 0 && scene_follow("", s, VARY_WARPED, &d));
+        assert_true(s->tiers == 0 && scene_default_tiers("", s, VARY_WARPED, &d));
         assert_int_equal(s->tiers, usual->tiers);
         for (size_t k = 0; k < s->tiers; k++) {
             assert_string_equal(s->tier[k].name, usual->tier[k].name);

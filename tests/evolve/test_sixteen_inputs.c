@@ -1,7 +1,7 @@
 /* The sixteen inputs of section 7.2, as the frame computes them, against a plain evaluation in the local axes of the
  * segment; anywhere in space, at any size and turned in any way. */
-#include "../../evolve/eval/frame.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/eval/frame.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>

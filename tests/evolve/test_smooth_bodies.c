@@ -1,6 +1,6 @@
 /* Smooth bodies and their meshes: exact geometry, how near to it smoothed surfaces come, and node normals (44). */
-#include "../../evolve/samples/bodies.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/samples/bodies.h"
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
 #include "../../runtime/geometry/footpoint-node-normals.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"

@@ -45,17 +45,17 @@ static struct sample sample_of(const struct form *f, double scale, double offset
     return s;
 }
 
-static struct vary vary_of(const struct form *f, double scale, double offset)
+static struct variation vary_of(const struct form *f, double scale, double offset)
 {
     struct sample s = sample_of(f, scale, offset);
-    return vary_measure(segment_find("quad4"), &(struct sample_set){.s = &s, .n = 1});
+    return variation_measure(segment_find("quad4"), &(struct sample_set){.s = &s, .n = 1});
 }
 
 static void known_shapes_anywhere(void **state)
 {
     static const struct {
         struct form form;
-        enum vary_kind kind;
+        enum variation_kind kind;
     } known[] = {{{0, 0, 0, 0}, VARY_RECTANGLES},        {{0.3, 0, 0, 0}, VARY_PARALLELOGRAMS},
                  {{-1.2, 0, 0, 0}, VARY_PARALLELOGRAMS}, {{0, 0.2, 0, 0}, VARY_PLANE},
                  {{0.3, 0, -0.1, 0}, VARY_PLANE},        {{0, 0, 0, 0.1}, VARY_WARPED},
@@ -67,12 +67,12 @@ static void known_shapes_anywhere(void **state)
         for (int j = 0; j < 3; j++)
             for (int k = 0; k < 3; k++) {
                 const struct form *f = &known[i].form;
-                const struct vary v = vary_of(f, scale[j], offset[k]);
+                const struct variation v = vary_of(f, scale[j], offset[k]);
                 const double near = 1e-12 + 4e-15 * offset[k] / scale[j]; /* rounding of coordinates */
                 if (v.kind != known[i].kind || fabs(v.skew - fabs(f->skew)) > near ||
                     fabs(v.taper - fmax(fabs(f->a), fabs(f->b))) > near)
                     fail_msg("shape %zu, scale %g, offset %g: %s, skew %g, taper %g, warp %g", i, scale[j], offset[k],
-                             vary_name[v.kind], v.skew, v.taper, v.warp);
+                             variation_name[v.kind], v.skew, v.taper, v.warp);
                 if (f->skew == 0 && f->a == 0 && f->b == 0) /* normals of a hyperbolic paraboloid over a rectangle */
                     assert_true(fabs(v.warp - 2 * atan(fabs(f->g) * hypot(1, 2))) < 2 * near);
             }
@@ -83,17 +83,17 @@ static void the_tolerance_is_where_it_is_said(void **state)
 {
     static const struct {
         double a, scale, offset;
-        enum vary_kind kind;
+        enum variation_kind kind;
     } edge[] = {{3e-13, 1, 0, VARY_RECTANGLES}, {1e-11, 1, 0, VARY_PLANE},
                 {1e-11, 1e-3, 0, VARY_PLANE},   {1e-12, 1, 1e3, VARY_RECTANGLES},
                 {1e-10, 1, 1e3, VARY_PLANE},    {1e-10, 1e-3, 1e3, VARY_RECTANGLES},
                 {1e-7, 1e-3, 1e3, VARY_PLANE},  {3e-13, 1e3, 1e3, VARY_RECTANGLES}};
     (void)state;
     for (size_t i = 0; i < sizeof edge / sizeof *edge; i++) {
-        const struct vary v = vary_of(&(struct form){0, edge[i].a, 0, 0}, edge[i].scale, edge[i].offset);
+        const struct variation v = vary_of(&(struct form){0, edge[i].a, 0, 0}, edge[i].scale, edge[i].offset);
         if (v.kind != edge[i].kind)
             fail_msg("taper %g at scale %g, offset %g: %s", edge[i].a, edge[i].scale, edge[i].offset,
-                     vary_name[v.kind]);
+                     variation_name[v.kind]);
     }
 }
 
@@ -105,13 +105,14 @@ static void the_worst_decides(void **state)
     for (int i = 0; i < 50; i++)
         s[i] = sample_of(&(struct form){i == 37 ? 0.4 : 0, 0, 0, 0}, 1 + i, 0);
     const struct sample_set set = {.s = s, .n = 50};
-    assert_int_equal(vary_measure(segment_find("quad4"), &set).kind, VARY_PARALLELOGRAMS);
-    assert_true(fabs(vary_measure(segment_find("quad4"), &set).skew - 0.4) < 1e-14);
+    assert_int_equal(variation_measure(segment_find("quad4"), &set).kind, VARY_PARALLELOGRAMS);
+    assert_true(fabs(variation_measure(segment_find("quad4"), &set).skew - 0.4) < 1e-14);
     s[12] = sample_of(&(struct form){0.1, 0, 0.1, 0}, 1, 0);
-    assert_int_equal(vary_measure(segment_find("quad4"), &set).kind, VARY_PLANE);
+    assert_int_equal(variation_measure(segment_find("quad4"), &set).kind, VARY_PLANE);
     memset(&s[3], 0, sizeof s[3]);
-    assert_int_equal(vary_measure(segment_find("quad4"), &set).kind, VARY_WARPED);
-    assert_int_equal(vary_measure(segment_find("quad4"), &(struct sample_set){.s = s, .n = 0}).kind, VARY_RECTANGLES);
+    assert_int_equal(variation_measure(segment_find("quad4"), &set).kind, VARY_WARPED);
+    assert_int_equal(variation_measure(segment_find("quad4"), &(struct sample_set){.s = s, .n = 0}).kind,
+                     VARY_RECTANGLES);
 }
 
 /* The frame that follows has all that its tiers name; the tiers of warped segments are those of the scene quad4. */
@@ -124,7 +125,7 @@ static void frame_and_tiers_follow(void **state)
     for (int kind = VARY_RECTANGLES; kind <= VARY_WARPED; kind++) {
         struct scene *s = scene_read("", "plane-quad4", &d);
         assert_true(s && s->tiers == 0);
-        assert_true(scene_follow("", s, (enum vary_kind)kind, &d));
+        assert_true(scene_default_tiers("", s, (enum variation_kind)kind, &d));
         struct genome_file *program = frame_program(".", s, "program", &d);
         if (!program)
             fail_msg("%s", d.text);

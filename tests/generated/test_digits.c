@@ -1,12 +1,12 @@
 /* Digits far from the origin: segments are moved by a hundred, ten thousand and a million edges, and the rounding errors
  * of every function stay what they are at the origin; so does the gap.  They are measured against the function itself in
  * long double, on the coordinates as they have been rounded, relative to a node. */
-#include "../../evolve/input/scene.h"
+#include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/footpoint.h"
+#include "../bench/bench_kinds.h"
 #include "../support/error_stats.h"
 #include "headers_long.h"
-#include "../bench/bench_kinds.h"
 #include "methods.h"
 
 #include <math.h>

@@ -2,11 +2,11 @@
  * and must show the figures of its banner; and the checked function must agree with the unchecked one however the
  * corners are numbered. */
 #include "../../evolve/eval/frame.h"
-#include "../../evolve/input/scene.h"
+#include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/footpoint.h"
-#include "../support/error_stats.h"
 #include "../bench/bench_kinds.h"
+#include "../support/error_stats.h"
 #include "methods.h"
 
 #include <math.h>
@@ -224,9 +224,8 @@ static void test_scene(void **state)
  * points inside are found by the most accurate function of each kind. */
 static void test_collapsed(void **state)
 {
-    static const char *const best[][2] = {{"quad4", "footpoint_quad4_full"},
-                                          {"quad8", "footpoint_quad8_full"},
-                                          {"quad9", "footpoint_quad9_full"}};
+    static const char *const best[][2] = {
+        {"quad4", "footpoint_quad4_full"}, {"quad8", "footpoint_quad8_full"}, {"quad9", "footpoint_quad9_full"}};
     static const double place[4][3] = {{0, 0, 0}, {1, 0, 0.0625}, {1.125, 0.875, 0}, {0.0625, 1, 0.0625}};
     (void)state;
     for (size_t b = 0; b < sizeof best / sizeof *best; b++)

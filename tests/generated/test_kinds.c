@@ -1,7 +1,7 @@
 /* Kinds of segments: geometry against finite differences and itself, the certain foot point against other roads to it.
  */
+#include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/foot_bilinear.h"
-#include "../../evolve/input/scene.h"
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/geometry/footpoint-quad8-geometry.h"
 #include "../../runtime/geometry/footpoint-quad9-geometry.h"
@@ -206,7 +206,7 @@ static void bisection_agrees_with_the_quintic(void **state)
                 for (int k = 0; k < 3; k++)
                     b.x[m][k] = m == 8 ? (b.x[0][k] + b.x[1][k] + b.x[2][k] + b.x[3][k]) / 4
                                        : (b.x[m - 4][k] + b.x[(m - 3) % 4][k]) / 2;
-            const bool found = reference_foot(&a, lo, hi);
+            const bool found = foot_bilinear(&a, lo, hi);
             if (found != f->foot(f, &b, lo, hi))
                 fail_msg("sample %zu, box %d: (%a,%a) by the quintic alone: %d", i, box, a.xi, a.eta, found);
             if (found &&

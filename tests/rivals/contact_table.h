@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_CONTACT_TABLE_H
 #define FOOTPOINT_CONTACT_TABLE_H
 
-#include "../../evolve/input/scene.h"
+#include "../../evolve/samples/samples.h"
 #include "../support/error_stats.h"
 
 /** Exact: in contact where the foot point lies on the segment and the gap is negative.  A gap within rounding of 0 is

@@ -50,7 +50,7 @@ static double true_distance(const double x[4][3], const double s[3])
 {
     struct stationary found[5];
     double least = (double)INFINITY;
-    const int n = reference_stationary(x, s, found);
+    const int n = foot_bilinear_stationary(x, s, found);
     for (int i = 0; i < n; i++)
         if (fabs(found[i].xi) <= 1 && fabs(found[i].eta) <= 1)
             least = fmin(least, found[i].distance);

@@ -1,11 +1,11 @@
-/* What tests of searches share: random samples, judges, a place for what is found. */
+/* What tests of searches share: random samples, objectives, a place for what is found. */
 #ifndef FOOTPOINT_SEARCH_FIXTURE_H
 #define FOOTPOINT_SEARCH_FIXTURE_H
 
-#include "../../evolve/fit/fit_constants.h"
 #include "../../evolve/common/decimal.h"
-#include "../../evolve/fit/grow.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/fit/fit_constants.h"
+#include "../../evolve/fit/grow.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -20,11 +20,11 @@ enum { X = GENE_SYMBOL, Y, Z, W };
 struct fixture {
     gsl_rng *rng;
     struct genome_file *program;
-    struct columns table;   /* X, Y, ... and behind them the goal */
-    struct judge *judge[3]; /* by norm */
+    struct columns table;           /* X, Y, ... and behind them the goal */
+    struct objective *objective[3]; /* by norm */
     struct fitter *fitter;
     struct grow_plan plan; /* for the test to make */
-    struct seeds front;    /* what was found */
+    struct pareto front;   /* what was found */
 };
 
 /* All columns hold random numbers from -width to width. */
@@ -39,7 +39,7 @@ static inline struct fixture *fixture_new(uint64_t key, size_t samples, size_t s
         for (size_t i = 0; i < samples; i++)
             columns_at(&f->table, j)[i] = width * (2 * gsl_rng_uniform(f->rng) - 1);
     for (int norm = NORM_MEAN; norm <= NORM_MAX; norm++)
-        f->judge[norm] = judge_new(f->program, &f->table, (enum scene_norm)norm);
+        f->objective[norm] = objective_new(f->program, &f->table, (enum scene_norm)norm);
     f->fitter = fitter_new(&f->table);
     return f;
 }
@@ -47,10 +47,10 @@ static inline struct fixture *fixture_new(uint64_t key, size_t samples, size_t s
 static inline int teardown(void **state)
 {
     struct fixture *f = *state;
-    seeds_free(&f->front);
+    pareto_free(&f->front);
     fitter_free(f->fitter);
     for (int norm = NORM_MEAN; norm <= NORM_MAX; norm++)
-        judge_free(f->judge[norm]);
+        objective_free(f->objective[norm]);
     columns_free(&f->table);
     genome_file_free(f->program);
     gsl_rng_free(f->rng);

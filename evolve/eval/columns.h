@@ -1,0 +1,43 @@
+/* Tables of samples, and what a genome is computed on. */
+#ifndef FOOTPOINT_COLUMNS_H
+#define FOOTPOINT_COLUMNS_H
+
+#include "../../codegen/genome/genome.h"
+
+enum {
+    KERNEL_BLOCK = 512, /* samples between two looks at the bound */
+    TAPE_BLOCK = 128    /* samples at a time where derivatives are wanted; divides KERNEL_BLOCK */
+};
+
+/** A table of samples: one column of n doubles per symbol, padded to whole blocks and aligned to cache lines. */
+struct columns {
+    size_t n, count;
+    size_t room;    /* distance of two columns in rows: n rounded up to whole blocks, and a bit; the padding is 0 */
+    double *data;   /* not owned: aligned in `memory` */
+    double *memory; /* owned */
+};
+struct columns columns_new(size_t n, size_t count);
+void columns_free(struct columns *c);
+/** First row of a column. */
+double *columns_at(const struct columns *c, size_t column);
+
+/** The same table in float. */
+struct columns_float {
+    size_t n, count, room;
+    float *data;   /* not owned: aligned in `memory` */
+    float *memory; /* owned */
+};
+struct columns_float columns_float_new(const struct columns *c);
+void columns_float_free(struct columns_float *c);
+float *columns_float_at(const struct columns_float *c, size_t column);
+
+/** A genome in a table: symbol s of a gene is column s; constants are the program's, or, where `constant` is NULL,
+ *  decimal numbers coded in their genes (decimal.h). */
+struct kernel_task {
+    const int *gene;
+    size_t length;
+    const struct genome_constant *constant; /* not owned; may be NULL */
+    const struct columns *table;            /* not owned */
+};
+
+#endif

@@ -1,0 +1,187 @@
+/* Reads a scene: a libconfig text (its meaning: evolve/README.md).  Every key, type, unit and range is checked,
+ * and each complaint names its line. */
+#include "scene_parts.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* NULL where the scene has none, which a mesh will do for. */
+static bool read_segment(const struct scene_reader *r, const config_setting_t *s, const struct segment_kind **segment)
+{
+    char *name = NULL;
+    if (!s)
+        return true;
+    if (!key_string(r, s, "segment", &name))
+        return false;
+    *segment = segment_find(name);
+    const bool found = *segment != NULL;
+    if (!found)
+        key_fail(r, s, "unknown segment '%s'", name);
+    free(name);
+    return found;
+}
+
+static bool read_reference(const struct scene_reader *r, const config_setting_t *root, double reference[2])
+{
+    const config_setting_t *s = config_setting_get_member(root, "reference");
+    reference[0] = reference[1] = NAN;
+    return !s || key_two(r, s, "reference", -1, 1, reference);
+}
+
+/* One of n words; the first where the scene has none. */
+static bool read_word(const struct scene_reader *r, const config_setting_t *root, const char *key,
+                      const char *const *word, int n, int *which)
+{
+    const config_setting_t *s = config_setting_get_member(root, key);
+    *which = 0;
+    return !s || key_word(r, s, key, word, n, which);
+}
+
+/* Every key is known, and those are there that have no usual value. */
+static bool check_keys(const struct scene_reader *r, config_setting_t *root, struct scene *scene,
+                       config_setting_t **source)
+{
+    static const struct scene_key required[] = {{"training", "20000"}, {"heldout", "50000"}, {NULL, NULL}};
+    static const char *const optional[] = {"segment", "order", "norm",    "precision", "seed", "reference",
+                                           "frame",   "tiers", "lattice", "shapes",    "mesh", NULL};
+    static const struct scene_key segment = {"segment", "\"quad4\""};
+    if (!keys_check(r, root, "scene", required, optional) ||
+        !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment) ||
+        !scene_find_source(r, root, scene, source))
+        return false;
+    if (!scene->segment && *source && scene->source != SOURCE_MESH)
+        keys_lack(r, root, "scene", &segment);
+    return scene_check_source(r, *source, scene) && scene_check_tiers(r, root) && keys_complete(r);
+}
+
+static bool read_scene(const struct scene_reader *r, config_setting_t *root, struct scene *scene, char **mesh,
+                       size_t *size)
+{
+    static const char *const order[] = {"any", "nearest", "nearest-shorter"};
+    static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
+    long long training, heldout, seed = 1;
+    config_setting_t *source = NULL;
+    const config_setting_t *s;
+    int which;
+    if (!check_keys(r, root, scene, &source) ||
+        (scene->source == SOURCE_MESH && !scene_read_mesh(r, source, scene, mesh, size)) ||
+        !read_word(r, root, "order", order, 3, &which))
+        return false;
+    scene->order = (enum corner_order)which;
+    if (scene->order != CORNERS_ANY && !scene->segment->turns)
+        return key_fail(r, config_setting_get_member(root, "order"), "'order' must be \"any\" for segment '%s'",
+                        scene->segment->name);
+    if (!read_reference(r, root, scene->reference) || !read_word(r, root, "norm", norm, 3, &which))
+        return false;
+    scene->norm = (enum scene_norm)which;
+    if (!read_word(r, root, "precision", precision, 2, &which))
+        return false;
+    if (which == 1 && *scene->segment->normals)
+        return key_fail(r, config_setting_get_member(root, "precision"),
+                        "'precision' must be \"double\" for segment '%s'", scene->segment->name);
+    scene->precision = new_text(precision[which], strlen(precision[which]));
+    s = config_setting_get_member(root, "seed");
+    if ((s && !key_count(r, s, "seed", 0, LLONG_MAX, &seed)) ||
+        !key_count(r, config_setting_get_member(root, "training"), "training", 1, 100000000, &training) ||
+        !key_count(r, config_setting_get_member(root, "heldout"), "heldout", 1, 100000000, &heldout))
+        return false;
+    scene->seed = (uint64_t)seed;
+    scene->training = (size_t)training;
+    scene->heldout = (size_t)heldout;
+    if ((scene->source != SOURCE_MESH && !scene_read_source(r, source, scene)) || !scene_read_tiers(r, root, scene))
+        return false;
+    if (scene->tiers > 0 && isnan(scene->reference[0]))
+        scene_choose_reference(scene, false);
+    return true;
+}
+
+/* Line of an @include directive, or 0.  The digest covers one text, so that a scene has no others. */
+static int include_line(const char *text)
+{
+    for (int line = 1;; line++) {
+        text += strspn(text, " \t");
+        if (strncmp(text, "@include", strlen("@include")) == 0)
+            return line;
+        text = strchr(text, '\n');
+        if (!text++)
+            return 0;
+    }
+}
+
+/* SHA-256 of the scene text and, after it, of the mesh content. */
+static void digest(struct scene *scene, const char *text, size_t size, const char *mesh, size_t mesh_size)
+{
+    char *both = new_array(size + mesh_size, 1);
+    memcpy(both, text, size);
+    if (mesh)
+        memcpy(both + size, mesh, mesh_size);
+    sha256_hex(both, size + mesh_size, scene->sha256);
+    free(both);
+}
+
+static char *scene_name(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const size_t length = strlen(base), suffix = strlen(".scene");
+    const bool named = length > suffix && strcmp(base + length - suffix, ".scene") == 0;
+    return new_text(base, named ? length - suffix : length);
+}
+
+struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d)
+{
+    char *path = scene_path(root, name_or_path), *mesh = NULL;
+    size_t size = 0, mesh_size = 0;
+    char *text = read_text(path, &size, d);
+    struct scene *scene = NULL;
+    struct scene_lacking lacking = {.groups = 0};
+    config_t config;
+    if (!text) {
+        free(path);
+        return NULL;
+    }
+    scene = new_array(1, sizeof *scene);
+    scene->path = path;
+    scene->name = scene_name(path);
+    const struct scene_reader r = {root, path, text, d, &lacking, &scene->warnings};
+    config_init(&config);
+    bool good = strlen(text) == size;
+    const int line = include_line(text);
+    if (!good)
+        diag_at(d, path, 0, 0, "a NUL character in the text");
+    else if (line)
+        good = diag_at(d, path, line, 0, "a scene includes no other file");
+    else if (!config_read_string(&config, text))
+        good = diag_at(d, path, config_error_line(&config), 0, "%s", config_error_text(&config));
+    else
+        good = read_scene(&r, config_root_setting(&config), scene, &mesh, &mesh_size);
+    if (good)
+        digest(scene, text, size, mesh, mesh_size);
+    else {
+        scene_free(scene);
+        scene = NULL;
+    }
+    config_destroy(&config);
+    free(mesh);
+    free(text);
+    return scene;
+}
+
+struct scene *scene_of_kind(const char *root, const struct scene *s, struct diag *d)
+{
+    const char *const kind = s->segment->name;
+    char *path = scene_path(root, kind);
+    struct scene *usual = NULL;
+    if (strcmp(path, s->path) == 0)
+        diag_at(d, path, 0, 0, "frame and tiers are missing, which other scenes of segments %s take from here", kind);
+    else
+        usual = scene_read(root, kind, d);
+    if (usual && usual->tiers == 0) {
+        diag_at(d, path, 0, 0, "no tiers, which scene '%s' of segments %s should take from here", s->name, kind);
+        scene_free(usual);
+        usual = NULL;
+    }
+    free(path);
+    return usual;
+}

@@ -1,0 +1,15 @@
+/* The two ways of breeding: how a population starts, goes on, and takes n migrants of a parcel in. */
+#ifndef FOOTPOINT_BREED_H
+#define FOOTPOINT_BREED_H
+
+#include "population.h"
+
+void breed_paper_start(struct island *is, const struct tree *seed, size_t n);
+void breed_paper_step(struct island *is);
+void breed_paper_receive(struct island *is, size_t n, int *parcel);
+
+void breed_front_start(struct island *is, const struct tree *seed, size_t n);
+void breed_front_step(struct island *is);
+void breed_front_receive(struct island *is, size_t n, int *parcel);
+
+#endif

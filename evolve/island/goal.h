@@ -1,0 +1,27 @@
+/* What one island is to find, and the individuals that it breeds. */
+#ifndef FOOTPOINT_GOAL_H
+#define FOOTPOINT_GOAL_H
+
+#include "../eval/objective.h"
+#include "../fit/fitting.h"
+#include "plan.h"
+
+/** What one island is to find. */
+struct goal {
+    size_t target;                /* table column */
+    size_t max_length;            /* genes */
+    const struct gene_set *genes; /* not owned */
+    uint64_t ring, place;         /* key of its random streams: which ring, where in it */
+    const struct fitting *fit;    /* not owned; NULL: none */
+    bool closed;                  /* it takes no migrants, so that what it finds is its own */
+};
+
+struct individual {
+    struct tree tree; /* genes not owned: in the island's pool; constants are decimal numbers */
+    double fitness;   /* what selection minimises, the paper's 1/fitness */
+    double error;     /* INFINITY when not finite, or so bad that it was not evaluated to the end */
+    double cost;      /* by the plan's model, with the values of the frame that it needs */
+    uint64_t hash;    /* of its operations */
+};
+
+#endif

@@ -1,0 +1,97 @@
+/* What both ways of breeding share; see population.h. */
+#include "population.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    TOURNAMENT = 4,
+    SHALLOWEST = 2, /* depths of the first trees, ramped */
+    DEEPEST = 6
+};
+
+struct remembered *population_memory(const struct island *is, uint64_t hash)
+{
+    return &is->cache[hash >> (64 - CACHE_BITS)];
+}
+
+void population_count(struct island *is, struct individual *x)
+{
+    const bool both = objective_takes_both(is->objective, is->goal.target);
+    const struct operation_count o =
+        both ? count_twin_operations(is->twin, &x->tree) : count_operations(is->counter, &x->tree, NULL);
+    x->cost = operations_price(&o, &is->plan->prices) + (both ? 0 : frame_cost_of(is->frame, &x->tree));
+    x->hash = o.hash;
+}
+
+void population_record(struct island *is, const struct individual *x)
+{
+    front_offer(is->all, &x->tree, x->error, x->cost);
+    if (is->plan->breeding == BREED_FRONT)
+        front_offer(is->stage, &x->tree, x->error, x->cost);
+}
+
+int population_compare(const void *a, const void *b)
+{
+    const struct individual *p = a, *q = b;
+    if (p->fitness != q->fitness)
+        return p->fitness < q->fitness ? -1 : 1;
+    if (p->error != q->error)
+        return p->error < q->error ? -1 : 1;
+    if (p->tree.length != q->tree.length)
+        return p->tree.length < q->tree.length ? -1 : 1;
+    return memcmp(p->tree.gene, q->tree.gene, p->tree.length * sizeof *p->tree.gene);
+}
+
+const struct tree *population_choose(struct island *is)
+{
+    const size_t n = is->plan->population;
+    size_t chosen = n;
+    if (is->plan->selection == SELECT_TOURNAMENT) { /* now[] is sorted: the lowest index wins */
+        for (int i = 0; i < TOURNAMENT; i++) {
+            const size_t k = gsl_rng_uniform_int(is->rng, n);
+            chosen = k < chosen ? k : chosen;
+        }
+        return &is->now[chosen].tree;
+    }
+    const double at = gsl_rng_uniform(is->rng) * is->cumulative[n - 1];
+    size_t low = 0, high = n - 1;
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (is->cumulative[middle] > at)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return &is->now[low].tree;
+}
+
+void population_random_tree(struct island *is, size_t k, struct tree *t)
+{
+    const int depth = SHALLOWEST + (int)(k / 2) % (DEEPEST - SHALLOWEST + 1);
+    tree_random(is->rng, is->goal.genes, depth, k % 2 == 0, is->goal.max_length, t);
+}
+
+/* In a front breeding, the best is a member of the front. */
+static void find_best(struct island *is)
+{
+    is->best = is->now[0];
+    if (is->plan->breeding == BREED_PAPER)
+        return;
+    is->best.fitness = INFINITY;
+    for (size_t c = 0; c <= is->all->limit; c++) {
+        const struct member *m = &is->all->member[c];
+        const double fitness = plan_fitness(is->plan, m->error, m->cost);
+        if (m->tree.length > 0 && fitness < is->best.fitness)
+            is->best = (struct individual){m->tree, fitness, m->error, m->cost, 0};
+    }
+}
+
+void population_refresh(struct island *is)
+{
+    double sum = 0;
+    for (size_t i = 0; i < is->plan->population; i++)
+        is->cumulative[i] = sum += 1 / fmin(fmax(is->now[i].fitness, 1e-100), 1e100);
+    memcpy(is->reference, is->stage->lowest, (is->stage->limit + 1) * sizeof *is->reference);
+    find_best(is);
+}

@@ -1,0 +1,152 @@
+/* Islands over the ranks; see islands.h. */
+#include "islands.h"
+
+#include <stdlib.h>
+
+size_t islands_count(const struct islands *s)
+{
+    return s->rings * s->places;
+}
+
+/* One ring after the other, from that of the longest genomes on: each island to the rank with the least to do, found on
+ * a heap of ranks by load and rank. */
+struct load {
+    size_t genes;
+    int rank;
+};
+
+static bool lighter(const struct load *a, const struct load *b)
+{
+    return a->genes < b->genes || (a->genes == b->genes && a->rank < b->rank);
+}
+
+static void sink(struct load *heap, size_t n)
+{
+    for (size_t at = 0, child; (child = 2 * at + 1) < n; at = child) {
+        if (child + 1 < n && lighter(&heap[child + 1], &heap[child]))
+            child++;
+        if (!lighter(&heap[child], &heap[at]))
+            break;
+        const struct load moved = heap[at];
+        heap[at] = heap[child];
+        heap[child] = moved;
+    }
+}
+
+void islands_share(struct islands *s, int size)
+{
+    const size_t ranks = (size_t)size;
+    struct load *heap = new_array(ranks, sizeof *heap);
+    bool *shared = new_array(s->rings, sizeof *shared);
+    for (size_t r = 0; r < ranks; r++)
+        heap[r].rank = (int)r;
+    for (size_t k = 0; k < s->rings; k++) {
+        size_t ring = s->rings;
+        for (size_t i = 0; i < s->rings; i++)
+            if (!shared[i] && (ring == s->rings || s->ring[i].max_length > s->ring[ring].max_length))
+                ring = i;
+        shared[ring] = true;
+        for (size_t i = 0; i < s->places; i++) {
+            s->owner[ring * s->places + i] = heap[0].rank;
+            heap[0].genes += s->ring[ring].max_length;
+            sink(heap, ranks);
+        }
+    }
+    free(shared);
+    free(heap);
+}
+
+bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct diag *d)
+{
+    const int last = team_last_tag(t);
+    if (islands_count(s) <= (size_t)(last - TAG_MIGRANTS))
+        return true;
+    diag_at(d, "footpoint-evolve", 0, 0, "%zu islands, but this MPI has tags for %d alone", islands_count(s), last);
+    d->code = EXIT_USAGE;
+    return false;
+}
+
+/* The sizes of all islands on rank 0, each as its own rank says; NULL on the others. */
+static size_t *gather_sizes(const struct islands *s, const struct team *t, size_t (*size)(const struct island *))
+{
+    const size_t n = islands_count(s);
+    struct mail mail = {0};
+    struct gather g;
+    for (size_t i = 0; i < n; i++)
+        if (s->island[i]) {
+            size_t *own = new_array(1, sizeof *own);
+            *own = size(s->island[i]);
+            mail_send(t, &mail, own, sizeof *own, 0, TAG_SIZE);
+        }
+    size_t *all = t->rank == 0 ? new_array(n, sizeof *all) : NULL;
+    gather_start(&g, TAG_SIZE, s->owner, n);
+    for (size_t i = 0; all && i < n; i++) {
+        size_t *one = gather_next(t, &g, NULL, sizeof *one, true);
+        all[i] = *one;
+        free(one);
+    }
+    mail_free(&mail);
+    return all;
+}
+
+size_t *islands_state_sizes(const struct islands *s, const struct team *t)
+{
+    return gather_sizes(s, t, island_state_size);
+}
+
+static size_t report_bytes(const struct island *is)
+{
+    return island_report_size(is) * sizeof(int);
+}
+
+static void take_report(struct reports *f, size_t island, int *report)
+{
+    int *at = report + 1;
+    f->memory[island] = report;
+    for (int k = 0; k < report[0]; k++) {
+        const size_t length = (size_t)at[0];
+        grow_array(&f->found, f->n, &f->room, sizeof *f->found);
+        f->found[f->n++] = (struct reported){island, {at + 1, length}};
+        at += 1 + length;
+    }
+}
+
+struct reports islands_reports(const struct islands *s, const struct team *t)
+{
+    const size_t n = islands_count(s);
+    struct reports f = {.islands = t->rank == 0 ? n : 0, .memory = new_array(n, sizeof(int *))};
+    struct mail mail = {0};
+    struct gather g;
+    size_t *bytes = gather_sizes(s, t, report_bytes);
+    for (size_t i = 0; i < n; i++)
+        if (s->island[i]) {
+            int *report = new_array(island_report_size(s->island[i]), sizeof *report);
+            island_report(s->island[i], report);
+            mail_send(t, &mail, report, report_bytes(s->island[i]), 0, TAG_REPORT);
+        }
+    gather_start(&g, TAG_REPORT, s->owner, n);
+    for (size_t i = 0; i < f.islands; i++)
+        take_report(&f, i, gather_next(t, &g, bytes, 0, true));
+    mail_free(&mail);
+    free(bytes);
+    return f;
+}
+
+void reports_free(struct reports *f)
+{
+    for (size_t i = 0; i < f->islands; i++)
+        free(f->memory[i]);
+    free(f->memory);
+    free(f->found);
+    *f = (struct reports){0};
+}
+
+void islands_free(struct islands *s)
+{
+    for (size_t i = 0; i < islands_count(s); i++)
+        island_free(s->island[i]);
+    free(s->ring);
+    free(s->island);
+    free(s->owner);
+    free(s->seeded);
+}

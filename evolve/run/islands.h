@@ -1,0 +1,59 @@
+/* The islands of a run, shared out over the ranks, and what rank 0 gathers from them. */
+#ifndef FOOTPOINT_ISLANDS_H
+#define FOOTPOINT_ISLANDS_H
+
+#include "../island/island.h"
+#include "../mpi/mail.h"
+
+/** Tags of messages: blocks for rank 0, and migrants. */
+enum tag { TAG_STATE, TAG_LOG, TAG_SIZE, TAG_REPORT, TAG_MIGRANTS /* + the receiving island: the last */ };
+
+/** The output that a ring of islands searches. */
+struct ring {
+    size_t tier;
+    int output;
+    size_t max_length; /* genes */
+};
+/** Its key in random streams. */
+static inline size_t ring_key(const struct ring *r)
+{
+    return 2 * r->tier + (size_t)(r->output % TIER_BOTH);
+}
+
+/** All islands of a run.  Ring r holds the islands r * places .. r * places + places - 1. */
+struct islands {
+    size_t rings, places;
+    struct ring *ring;      /* owned, as are these, by island: */
+    struct island **island; /* NULL where another rank owns it */
+    int *owner;             /* rank */
+    bool *seeded;           /* started from a champion */
+};
+size_t islands_count(const struct islands *s);
+void islands_free(struct islands *s);
+
+/** Share the islands out over so many ranks, the longest genomes first, always to the rank with the least to do.  Not
+ *  collective: all ranks find the same. */
+void islands_share(struct islands *s, int size);
+
+/** False with *d where MPI has not tags enough for this many islands.  Not collective. */
+bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct diag *d);
+
+/** Collective: the lengths of all islands' states (island_state_size), on rank 0, owned by the caller; else NULL. */
+size_t *islands_state_sizes(const struct islands *s, const struct team *t);
+
+/** A tree that an island reports. */
+struct reported {
+    size_t island;
+    struct tree tree; /* genes in the list's memory */
+};
+struct reports {
+    struct reported *found; /* owned: by island, in the order of its report */
+    size_t n, room;
+    int **memory; /* owned: an island's report each */
+    size_t islands;
+};
+/** Collective: what all islands report (island_report), on rank 0; empty on the others. */
+struct reports islands_reports(const struct islands *s, const struct team *t);
+void reports_free(struct reports *f);
+
+#endif

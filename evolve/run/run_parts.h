@@ -1,0 +1,59 @@
+/* What the files of a run hand each other: how it was called, what it is to find, how far it has come. */
+#ifndef FOOTPOINT_RUN_PARTS_H
+#define FOOTPOINT_RUN_PARTS_H
+
+#include "../archive/archive.h"
+#include "../common/stop.h"
+#include "../fit/fits.h"
+#include "../mpi/team.h"
+#include "resume.h"
+#include "run_options.h"
+
+/** How it was called. */
+struct call {
+    const struct evolve_options *options; /* not owned, as are these */
+    const struct team *team;
+    const struct resume *resume; /* NULL: a new run */
+    double begun;                /* seconds_now() */
+};
+
+/** Its files, beside those of the options. */
+struct run_files {
+    char start[1024], output[1024]; /* paths; start is empty where there is none */
+    char *start_text;               /* owned; on rank 0: the start file, for checkpoints */
+    size_t start_bytes;
+};
+
+/** What it is to find, and what that is measured by: the same on all ranks. */
+struct problem {
+    size_t max_length; /* genes of an expression of any tier; 0: as the tier says */
+    struct scene *scene;
+    struct archive *archive;
+    struct gene_set *genes; /* one for each tier */
+    struct columns table;   /* of the training samples */
+    struct objective *objective;
+    struct fits *fits;    /* of constants, for the islands */
+    struct fitting hooks; /* the same as the islands call it */
+    struct plan plan;
+};
+
+/** Genes of the longest expression of a tier. */
+static inline size_t problem_longest(const struct problem *p, size_t tier)
+{
+    return p->max_length ? p->max_length : p->scene->tier[tier].max_length;
+}
+
+/** Expressions of one gene are chosen among the frame's values: nothing to evolve. */
+static inline bool problem_chooses(const struct problem *p, size_t tier)
+{
+    return !p->scene->tier[tier].twin && problem_longest(p, tier) == 1;
+}
+
+/** How far it has come. */
+struct outcome {
+    size_t generation;       /* reached */
+    enum stop_reason reason; /* why it ended */
+    bool unsaved;            /* the last checkpoint or the log could not be written */
+};
+
+#endif

@@ -1,0 +1,58 @@
+/* The samples of a scene, whatever they come from; see samples.h. */
+#include "samples.h"
+
+#include <string.h>
+
+static bool draw_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    if (*s->segment->normals)
+        return patches_samples(s, part, set, d);
+    switch (s->source) {
+    case SOURCE_LATTICE:
+        return lattice_samples(s, part, set, d);
+    case SOURCE_RANDOM:
+        return shapes_samples(s, part, set, d);
+    case SOURCE_MESH:
+        break;
+    }
+    return mesh_samples(s, part, set, d);
+}
+
+bool scene_has(const struct scene *s, enum sample_part part)
+{
+    return part != PART_HELDOUT_EVEN || (s->source == SOURCE_RANDOM && !*s->segment->normals);
+}
+
+size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH])
+{
+    if (*s->segment->normals)
+        return patches_drawn(s, line);
+    switch (s->source) {
+    case SOURCE_LATTICE:
+        return lattice_drawn(s, line);
+    case SOURCE_RANDOM:
+        return shapes_drawn(s, line);
+    case SOURCE_MESH:
+        break;
+    }
+    return mesh_drawn(s, line);
+}
+
+bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d)
+{
+    const size_t before = set->n;
+    if (!draw_samples(s, part, set, d))
+        return false;
+    if (strcmp(s->precision, "float") == 0)
+        samples_round(s, set, before);
+    return set->n > before || diag_at(d, s->path, 0, 0, "no sample is left once coordinates are rounded to float");
+}
+
+bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d)
+{
+    bool drawn = true;
+    h->lines = scene_drawn(s, h->drawn);
+    for (int k = 0; k < HELDOUT_PARTS && drawn; k++)
+        drawn = !scene_has(s, heldout_part[k].part) || scene_samples(s, heldout_part[k].part, &h->part[k], d);
+    return drawn;
+}
