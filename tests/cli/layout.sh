@@ -35,7 +35,7 @@ runtime/calculix:   runtime/certain runtime/geometry runtime
 runtime:            runtime/* generated
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
-tests/bench:        tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/bench:        tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
@@ -43,7 +43,7 @@ tests/generated:    tests/rivals tests/support generated codegen/* evolve/* runt
 tests/calculix:     runtime/calculix
 tests/example:      runtime runtime/* generated
 tests/fuzz:         codegen/* runtime runtime/* generated tests/hard
-tests/hard:         runtime runtime/* generated tests/support
+tests/hard:         tests/rivals runtime runtime/* generated tests/support
 tests/long:
 EOF
 }

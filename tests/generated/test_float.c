@@ -99,8 +99,7 @@ static void read_banner(const char *text, const char *function, const char *key,
     assert_non_null(at);
     at = strstr(at, line);
     assert_non_null(at);
-    assert_int_equal(
-        sscanf(at + strlen(line), "%lf, 99 %% %lf, worst of %zu %lf", &e->mean, &e->p99, n, &e->max), 4);
+    assert_int_equal(sscanf(at + strlen(line), "%lf, 99 %% %lf, worst of %zu %lf", &e->mean, &e->p99, n, &e->max), 4);
 }
 
 static void banner_tells_errors_of_the_float_code(void **state)

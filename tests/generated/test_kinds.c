@@ -1,7 +1,7 @@
 /* Kinds of segments: geometry against finite differences and itself, the certain foot point against other roads to it.
  */
-#include "../../evolve/surface/foot_bilinear.h"
 #include "../../evolve/input/scene.h"
+#include "../../evolve/surface/foot_bilinear.h"
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/geometry/footpoint-quad8-geometry.h"
 #include "../../runtime/geometry/footpoint-quad9-geometry.h"
