@@ -81,7 +81,9 @@ test_lib    := $(filter-out $(test_main),$(call sources,tests/support tests/riva
 bench_lib   := $(filter-out tests/bench/bench_gregory.c tests/bench/bench_methods.c,$(call sources,tests/bench))
 
 # Instruction sets that the methods of the bench are compiled for; the bench takes the best that its machine has.
-ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
+ALL_ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
+ISAS     ?= $(ALL_ISAS)
+$(call demand,ISAS,$(if $(filter-out $(ALL_ISAS),$(ISAS)),,$(ISAS)),not instruction sets of the bench; there are $(ALL_ISAS))
 
 object = $(patsubst %.c,$(OBJ)/%.o,$(1))
 pkg     = $(shell pkg-config $(1) 2>/dev/null)
@@ -183,7 +185,7 @@ $(BIN)/footpoint-perceptron: $(call object,evolve/paper/perceptron_main.c) $(evo
 	$(Q)$(link) $(LIBS_evolve)
 
 $(BIN)/footpoint-bench: $(call object,tests/bench/bench_main.c $(bench_lib)) \
-                        $(foreach isa,$(ISAS),$(OBJ)/tests/bench/bench_methods-$(isa).o) $(OBJ)/support.a $(evolve_parts)
+                        $(ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o) $(OBJ)/isas $(OBJ)/support.a $(evolve_parts)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_evolve)
@@ -209,6 +211,9 @@ $(OBJ)/pic/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$< (pic))
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -fPIC -MMD -MP -c $< -o $@
 
+$(OBJ)/isas: FORCE
+	@$(call line,$(ISAS))
+
 # What the bench and the tests know of the generated headers is read from the headers: scene, function, operations.
 $(OBJ)/methods: FORCE
 	@$(call line,$(DOUBLES))
@@ -219,10 +224,11 @@ $(OBJ)/methods.h: $(DOUBLES) $(OBJ)/methods Makefile
 $(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/bench/methods.awk Makefile
 	$(Q)awk -f tests/bench/methods.awk $(DOUBLES) > $@
 
-# The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.
+# The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.  A search for cheaper forms
+# finds none.
 $(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
 	$(call say,GEN,$@)
-	$(Q)$(BIN)/footpoint-codegen --allow-poles --quiet $< -o $@
+	$(Q)$(BIN)/footpoint-codegen --allow-poles --effort 0 --quiet $< -o $@
 
 $(OBJ)/footpoint_perceptron.inc: $(OBJ)/footpoint_perceptron.h tests/bench/methods.awk
 	$(Q)awk -f tests/bench/methods.awk $< > $@
@@ -232,9 +238,12 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 	$(call say,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
-of_headers := $(addprefix $(OBJ)/tests/generated/,test_headers.o test_digits.o headers_long.o)
-$(of_headers): CFLAGS += -I$(OBJ)
-$(of_headers): $(OBJ)/methods.h $(OBJ)/methods.inc
+# The headers' functions for the tests, all of them in one file each: no optimisation changes a result of theirs.
+of_headers := test_headers test_digits header_functions headers_long
+$(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
+CFLAGS_header_functions += -O1
+CFLAGS_headers_long += -O1
+$(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
 # optimised in any configuration.
@@ -279,7 +288,8 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 
 TESTS := $(patsubst %.c,$(BIN)/tests/%,$(notdir $(test_main)))
 
-$(BIN)/tests/test_digits: $(OBJ)/tests/generated/headers_long.o
+$(BIN)/tests/test_digits: $(OBJ)/tests/generated/headers_long.o $(OBJ)/tests/generated/header_functions.o
+$(BIN)/tests/test_headers: $(OBJ)/tests/generated/header_functions.o
 $(foreach test,$(test_main),$(eval $(BIN)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
 $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).a
 	@mkdir -p $(@D)
@@ -290,12 +300,21 @@ JOBS ?= $(shell nproc)
 
 build-tests: all $(TESTS)
 
-check: ## run the tests (some minutes; JOBS= at a time)
-	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
-	$(Q)JOBS=$(JOBS) BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh
+# The longest first, so that processors are busy to the end.
+LONGEST := languages hard evolve checkpoint statuses counts
+LONGEST := $(BIN)/tests/test_calibration $(LONGEST:%=tests/cli/%.sh)
+in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh))
+run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 
-check-long: build-tests ## the tests and the long ones, one after the other
-	$(Q)FOOTPOINT_LONG=1 JOBS=1 BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh $(TESTS) tests/cli/*.sh tests/long/*.sh
+# The tests take one instruction set of the bench's methods, or those that have been built before.
+isa_objects = $(wildcard $(ALL_ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o))
+check: export ISAS := $(or $(isa_objects:$(OBJ)/tests/bench/bench_methods-%.o=%),$(firstword $(ALL_ISAS)))
+check: ## run the tests, less those that take long (some minutes; JOBS= at a time)
+	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
+	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
+
+check-long: build-tests ## all tests in full, and the long ones, one after the other
+	$(Q)FOOTPOINT_LONG=1 JOBS=1 $(run_tests) $(in_order) tests/long/*.sh
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))

@@ -1,29 +1,38 @@
 #!/bin/sh
 # Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), as many at a time as there are processors
-# (JOBS=); a program that prints no plan, or dies, fails.  Closes with "N passed, N failed"; exits 1 if anything failed.
-if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed" to a file of counts
+# (JOBS=); a program that prints no plan, or dies, fails.  Prints of each how long it took and the processor time in
+# that.  Closes with "N passed, N failed"; exits 1 if anything failed.
+if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed seconds" to a file of counts
     counts=$2 test=$3
     out=$(mktemp) || exit 3
     trap 'rm -f "$out"' EXIT
     start=$(date +%s)
     case $test in *.sh) sh "$test" ;; *) "$test" ;; esac > "$out" 2>&1
     status=$?
+    times > "$out.times" # of the children, in the second line: "0m1.50s 0m0.25s", user and system
+    seconds=$(awk 'NR == 2 { split($0, t, /[ms ]+/); printf "%.1f", 60 * t[1] + t[2] + 60 * t[3] + t[4] }' "$out.times")
     good=$(grep -c '^ok ' "$out") bad=$(grep -c '^not ok ' "$out")
     if [ "$bad" -eq 0 ] && { [ "$status" -ne 0 ] || [ "$good" -eq 0 ]; }; then
         bad=1
     fi
     {
         [ "$bad" -eq 0 ] || { echo "--- $test (exit status $status)"; cat "$out"; }
-        printf '%-32s %4d passed %4d failed %5d s\n' "$(basename "$test")" "$good" "$bad" $(($(date +%s) - start))
+        grep '^# SKIP' "$out"
+        printf '%-32s %4d passed %4d failed %5d s %7.1f s processor\n' "$(basename "$test")" "$good" "$bad" \
+            $(($(date +%s) - start)) "$seconds"
     } > "$out.report"
     cat "$out.report"
-    rm -f "$out.report"
-    echo "$good $bad" >> "$counts"
+    rm -f "$out.report" "$out.times"
+    echo "$good $bad $seconds" >> "$counts"
     exit 0
 fi
 export CMOCKA_MESSAGE_OUTPUT=TAP
 counts=$(mktemp) || exit 3
 trap 'rm -f "$counts"' EXIT
 printf '%s\n' "$@" | xargs -n 1 -P "${JOBS:-$(nproc)}" sh "$0" --one "$counts"
-awk -v tests=$# '{ passed += $1; failed += $2 }
-    END { failed += tests - NR; printf "%d passed, %d failed\n", passed, failed; exit failed > 0 }' "$counts"
+awk -v tests=$# '{ passed += $1; failed += $2; seconds += $3 }
+    END {
+        failed += tests - NR
+        printf "%.0f s of processor time\n%d passed, %d failed\n", seconds, passed, failed
+        exit failed > 0
+    }' "$counts"

@@ -6,6 +6,7 @@
 
 #include "../../codegen/genome/base.h"
 #include "../../evolve/surface/surface.h"
+#include "bench_input.h"
 #include "bench_tune.h"
 
 #include <gsl/gsl_sort_double.h>
@@ -24,25 +25,12 @@ enum {
 };
 
 const char *const bench_mode_name[BENCH_MODES] = {"scalar", "batch"};
-static const double before_distance = 0.02, turn = 2.399963229728653; /* in xi and eta; the golden angle */
 
 /* The samples that are timed, as structures and by columns. */
 struct timed {
     struct bench_input *in; /* owned; TIMED_SAMPLES */
     struct bench_block *b;  /* TIMED_BLOCKS */
 };
-
-struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s, size_t i)
-{
-    struct bench_input in = {
-        .before = {s->xi + before_distance * cos(turn * (double)i), s->eta + before_distance * sin(turn * (double)i)}};
-    for (int k = 0; k < 3; k++) {
-        for (size_t n = 0; n < segment_vectors(kind); n++)
-            in.x[n][k] = s->x[n][k];
-        in.x[segment_vectors(kind)][k] = s->xs[k];
-    }
-    return in;
-}
 
 /* Sample i of `count` spread evenly over the set; the set is repeated if it is smaller. */
 static const struct sample *spread(const struct sample_set *set, size_t i, size_t count)

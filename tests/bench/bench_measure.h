@@ -28,9 +28,6 @@ struct bench_run {
     int count;
 };
 
-/** What a method is given of sample number i.  The answer of the step before lies a hundredth of the segment away. */
-struct bench_input bench_input_of(const struct segment_kind *kind, const struct sample *s, size_t i);
-
 /** What a method finds for n samples; not a number where it finds nothing. */
 void bench_find(const struct bench_result *r, const struct sample *const *s, size_t n, double (*found)[2]);
 

@@ -7,7 +7,7 @@
 #include "bench_methods.h"
 
 #include "footpoint_perceptron.h"
-#include "bench_kinds.h"
+#include "../support/kind_arguments.h"
 #include "methods.h"
 #include "../rivals/newton_lanes.h"
 #include "../rivals/pinball.h"

@@ -2,7 +2,7 @@
 #include "bench_tune.h"
 
 #include "../../codegen/genome/base.h"
-#include "bench_measure.h"
+#include "bench_input.h"
 
 #include <gsl/gsl_multilarge.h>
 #include <gsl/gsl_multimin.h>

@@ -42,7 +42,7 @@ evolve/paper:       evolve/mpi evolve/fit evolve/eval evolve/genotype evolve/sam
 evolve:             evolve/* codegen/genome
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
-tests/bench:        tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/bench:        tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
@@ -50,7 +50,7 @@ tests/generated:    tests/rivals tests/support generated codegen/* evolve/* runt
 tests/calculix:     runtime/calculix
 tests/example:      runtime runtime/* generated
 tests/fuzz:         codegen/* runtime runtime/* generated tests/hard
-tests/hard:         runtime runtime/* generated tests/support
+tests/hard:         tests/rivals runtime runtime/* generated tests/support
 tests/long:
 EOF
 }

@@ -1,7 +1,7 @@
 /* The same text as the headers', read with long double for double: what their rounding errors are measured against. */
 #include "headers_long.h"
 
-#include "../bench/bench_kinds.h"
+#include "../support/kind_arguments.h"
 
 #include <math.h>
 

@@ -5,9 +5,8 @@
 #include "../../evolve/samples/samples.h"
 #include "../../evolve/surface/surface.h"
 #include "../../runtime/footpoint.h"
-#include "../bench/bench_kinds.h"
 #include "../support/error_stats.h"
-#include "methods.h"
+#include "header_functions.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -19,36 +18,10 @@
 
 #include <cmocka.h>
 
-/* Nodes as a pointer to each, whatever their number. */
-typedef void straight(const double *const *x, const double *xs, double *xi, double *eta);
-typedef int checked(const double *const *x, const double *xs, double loc[2], double *gap);
-
-#define METHOD(scene, kind, name, mul, div, add, sqrt)                                                                 \
-    static void straight_##name(const double *const *x, const double *xs, double *xi, double *eta)                     \
-    {                                                                                                                  \
-        name##_at(NODES_OF_##kind(x, xs), xi, eta);                                                                    \
-    }                                                                                                                  \
-    static int checked_##name(const double *const *x, const double *xs, double loc[2], double *gap)                    \
-    {                                                                                                                  \
-        return name(NODES_OF_##kind(x, xs), loc, gap);                                                                 \
-    }
-#include "methods.inc"
-#undef METHOD
-
-static const struct method {
-    const char *scene, *name;
-    straight *at;
-    checked *locate;
-} methods[] = {
-#define METHOD(scene, kind, name, mul, div, add, sqrt) {scene, #name, straight_##name, checked_##name},
-#include "methods.inc"
-#undef METHOD
-};
-
-enum { METHODS = sizeof methods / sizeof *methods, COMPARED = 50000 };
+enum { COMPARED = 50000 };
 #define ROUNDING 1e-11 /* of xi and eta; beyond 1, where steps go astray, it grows with the square */
 
-static void at_sample(const struct method *m, const struct sample *s, double loc[2])
+static void at_sample(const struct header_function *m, const struct sample *s, double loc[2])
 {
     const double *x[SEGMENT_VECTORS];
     for (int k = 0; k < SEGMENT_VECTORS; k++)
@@ -57,7 +30,7 @@ static void at_sample(const struct method *m, const struct sample *s, double loc
 }
 
 /* Genome of a method of scene file `f`: function footpoint_<scene>_<genome>, with _ for - in the scene's name. */
-static const struct genome *find_genome(const struct genome_file *f, const struct method *m)
+static const struct genome *find_genome(const struct genome_file *f, const struct header_function *m)
 {
     const size_t prefix = strlen("footpoint_") + strlen(m->scene) + 1;
     for (size_t i = 0; i < f->genomes; i++)
@@ -81,7 +54,8 @@ static void check_note(const struct genome *g, const char *key, const struct err
     assert_int_equal(e->failures, 0);
 }
 
-static void measure(const struct method *m, const struct genome *g, const struct sample_set *set, const char *part)
+static void measure(const struct header_function *m, const struct genome *g, const struct sample_set *set,
+                    const char *part)
 {
     double *error[2];
     char key[60];
@@ -103,7 +77,7 @@ static void measure(const struct method *m, const struct genome *g, const struct
 }
 
 /* The code in double against the genome in double, gene by gene: they differ by rounding alone. */
-static void compare_with_genome(const struct method *m, const struct genome_file *f, const struct genome *g,
+static void compare_with_genome(const struct header_function *m, const struct genome_file *f, const struct genome *g,
                                 const struct sample_set *set)
 {
     const size_t n = set->n < COMPARED ? set->n : COMPARED;
@@ -130,7 +104,7 @@ static void compare_with_genome(const struct method *m, const struct genome_file
 }
 
 /* The gap is that of the surface at the xi and eta found. */
-static void check_gap(const struct method *m, const struct segment_kind *kind, const struct sample *s,
+static void check_gap(const struct header_function *m, const struct segment_kind *kind, const struct sample *s,
                       const double loc[2], double gap, double size)
 {
     double x[SEGMENT_VECTORS][3], r[3], n[3], there = 0;
@@ -143,7 +117,7 @@ static void check_gap(const struct method *m, const struct segment_kind *kind, c
 }
 
 /* The checked function agrees with the unchecked one, and its gap is right at first order. */
-static void check(const struct method *m, const struct segment_kind *kind, const struct sample *s)
+static void check(const struct header_function *m, const struct segment_kind *kind, const struct sample *s)
 {
     const double *x[SEGMENT_VECTORS];
     double loc[2], first[2], gap, size = 0;
@@ -165,7 +139,7 @@ static void check(const struct method *m, const struct segment_kind *kind, const
 }
 
 /* Rotations and reflections of the numbering give the same point of the segment. */
-static void renumber(const struct method *m, const struct sample *s)
+static void renumber(const struct header_function *m, const struct sample *s)
 {
     const double *const first_x[4] = {s->x[0], s->x[1], s->x[2], s->x[3]};
     double loc[2], gap, first[2];
@@ -194,18 +168,18 @@ static void check_scene(const char *name)
             continue;
         if (!scene_samples(scene, heldout_part[p].part, &set, &d))
             fail_msg("%s", d.text);
-        for (size_t i = 0; i < METHODS; i++) {
-            if (strcmp(methods[i].scene, name) != 0)
+        for (size_t i = 0; i < HEADER_FUNCTIONS; i++) {
+            if (strcmp(header_functions[i].scene, name) != 0)
                 continue;
-            const struct genome *g = find_genome(f, &methods[i]);
+            const struct genome *g = find_genome(f, &header_functions[i]);
             assert_non_null(g);
-            measure(&methods[i], g, &set, heldout_part[p].name);
-            compare_with_genome(&methods[i], f, g, &set);
+            measure(&header_functions[i], g, &set, heldout_part[p].name);
+            compare_with_genome(&header_functions[i], f, g, &set);
             for (size_t k = 0; p == 1 && k < set.n; k += 1 + set.n / 500) /* off the grid: there corners tie */
                 if (scene->order == CORNERS_ANY)
-                    check(&methods[i], scene->segment, &set.s[k]);
+                    check(&header_functions[i], scene->segment, &set.s[k]);
                 else
-                    renumber(&methods[i], &set.s[k]);
+                    renumber(&header_functions[i], &set.s[k]);
         }
         sample_set_free(&set);
     }
@@ -231,7 +205,7 @@ static void test_collapsed(void **state)
     for (size_t b = 0; b < sizeof best / sizeof *best; b++)
         for (int edge = 0; edge < 4; edge++) {
             const struct segment_kind *kind = segment_find(best[b][0]);
-            const struct method *m = methods;
+            const struct header_function *m = header_functions;
             double x[SEGMENT_VECTORS][3] = {{0}};
             const double *at[SEGMENT_VECTORS];
             while (strcmp(m->name, best[b][1]) != 0)
@@ -262,12 +236,12 @@ static void test_collapsed(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[METHODS + 1];
+    struct CMUnitTest tests[HEADER_FUNCTIONS + 1];
     size_t n = 0;
     tests[n++] = (struct CMUnitTest)cmocka_unit_test(test_collapsed);
-    for (size_t i = 0; i < METHODS; i++)
-        if (i == 0 || strcmp(methods[i].scene, methods[i - 1].scene) != 0)
-            tests[n++] =
-                (struct CMUnitTest){methods[i].scene, test_scene, NULL, NULL, (void *)(uintptr_t)methods[i].scene};
+    for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
+        if (i == 0 || strcmp(header_functions[i].scene, header_functions[i - 1].scene) != 0)
+            tests[n++] = (struct CMUnitTest){header_functions[i].scene, test_scene, NULL, NULL,
+                                             (void *)(uintptr_t)header_functions[i].scene};
     return _cmocka_run_group_tests("headers", tests, n, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_DRAW_H
 #define FOOTPOINT_DRAW_H
 
-#include "hard.h"
+#include "hard_case.h"
 
 extern const double draw_corner[4][2];
 

@@ -1,4 +1,6 @@
 /* The families; see hard.h.  Those that leave meshes far behind are in wild.c. */
+#include "hard.h"
+
 #include "draw.h"
 #include "wild.h"
 

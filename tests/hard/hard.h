@@ -2,12 +2,7 @@
 #ifndef FOOTPOINT_HARD_H
 #define FOOTPOINT_HARD_H
 
-#include <stdint.h>
-
-/** Nodes A, B, C, D and the slave node. */
-struct hard_case {
-    double x[5][3];
-};
+#include "hard_case.h"
 
 struct hard_family {
     const char *name;

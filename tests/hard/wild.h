@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_WILD_H
 #define FOOTPOINT_WILD_H
 
-#include "hard.h"
+#include "hard_case.h"
 
 typedef void wild_family(uint64_t *stream, struct hard_case *h);
 

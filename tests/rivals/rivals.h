@@ -87,15 +87,6 @@ enum { RIVAL_STEPS_MAX = 50 };
     R(gn1n3_quarter_clamped, RIVAL_QUARTER, 1, 3, 1)                                                                   \
     R(gn2n1_quarter_clamped, RIVAL_QUARTER, 2, 1, 1)
 
-/** The methods as a table, in the order of the lists above. */
-typedef void rival_search(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta);
-struct rival {
-    const char *name;
-    rival_search *search;
-};
-extern const struct rival rivals[];
-extern const int rival_count;
-
 /* The segment about its starting point, scaled. */
 struct rival_basis {
     FOOTPOINT_REAL e1[3], e2[3], c3[3], d[3];

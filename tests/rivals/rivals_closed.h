@@ -91,4 +91,13 @@ RIVAL_FN void rival_plane(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta)
     *eta = q / (one + b * u);
 }
 
+/** The methods as a table, in the order of the lists of rivals.h and above. */
+typedef void rival_search(RIVAL_NODES, FOOTPOINT_REAL *xi, FOOTPOINT_REAL *eta);
+struct rival {
+    const char *name;
+    rival_search *search;
+};
+extern const struct rival rivals[];
+extern const int rival_count;
+
 #endif

@@ -1,4 +1,4 @@
-/* The table of rivals; see rivals.h. */
+/* The table of rivals; see rivals_closed.h. */
 #include "rivals_closed.h"
 
 #define ITERATION(name, start, gauss_newton, newton, clamped) {#name, rival_##name},

@@ -1,6 +1,6 @@
 /* For each kind of segment: what stands for its vectors in a call of an emitted function. */
-#ifndef FOOTPOINT_BENCH_KINDS_H
-#define FOOTPOINT_BENCH_KINDS_H
+#ifndef FOOTPOINT_KIND_ARGUMENTS_H
+#define FOOTPOINT_KIND_ARGUMENTS_H
 
 /** Nodes x[0], x[1], ... and the slave node s as arguments. */
 #define NODES_OF_quad4(x, s) (x)[0], (x)[1], (x)[2], (x)[3], s

@@ -1,0 +1,19 @@
+/* The functions of the generated headers, as a table. */
+#ifndef FOOTPOINT_TESTS_HEADER_FUNCTIONS_H
+#define FOOTPOINT_TESTS_HEADER_FUNCTIONS_H
+
+enum {
+    HEADER_FUNCTIONS = 0
+#define METHOD(scene, kind, name, mul, div, add, sqrt) +1
+#include "methods.inc"
+#undef METHOD
+};
+
+/** The i-th METHOD of methods.inc: NAME_at and NAME; x: a pointer for each vector of the segment. */
+extern const struct header_function {
+    const char *scene, *name;
+    void (*at)(const double *const *x, const double *xs, double *xi, double *eta);
+    int (*locate)(const double *const *x, const double *xs, double loc[2], double *gap);
+} header_functions[HEADER_FUNCTIONS];
+
+#endif
