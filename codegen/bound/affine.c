@@ -11,7 +11,7 @@
 
 static double *slopes(const struct forms *w, size_t i)
 {
-    return w->slope + i * w->region->variables;
+    return w->slope + i * w->known->variables;
 }
 
 /* No form, until the range makes one. */
@@ -24,7 +24,7 @@ static void set_radius(struct forms *w, size_t i, double radius, double size)
 {
     double mass = 0;
     const double *s = slopes(w, i);
-    for (size_t k = 0; k < w->region->variables; k++)
+    for (size_t k = 0; k < w->known->variables; k++)
         mass += fabs(s[k]);
     w->mass[i] = mass * GROW;
     w->radius[i] = (radius + size * ROUND) * GROW + TINY;
@@ -41,7 +41,7 @@ static void combine(struct forms *w, size_t out, double p, size_t a, double q, s
     }
     double *s = slopes(w, out);
     const double *sa = slopes(w, a), *sb = slopes(w, b);
-    for (size_t k = 0; k < w->region->variables; k++)
+    for (size_t k = 0; k < w->known->variables; k++)
         s[k] = p * sa[k] + q * sb[k];
     w->centre[out] = p * w->centre[a] + q * w->centre[b] + shift;
     set_radius(w, out, fabs(p) * w->radius[a] + fabs(q) * w->radius[b] + radius,
@@ -58,7 +58,7 @@ static void multiply(struct forms *w, size_t out, size_t a, size_t b)
     }
     double *s = slopes(w, out), sum = 0, absolute = 0;
     const double *sa = slopes(w, a), *sb = slopes(w, b), ca = w->centre[a], cb = w->centre[b];
-    for (size_t k = 0; k < w->region->variables; k++) {
+    for (size_t k = 0; k < w->known->variables; k++) {
         const double square = sa[k] * sb[k];
         sum += square;
         absolute += fabs(square);
@@ -97,7 +97,7 @@ static void reciprocal(struct forms *w, size_t out, size_t x)
 /* a/b = q + (a - q b) / b with q = centre / centre: what a and b have in common cancels in the bracket. */
 static void divide(struct forms *w, size_t out, size_t a, size_t b)
 {
-    const size_t inverse = w->region->program->ops, rest = inverse + 1;
+    const size_t inverse = w->known->program->ops, rest = inverse + 1;
     if (interval_has(w->range[b], 0) || !(w->radius[a] + w->radius[b] < INFINITY)) {
         forget(w, out);
         return;
@@ -154,7 +154,7 @@ static struct interval form_range(const struct forms *w, size_t i)
 /* min(a,b) = (a + b - |a - b|) / 2, max with +. */
 static void choose(struct forms *w, size_t out, size_t a, size_t b, int sign)
 {
-    const size_t t = w->region->program->ops;
+    const size_t t = w->known->program->ops;
     double most;
     combine(w, t, 1, a, -1, b, 0, 0);
     if (w->radius[t] == INFINITY) {
@@ -173,7 +173,7 @@ static void choose(struct forms *w, size_t out, size_t a, size_t b, int sign)
 static void set_form(struct forms *w, size_t i, double centre, double radius)
 {
     w->centre[i] = centre;
-    memset(slopes(w, i), 0, w->region->variables * sizeof *w->slope);
+    memset(slopes(w, i), 0, w->known->variables * sizeof *w->slope);
     w->mass[i] = 0;
     w->radius[i] = radius;
 }
@@ -183,7 +183,7 @@ static void set_form(struct forms *w, size_t i, double centre, double radius)
 static void set_input(struct forms *w, size_t i, size_t variable)
 {
     forget(w, i);
-    if (variable == w->region->variables || !interval_finite(w->range[i]))
+    if (variable == w->known->variables || !interval_finite(w->range[i]))
         return;
     const double middle = interval_middle(w->range[i]);
     set_form(w, i, middle, 0);
@@ -192,14 +192,14 @@ static void set_input(struct forms *w, size_t i, size_t variable)
 
 static void set_operation(struct forms *w, size_t i)
 {
-    const struct op *op = &w->region->program->op[i];
+    const struct op *op = &w->known->program->op[i];
     const size_t a = (size_t)op->a, b = (size_t)op->b;
     switch (op->kind) {
     case OP_CONSTANT:
         forget(w, i);
         break;
     case OP_INPUT:
-        set_input(w, i, w->region->variable[op->input]);
+        set_input(w, i, w->known->variable[op->input]);
         break;
     case OP_NEG:
         combine(w, i, -1, a, 0, a, 0, 0);
@@ -255,7 +255,7 @@ bool affine_narrow(const struct forms *w, int op, int sign, double bound, struct
     /* |slope[k]| (1 + sign sign(slope[k]) e_k) >= need, whatever the other e are */
     const double *s = slopes(w, i), size = fabs(bound) + fabs(w->centre[i]) + w->mass[i] + w->radius[i];
     const double need = sign * (bound - w->centre[i]) - w->mass[i] - w->radius[i] - size * ROUND - TINY;
-    for (size_t k = 0; k < w->region->variables; k++) {
+    for (size_t k = 0; k < w->known->variables; k++) {
         const double steep = fabs(s[k]), least = (need + steep) / steep - 1e-9;
         if (!(steep > 1e-200 && least > -1))
             continue;

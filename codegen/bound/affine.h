@@ -1,8 +1,8 @@
-/* Affine forms of the values that forms enclose (enclosure.h). */
+/* Affine forms of the values that enclosures are of (forms.h). */
 #ifndef FOOTPOINT_AFFINE_H
 #define FOOTPOINT_AFFINE_H
 
-#include "enclosure.h"
+#include "forms.h"
 
 /** The form of operation i from those of its operands; narrows w->range[i]. */
 void affine_set(struct forms *w, size_t i);

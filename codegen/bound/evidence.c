@@ -2,11 +2,10 @@
  * evaluate.c. */
 #include "evidence.h"
 
-#include "rounding_bound.h"
+#include "../genome/text.h"
 #include "../program/dialects.h"
 #include "../program/evaluate.h"
-#include "poles.h"
-#include "../genome/text.h"
+#include "rounding_bound.h"
 
 #include <mpfr.h>
 #include <stdlib.h>
@@ -31,7 +30,7 @@ struct search {
 /* Boxes that the work left allows for one of `searches` more searches. */
 static long boxes_for(struct search *s, size_t searches)
 {
-    const double variables = (double)s->region->variables, ops = (double)s->region->program->ops;
+    const double variables = (double)s->region->known->variables, ops = (double)s->region->known->program->ops;
     const double cost = ops * (variables + 4) * (variables + 8), most = s->work / (double)searches / cost;
     const long boxes = most < (double)s->boxes ? (long)most : s->boxes;
     s->work -= (double)boxes * cost + 10 * ops;
@@ -47,16 +46,16 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
         return;
     const long boxes = boxes_for(s, searches);
     const struct pole pole = pole_find(r, op, boxes);
-    s->work -= (double)pole.draws * (DRAW + (double)r->shift) * (double)r->variables;
+    s->work -= (double)pole.draws * (DRAW + (double)r->known->shift) * (double)r->known->variables;
     d->verdict = pole.verdict;
     d->least = pole.least;
     if (pole.verdict == POLE_EXISTS) {
-        d->witness = new_array(r->inputs, sizeof *d->witness);
+        d->witness = new_array(r->known->inputs, sizeof *d->witness);
         region_inputs(r, pole.witness, d->witness);
     }
     if (pole.verdict == POLE_FREE)
-        r->known[op] = interval_meet(r->known[op], pole.values);
-    const double bound = r->complete ? bound_error(r, op, boxes / 10) : INFINITY;
+        r->known->value[op] = interval_meet(r->known->value[op], pole.values);
+    const double bound = r->known->complete ? bound_error(r, op, boxes / 10) : INFINITY;
     d->threshold = bound < INFINITY ? bound : 0;
     free(pole.witness);
 }
@@ -147,7 +146,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     struct region *r = region_new(f, p);
     struct search s = {.region = r, .boxes = options->boxes, .work = MOST_WORK};
     find_denominators(e, f, genome, p);
-    e->region = r->complete;
+    e->region = r->known->complete;
     e->empty = region_is_empty(r, BOXES_FOR_EMPTY);
     e->outputs = p->outputs;
     e->error = new_array(p->outputs, sizeof *e->error);
@@ -370,7 +369,7 @@ int evidence_print_points(const struct genome_file *f, const struct genome *geno
     struct region *r = region_new(f, p);
     double *input = new_array(p->inputs, sizeof *input);
     arb_ptr exact = _arb_vec_init((slong)p->outputs);
-    long tries = (long)(MOST_BALLS / (double)r->program->ops);
+    long tries = (long)(MOST_BALLS / (double)r->known->program->ops);
     uint64_t seed = 1;
     int rows = 0;
     for (int i = 0; i < 4 * POINTS && rows < POINTS && region_draw(r, &seed, POINT_BITS, &tries, input); i++)

@@ -2,9 +2,7 @@
 #ifndef FOOTPOINT_EVIDENCE_H
 #define FOOTPOINT_EVIDENCE_H
 
-#include "../program/program.h"
-
-enum pole_verdict { POLE_FREE, POLE_EXISTS, POLE_UNDECIDED };
+#include "poles.h"
 
 /** One denominator of a program (OP_DIV's b; protected quotients have no poles). */
 struct denominator {

@@ -4,6 +4,7 @@
 #ifndef FOOTPOINT_INTERVAL_H
 #define FOOTPOINT_INTERVAL_H
 
+#include <flint/fmpq.h>
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -168,5 +169,8 @@ static inline struct interval interval_maximum(struct interval x, struct interva
 {
     return (struct interval){greater(x.lo, y.lo), greater(x.hi, y.hi)};
 }
+
+/** The interval around a rational. */
+struct interval interval_around(const fmpq *q);
 
 #endif

@@ -8,9 +8,10 @@
  *     D has opposite signs, certain in interval arithmetic, at two of its points. */
 #include "poles.h"
 
+#include "../program/evaluate.h"
 #include "affine.h"
 #include "box_queue.h"
-#include "../program/evaluate.h"
+#include "enclosure.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +35,7 @@ struct search {
 
 static size_t sides(const struct search *s)
 {
-    return s->region->variables;
+    return s->region->known->variables;
 }
 
 static struct interval value(const struct search *s)
@@ -65,37 +66,37 @@ static void set_witness(struct search *s, const double *at)
 }
 
 /* A coordinate as a rational: where the end of a range was rounded, the end itself. */
-static void exact_coordinate(const struct region *r, size_t input, double x, fmpq *q)
+static void exact_coordinate(const struct known *known, size_t input, double x, fmpq *q)
 {
     double_rational(q, x);
-    if (fmpq_cmp(q, &r->lo[input]) < 0)
-        fmpq_set(q, &r->lo[input]);
-    if (fmpq_cmp(q, &r->hi[input]) > 0)
-        fmpq_set(q, &r->hi[input]);
+    if (fmpq_cmp(q, &known->lo[input]) < 0)
+        fmpq_set(q, &known->lo[input]);
+    if (fmpq_cmp(q, &known->hi[input]) > 0)
+        fmpq_set(q, &known->hi[input]);
 }
 
 static bool is_exact_zero(struct search *s, const double *at)
 {
-    const struct region *r = s->region;
+    const struct known *x = s->region->known;
     const size_t ops = (size_t)s->op + 1;
-    fmpq *point = new_array(r->inputs, sizeof *point), *exact = new_array(ops, sizeof *exact);
+    fmpq *point = new_array(x->inputs, sizeof *point), *exact = new_array(ops, sizeof *exact);
     bool *defined = new_array(ops, sizeof *defined);
-    for (size_t i = 0; i < r->inputs; i++) {
+    for (size_t i = 0; i < x->inputs; i++) {
         fmpq_init(&point[i]);
-        fmpq_set(&point[i], &r->lo[i]);
+        fmpq_set(&point[i], &x->lo[i]);
     }
     for (size_t k = 0; k < sides(s); k++) {
-        exact_coordinate(r, r->input[k], at[k], &point[r->input[k]]);
-        s->thin[k] = interval_around(&point[r->input[k]]);
+        exact_coordinate(x, x->input[k], at[k], &point[x->input[k]]);
+        s->thin[k] = interval_around(&point[x->input[k]]);
     }
     for (size_t i = 0; i < ops; i++)
         fmpq_init(&exact[i]);
     bool zero = region_holds(s->region, s->thin);
     if (zero) {
-        point_rational(r->program, ops, point, exact, defined);
+        point_rational(x->program, ops, point, exact, defined);
         zero = defined[s->op] && fmpq_is_zero(&exact[s->op]);
     }
-    for (size_t i = 0; i < r->inputs; i++)
+    for (size_t i = 0; i < x->inputs; i++)
         fmpq_clear(&point[i]);
     for (size_t i = 0; i < ops; i++)
         fmpq_clear(&exact[i]);
@@ -116,7 +117,7 @@ static bool visit(struct search *s, const double *at)
             s->nearest = interval_least(d);
         return false;
     }
-    if (!s->region->complete || !is_exact_zero(s, at))
+    if (!s->region->known->complete || !is_exact_zero(s, at))
         return false;
     set_witness(s, at);
     return true;
@@ -178,12 +179,12 @@ static double simple_number(struct interval range, size_t which, double common)
 /* Points of simple numbers: all of them, or those of one kind and some of mixed kinds. */
 static bool zero_at_simple_point(struct search *s, size_t most)
 {
-    const struct region *r = s->region;
+    const struct known *x = s->region->known;
     struct interval all = interval_whole();
     size_t points = 1;
     uint64_t seed = 0;
     for (size_t k = 0; k < sides(s); k++) {
-        all = interval_meet(all, r->range[r->input[k]]);
+        all = interval_meet(all, x->range[x->input[k]]);
         points = points > most ? points : KINDS * points;
     }
     for (size_t i = 0; i < points && i < most; i++) {
@@ -191,7 +192,7 @@ static bool zero_at_simple_point(struct search *s, size_t most)
         for (size_t k = 0; k < sides(s); k++, code /= KINDS) {
             const size_t mixed = (size_t)(random_next(&seed) >> 32);
             const size_t which = points <= most ? code : i < KINDS ? i : mixed;
-            s->at[k] = simple_number(r->range[r->input[k]], which % KINDS, interval_middle(all));
+            s->at[k] = simple_number(x->range[x->input[k]], which % KINDS, interval_middle(all));
         }
         if (visit(s, s->at))
             return true;
@@ -202,14 +203,14 @@ static bool zero_at_simple_point(struct search *s, size_t most)
 /* Points of the region at random, for a first target. */
 static bool zero_at_random_point(struct search *s)
 {
-    const struct region *r = s->region;
-    double *input = new_array(r->inputs, sizeof *input);
+    const struct known *x = s->region->known;
+    double *input = new_array(x->inputs, sizeof *input);
     uint64_t seed = 1;
     long tries = RANDOM_TRIES;
     bool found = false;
     for (int i = 0; i < RANDOM_POINTS && !found && region_draw(s->region, &seed, 6, &tries, input); i++) {
         for (size_t k = 0; k < sides(s); k++)
-            s->at[k] = input[r->input[k]];
+            s->at[k] = input[x->input[k]];
         found = visit(s, s->at);
     }
     s->draws = RANDOM_TRIES - tries;
@@ -259,7 +260,7 @@ static bool offer(struct search *s, struct interval *box)
     if (is_done(s, box))
         return false;
     boxes_push(&s->boxes, key_of(value(s)), box);
-    return s->region->complete && s->forms->inside && zero_inside(s, box);
+    return s->region->known->complete && s->forms->inside && zero_inside(s, box);
 }
 
 /* The variable which, made a point, brings D farthest from 0; of equals, that of the widest side. */
@@ -330,14 +331,14 @@ static void find(struct search *s, long boxes)
 
 struct pole pole_find(struct region *r, int op, long boxes)
 {
-    struct search s = {.region = r, .op = op, .nearest = INFINITY, .boxes.variables = r->variables};
+    struct search s = {.region = r, .op = op, .nearest = INFINITY, .boxes.variables = r->known->variables};
     s.pole = (struct pole){.verdict = POLE_UNDECIDED, .values = interval_whole()};
-    s.forms = forms_new(r, op);
-    s.box = new_array(r->variables, sizeof *s.box);
-    s.part = new_array(r->variables, sizeof *s.part);
-    s.thin = new_array(r->variables, sizeof *s.thin);
-    s.at = new_array(r->variables, sizeof *s.at);
-    s.other = new_array(r->variables, sizeof *s.other);
+    s.forms = forms_new(r->known, op);
+    s.box = new_array(r->known->variables, sizeof *s.box);
+    s.part = new_array(r->known->variables, sizeof *s.part);
+    s.thin = new_array(r->known->variables, sizeof *s.thin);
+    s.at = new_array(r->known->variables, sizeof *s.at);
+    s.other = new_array(r->known->variables, sizeof *s.other);
     find(&s, boxes);
     forms_free(s.forms);
     free(s.box);

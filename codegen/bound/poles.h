@@ -2,8 +2,9 @@
 #ifndef FOOTPOINT_POLES_H
 #define FOOTPOINT_POLES_H
 
-#include "evidence.h"
 #include "region.h"
+
+enum pole_verdict { POLE_FREE, POLE_EXISTS, POLE_UNDECIDED };
 
 struct pole {
     enum pole_verdict verdict;

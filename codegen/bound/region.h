@@ -1,28 +1,14 @@
-/* Where the inputs of a program may lie: the box of the file's ranges, as far as its requires are > 0.  What the file
- * requires and the program compute become one program, so that what is known of a value serves for both. */
+/* Where the inputs of a program may lie: the box of the file's ranges, as far as its requires are > 0. */
 #ifndef FOOTPOINT_REGION_H
 #define FOOTPOINT_REGION_H
 
-#include "interval.h"
-#include "../program/program.h"
+#include "known.h"
 
 #include <stdint.h>
 
 struct region {
-    size_t inputs;            /* of the file */
-    fmpq *lo, *hi;            /* owned: by input, exact; 0 where no range is given */
-    struct interval *range;   /* owned: by input, around [lo,hi]; the whole line where none is given */
-    struct interval *doubles; /* owned: by input, from the double nearest to lo to that nearest to hi */
-    bool complete;            /* every input that the program or a require reads has a range */
-    size_t variables;         /* those inputs, as far as they vary; a box has a side for each */
-    size_t *input;            /* owned: by variable */
-    size_t *variable;         /* owned: by input, or `variables` where it is fixed or does not matter */
-    struct program *program;  /* owned: inputs, requires, then the program's operations; outputs: the requires */
-    size_t shift;             /* operations of the requires */
-    struct interval *known;   /* owned: by operation, what is proved of it on the region */
-    int *twin;                /* owned: by operation, an earlier one that it is a multiple of, or -1 */
-    struct interval *ratio;   /* owned: by operation, to its twin */
-    size_t *length;           /* owned: by operation, how many it is made of (at most; of requires alone) */
+    struct known *known;      /* owned: ranges, requires and program */
+    struct interval *doubles; /* owned: by input, between the doubles nearest to its ends */
     struct forms *required;   /* owned: enclosures of the requires */
 };
 
@@ -30,7 +16,7 @@ struct region {
 struct region *region_new(const struct genome_file *f, const struct program *p);
 void region_free(struct region *r);
 
-/** Number in region->program of the program's operation `op`. */
+/** Number in known->program of the program's operation `op`. */
 int region_op(const struct region *r, int op);
 
 /** The box of the ranges. */

@@ -22,7 +22,7 @@
 struct rounding *rounding_new(struct forms *w, int op)
 {
     struct rounding *e = new_array(1, sizeof *e);
-    const struct program *p = w->region->program;
+    const struct program *p = w->known->program;
     bool *marked = new_array(p->ops, sizeof *marked);
     *e = (struct rounding){.forms = w, .op = op};
     e->needed = new_array(w->needs, sizeof *e->needed);
@@ -74,7 +74,7 @@ static bool is_exact_zero(const struct rounding *e, int op)
 /* Twice the same number is exact, but for one that is a product when contracted: fma(x, y, x * y). */
 static bool is_exact_sum(const struct rounding *e, const struct op *op)
 {
-    const enum op_kind kind = e->forms->region->program->op[op->a].kind;
+    const enum op_kind kind = e->forms->known->program->op[op->a].kind;
     return is_exact_zero(e, op->a) || is_exact_zero(e, op->b) ||
            (op->kind == OP_ADD && op->a == op->b && kind != OP_MUL && kind != OP_NEG);
 }
@@ -134,7 +134,7 @@ static double choice_error(const struct rounding *e, const struct op *op, double
 
 static double error_of(const struct rounding *e, size_t i)
 {
-    const struct op *op = &e->forms->region->program->op[i];
+    const struct op *op = &e->forms->known->program->op[i];
     const double most = interval_most(e->forms->range[i]);
     switch (op->kind) {
     case OP_CONSTANT:
@@ -167,7 +167,7 @@ static double error_of(const struct rounding *e, size_t i)
 /* Relative bound of a product, quotient or root, infinite for others. */
 static double relative_error_of(const struct rounding *e, size_t i)
 {
-    const struct op *op = &e->forms->region->program->op[i];
+    const struct op *op = &e->forms->known->program->op[i];
     const double ra = op->a >= 0 ? e->relative[op->a] : 0, rb = op->b >= 0 ? e->relative[op->b] : 0;
     const double tiny = LEAST / interval_least(e->forms->range[i]);
     double error = INFINITY;
@@ -187,7 +187,7 @@ static double relative_error_of(const struct rounding *e, size_t i)
 /* Rounding is monotonic: what is >= 0 exactly from operands >= 0 is computed so. */
 static bool is_nonnegative(const struct rounding *e, size_t i)
 {
-    const struct op *op = &e->forms->region->program->op[i];
+    const struct op *op = &e->forms->known->program->op[i];
     const bool a = op->a >= 0 && e->nonnegative[op->a], b = op->b >= 0 && e->nonnegative[op->b];
     switch (op->kind) {
     case OP_CONSTANT:
@@ -241,7 +241,7 @@ static struct interval inflated(const struct rounding *e, int i)
 /* What rounding the operation itself adds: up to share |value| + constant. */
 static double own_share(const struct rounding *e, int i, double *constant)
 {
-    const struct op *op = &e->forms->region->program->op[i];
+    const struct op *op = &e->forms->known->program->op[i];
     bool exact = false;
     *constant = 0;
     switch (op->kind) {
@@ -276,7 +276,7 @@ static double own_share(const struct rounding *e, int i, double *constant)
 /* Derivatives of operation i by its operands. */
 static void find_slopes(const struct rounding *e, int i, struct interval slope[2])
 {
-    const struct op *op = &e->forms->region->program->op[i];
+    const struct op *op = &e->forms->known->program->op[i];
     const struct interval one = {1, 1}, a = op->a >= 0 ? inflated(e, op->a) : one,
                           b = op->b >= 0 ? inflated(e, op->b) : one;
     slope[0] = slope[1] = one;
@@ -345,7 +345,7 @@ static void reconcile(struct interval *slope, struct interval *weight, struct in
 /* What the result owes to operand k of operation i.  `blur`: the operation's own error times its slope. */
 static void charge(struct rounding *e, int i, int k, struct interval slope, double blur)
 {
-    const struct op *op = &e->forms->region->program->op[i];
+    const struct op *op = &e->forms->known->program->op[i];
     const int operand = k ? op->b : op->a;
     const struct sensitivity *by = &e->by[i];
     struct sensitivity *to = &e->by[operand];
@@ -373,7 +373,7 @@ static double backward_error(struct rounding *e)
     e->by[e->op] = (struct sensitivity){{1, 1}, result, 1, interval_most(result)};
     for (size_t n = e->needs; n-- > 0;) {
         const int i = e->needed[n];
-        const struct op *op = &e->forms->region->program->op[i];
+        const struct op *op = &e->forms->known->program->op[i];
         struct sensitivity *by = &e->by[i];
         struct interval slope[2];
         double constant;

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_ROUNDING_H
 #define FOOTPOINT_ROUNDING_H
 
-#include "enclosure.h"
+#include "forms.h"
 
 /** What an error added to a value does to the result: the result's derivative, and that times the value. */
 struct sensitivity {

@@ -35,7 +35,7 @@ static void offer(struct search *s, struct interval *box)
 
 static void visit_middle(struct search *s)
 {
-    for (size_t k = 0; k < s->region->variables; k++)
+    for (size_t k = 0; k < s->region->known->variables; k++)
         s->part[k] = interval_point(interval_middle(s->box[k]));
     const double error = evaluate(s, s->part);
     if (error > s->reached && region_holds(s->region, s->part))
@@ -45,7 +45,7 @@ static void visit_middle(struct search *s)
 /* The variable which, made a point, leaves the least error; of equals, that of the widest side. */
 static size_t choose_variable(struct search *s)
 {
-    const size_t n = s->region->variables;
+    const size_t n = s->region->known->variables;
     size_t best = n;
     double least = 0, widest = 0;
     memcpy(s->part, s->box, n * sizeof *s->part);
@@ -67,21 +67,21 @@ static size_t choose_variable(struct search *s)
 
 double bound_error(struct region *r, int op, long boxes)
 {
-    struct forms *w = forms_new(r, op);
-    struct search s = {.region = r, .rounding = rounding_new(w, op), .boxes.variables = r->variables};
+    struct forms *w = forms_new(r->known, op);
+    struct search s = {.region = r, .rounding = rounding_new(w, op), .boxes.variables = r->known->variables};
     double bound = 0;
-    s.box = new_array(r->variables, sizeof *s.box);
-    s.part = new_array(r->variables, sizeof *s.part);
+    s.box = new_array(r->known->variables, sizeof *s.box);
+    s.part = new_array(r->known->variables, sizeof *s.part);
     region_box(r, s.part);
     offer(&s, s.part);
     for (long i = 0; s.boxes.n > 0; i++) {
         bound = boxes_pop(&s.boxes, s.box);
         visit_middle(&s);
-        const size_t k = i < boxes && !(bound <= CLOSE * s.reached) ? choose_variable(&s) : r->variables;
-        if (k == r->variables)
+        const size_t k = i < boxes && !(bound <= CLOSE * s.reached) ? choose_variable(&s) : r->known->variables;
+        if (k == r->known->variables)
             break;
         for (int half = 0; half < 2; half++) {
-            box_half(s.box, r->variables, k, half, s.part);
+            box_half(s.box, r->known->variables, k, half, s.part);
             offer(&s, s.part);
         }
     }
@@ -95,11 +95,11 @@ double bound_error(struct region *r, int op, long boxes)
 
 double bound_error_at(const struct region *r, int op, const double *input)
 {
-    struct forms *w = forms_new(r, op);
+    struct forms *w = forms_new(r->known, op);
     struct rounding *e = rounding_new(w, op);
-    struct interval *box = new_array(r->variables, sizeof *box);
-    for (size_t k = 0; k < r->variables; k++)
-        box[k] = interval_point(input[r->input[k]]);
+    struct interval *box = new_array(r->known->variables, sizeof *box);
+    for (size_t k = 0; k < r->known->variables; k++)
+        box[k] = interval_point(input[r->known->input[k]]);
     const double bound = forms_evaluate(w, box) ? rounding_error(e) : INFINITY;
     rounding_free(e);
     forms_free(w);

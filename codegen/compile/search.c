@@ -1,4 +1,4 @@
-/* Seeded local search; see search.h.  Each shape is tried with a few random likings; the best of what results is
+/* Seeded local search; see search.h.  Each shape is tried with a few random preferences; the best of what results is
  * improved by overruling one of Horner's choices at a time, keeping what is not worse.  Work is counted, not timed, so
  * that the result does not depend on the machine. */
 #include "search.h"
@@ -400,7 +400,7 @@ static void try_policy(struct search *s, size_t shape, const struct policy *p)
 }
 
 /* The starting points: as written, multiplied out, brought to common denominators, one division for several, factored
- * or not, in all mixtures; then with random likings.  Multiplying out is not tried again on a shape where it is dear.
+ * or not, in all mixtures; then with random preferences.  Multiplying out is not tried again on a shape where it is dear.
  */
 static void try_first(struct search *s)
 {

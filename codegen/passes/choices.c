@@ -28,18 +28,18 @@ const struct choice *policy_find(const struct policy *p, uint64_t key)
     return p->choices ? bsearch(&c, p->choice, p->choices, sizeof c, compare_choices) : NULL;
 }
 
-double policy_liking(const struct policy *p, uint64_t mark)
+double policy_random(const struct policy *p, uint64_t mark)
 {
     return (double)(policy_mix(mark ^ policy_mix(p->seed)) >> 11) * 0x1p-53;
 }
 
-bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t kin)
+bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t group)
 {
     const uint64_t key = policy_key(kind, mark);
     const struct choice *c = policy_find(p, key);
     record_decision(r, key);
     record_alternative(r, 1);
-    return c ? c->what : policy_liking(p, kin) < (kind == CHOICE_DISSOLVE ? p->dissolve : p->combine);
+    return c ? c->what : policy_random(p, group) < (kind == CHOICE_DISSOLVE ? p->dissolve : p->combine);
 }
 
 void policy_choose(struct policy *p, struct choice c)

@@ -21,7 +21,7 @@ struct choice {
 
 struct policy {
     uint64_t seed;
-    double preference;        /* random liking of each factor, in terms that hold it */
+    double preference;        /* random weight of each factor, in terms that hold it */
     double dissolve, combine; /* share of the flags that are set where no choice says otherwise */
     bool join;                /* independent inverses share one division */
     bool early;               /* common parts of sums are looked for before factors are taken out, too */
@@ -51,11 +51,11 @@ uint64_t policy_mix(uint64_t z);
 uint64_t policy_key(enum choice_kind kind, uint64_t mark);
 /** The choice of that key, or NULL. */
 const struct choice *policy_find(const struct policy *p, uint64_t key);
-/** A yes-no choice about the value of that mark; recorded.  Where no choice says otherwise, values of the same kin are
- *  treated alike. */
-bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t kin);
+/** A yes-no choice about the value of that mark; recorded.  Where no choice says otherwise, values of the same group
+ *  are treated alike. */
+bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t group);
 /** Random number in [0,1) that belongs to a mark. */
-double policy_liking(const struct policy *p, uint64_t mark);
+double policy_random(const struct policy *p, uint64_t mark);
 
 void policy_choose(struct policy *p, struct choice c);
 void policy_copy(struct policy *to, const struct policy *from);

@@ -110,8 +110,8 @@ static void sum_terms(struct spreading *s, const struct node *n, struct edges *t
     collect_terms(w, terms);
 }
 
-/* Sums about the same variable are kin: 1 + x and 1 - x. */
-static mp_limb_t kin_of(const struct dag *g, const struct node *n)
+/* Sums about the same variable are of one group: 1 + x and 1 - x. */
+static mp_limb_t group_of(const struct dag *g, const struct node *n)
 {
     const int first = n->edge[n->edge[0].node == 0 && n->edges > 1 ? 1 : 0].node;
     return g->node[first].mark[0];
@@ -137,8 +137,9 @@ struct dag *shape_dissolve(const struct dag *g, const struct policy *policy, str
             product_terms(&s, node, &terms);
         const bool plain = node->kind == NODE_PRODUCT && terms.n == 1 && !node->kept;
         const bool whole = policy->differences && node_is_difference(g, node);
-        const bool dissolves = plain || (terms.n <= MOST_TERMS && !whole &&
-                                         policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0], kin_of(g, node)));
+        const bool dissolves =
+            plain || (terms.n <= MOST_TERMS && !whole &&
+                      policy_flag(policy, record, CHOICE_DISSOLVE, node->mark[0], group_of(g, node)));
         s.work += terms.n;
         if (dissolves && terms.n > 0)
             add_scaled(&s.open[n], ONE, &terms);

@@ -89,7 +89,7 @@ static int choose_factor(struct factoring *f, const struct terms *list)
             if (f->count[seen[i]] < 2)
                 continue;
             const uint64_t mark = f->walk.to->node[seen[i]].mark[0];
-            const double score = f->count[seen[i]] + (p->preference > 0 ? p->preference * policy_liking(p, mark) : 0) +
+            const double score = f->count[seen[i]] + (p->preference > 0 ? p->preference * policy_random(p, mark) : 0) +
                                  (forced && forced->what == mark ? 1e9 : 0);
             record_alternative(f->record, mark);
             if (score > most || (score == most && seen[i] < best)) {

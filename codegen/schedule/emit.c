@@ -18,7 +18,7 @@ static bool divides_anew(const struct emitter *e, int n)
 static void print_node(struct emitter *e, int n)
 {
     const struct node *node = &e->s->dag->node[n];
-    struct phrase *t = &e->text[n];
+    struct expression *t = &e->text[n];
     char name[32];
     bool divided_anew = false;
     if (node->kind == NODE_ONE)
@@ -35,33 +35,33 @@ static void print_node(struct emitter *e, int n)
         return;
     }
     if (node->kind == NODE_SUM)
-        phrase_sum(e, n, t);
+        expression_sum(e, n, t);
     else if (node->kind == NODE_PRODUCT)
-        phrase_product(e, n, t);
+        expression_product(e, n, t);
     else if (node->kind == NODE_INVERSE) {
-        struct phrase *below = &e->text[node->edge[0].node];
+        struct expression *below = &e->text[node->edge[0].node];
         if (e->s->uses[n] == 1 && strlen(below->num) > INLINE_LENGTH - 8) { /* so that its user divides */
-            emitter_name(e, 't', e->out->ops.temporaries + 1 - e->helpers, below->num, name);
+            emitter_name(e, 't', e->ops.temporaries + 1 - e->helpers, below->num, name);
             free(below->num);
-            *below = (struct phrase){new_joined(name, "", ""), NULL, ATOM};
+            *below = (struct expression){new_joined(name, "", ""), NULL, ATOM};
         }
-        t->num = phrase_numerator(e, n);
+        t->num = expression_numerator(e, n);
         t->den = below->level == ATOM ? new_joined(below->num, "", "") : new_joined("(", below->num, ")");
         divided_anew = divides_anew(e, n);
-        e->out->ops.div += divided_anew ? e->s->uses[n] : 1;
+        e->ops.div += divided_anew ? e->s->uses[n] : 1;
     } else
-        phrase_function(e, n, t);
+        expression_function(e, n, t);
     enum precedence level;
-    char *all = phrase_whole(t, &level);
+    char *all = expression_whole(t, &level);
     const bool plain =
         strcspn(all, " (/*+-") == strlen(all); /* a name or an input: an alias needs no name of its own */
     const bool clamps = node->kind == NODE_MIN || node->kind == NODE_MAX;
     if (!plain && !divided_anew &&
         (clamps || (e->early[n] && !t->den) || e->s->uses[n] > 1 || e->named[n] || strlen(all) > INLINE_LENGTH)) {
-        emitter_name(e, 't', e->out->ops.temporaries + 1 - e->helpers, all, name);
+        emitter_name(e, 't', e->ops.temporaries + 1 - e->helpers, all, name);
         free(t->num);
         free(t->den);
-        *t = (struct phrase){new_joined(name, "", ""), NULL, ATOM};
+        *t = (struct expression){new_joined(name, "", ""), NULL, ATOM};
     }
     free(all);
 }
@@ -122,9 +122,10 @@ static void print_output(struct emitter *e, size_t o)
     const bool negative = rational_sign(coef) < 0;
     enum precedence level;
     char head[100];
-    char *text = coef == ONE ? phrase_whole(&e->text[v->node], &level) : phrase_scaled(e, size, &e->text[v->node]);
+    char *text =
+        coef == ONE ? expression_whole(&e->text[v->node], &level) : expression_scaled(e, size, &e->text[v->node]);
     char *value = new_joined(negative ? "-" : "", text, "");
-    e->out->negations += negative;
+    e->negations += negative;
     snprintf(head, sizeof head, "*%s%s = ", e->file->segment ? "" : "out_", e->s->dag->output_name[o]);
     emitter_write(e, head, value);
     free(text);
@@ -133,8 +134,7 @@ static void print_output(struct emitter *e, size_t o)
 
 void emit_statements(const struct genome_file *f, const struct schedule *s, struct emission *out)
 {
-    struct emitter e = {.file = f, .s = s, .out = out};
-    *out = (struct emission){0};
+    struct emitter e = {.file = f, .s = s};
     e.text = new_array(s->dag->nodes, sizeof *e.text);
     e.named = new_array(s->dag->nodes, sizeof *e.named);
     e.term_named = new_array(s->terms, sizeof *e.term_named);
@@ -156,5 +156,8 @@ void emit_statements(const struct genome_file *f, const struct schedule *s, stru
     free(e.last);
     free(e.constant);
     free(e.term_named);
-    out->text = e.body.text ? e.body.text : new_joined("", "", "");
+    *out = (struct emission){.text = e.body.text ? e.body.text : new_joined("", "", ""),
+                             .ops = e.ops,
+                             .negations = e.negations,
+                             .out_of_range = e.out_of_range};
 }

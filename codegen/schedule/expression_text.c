@@ -39,7 +39,7 @@ static void name_value(struct emitter *e, const char *type, char prefix, long nu
     snprintf(name, 32, "%c%ld", prefix, number);
     snprintf(head, sizeof head, "%s %s = ", type, name);
     emitter_write(e, head, value);
-    e->out->ops.temporaries++;
+    e->ops.temporaries++;
 }
 
 void emitter_name(struct emitter *e, char prefix, long number, const char *value, char name[32])
@@ -55,14 +55,14 @@ void emitter_name_constant(struct emitter *e, long number, const char *value, ch
 /* ---- operations ---- */
 
 /* As an operand of a product. */
-static char *factor_text(const struct phrase *t)
+static char *factor_text(const struct expression *t)
 {
     if (!t->num)
         return new_joined("1.0", "", "");
     return t->level == SUM ? new_joined("(", t->num, ")") : new_joined(t->num, "", "");
 }
 
-char *phrase_whole(const struct phrase *t, enum precedence *level)
+char *expression_whole(const struct expression *t, enum precedence *level)
 {
     *level = t->den ? PRODUCT : t->level;
     if (!t->den)
@@ -79,10 +79,10 @@ static bool in_range(rational r)
     return fmpz_bits(fmpq_numref(c)) < 1000 && fmpz_bits(fmpq_denref(c)) < 1000;
 }
 
-char *phrase_numerator(struct emitter *e, int n)
+char *expression_numerator(struct emitter *e, int n)
 {
     const rational c = rational_mul(e->s->scale[n], e->s->scale[e->s->dag->node[n].edge[0].node]);
-    e->out->out_of_range |= !in_range(c);
+    e->out_of_range |= !in_range(c);
     return c == ONE ? NULL : constant_text(rational_value(c));
 }
 
@@ -92,7 +92,7 @@ static char *doubled_text(struct emitter *e, const char *x, int times)
     char name[32];
     char *left = new_joined("(", x, " + "), *twice = new_joined(left, x, ")");
     free(left);
-    e->out->ops.add++;
+    e->ops.add++;
     if (times > 1) {
         emitter_name(e, 'u', ++e->helpers, twice, name);
         free(twice);
@@ -101,21 +101,21 @@ static char *doubled_text(struct emitter *e, const char *x, int times)
     return twice;
 }
 
-char *phrase_scaled(struct emitter *e, rational coef, const struct phrase *t)
+char *expression_scaled(struct emitter *e, rational coef, const struct expression *t)
 {
     enum precedence level;
     const int doublings = schedule_doublings(e->s, coef);
     if (doublings > 0 && t->num && !t->den && t->level == ATOM && !strchr(t->num, '('))
         return doubled_text(e, t->num, doublings);
     if (coef == ONE)
-        return t->den ? phrase_whole(t, &level) : factor_text(t);
+        return t->den ? expression_whole(t, &level) : factor_text(t);
     char *c = constant_text(rational_value(coef)), *all;
-    e->out->out_of_range |= !in_range(coef);
+    e->out_of_range |= !in_range(coef);
     if (!t->num) {
         all = t->den ? new_joined(c, " / ", t->den) : new_joined(c, "", "");
     } else {
         char *num = factor_text(t), *product = new_joined(c, " * ", num);
-        e->out->ops.mul++;
+        e->ops.mul++;
         all = t->den ? new_joined(product, " / ", t->den) : new_joined(product, "", "");
         free(num);
         free(product);
@@ -131,14 +131,14 @@ static char *term_text(struct emitter *e, rational size, int node)
 {
     char name[32];
     if (size == ONE || node == 0 || !schedule_shares_term(e->s, size, node))
-        return phrase_scaled(e, size, &e->text[node]);
+        return expression_scaled(e, size, &e->text[node]);
     long *helper = &e->term_named[schedule_term(e->s->term, e->s->terms, size, node) - e->s->term];
     if (*helper) {
         if (e->text[node].den)
-            e->out->ops.div--; /* a user that does not divide by itself after all */
+            e->ops.div--; /* a user that does not divide by itself after all */
         return new_format("u%ld", *helper);
     }
-    char *text = phrase_scaled(e, size, &e->text[node]);
+    char *text = expression_scaled(e, size, &e->text[node]);
     *helper = ++e->helpers;
     emitter_name(e, 'u', *helper, text, name);
     free(text);
@@ -155,22 +155,22 @@ static char *group_text(struct emitter *e, const struct node *sum, const struct 
         return term_text(e, first->size, sum->edge[first->edge].node);
     for (size_t k = 0; k < n; k++) {
         const struct addend *t = k == 0 ? first : &group[k - 1] < first ? &group[k - 1] : &group[k];
-        char *text = phrase_scaled(e, ONE, &e->text[sum->edge[t->edge].node]);
+        char *text = expression_scaled(e, ONE, &e->text[sum->edge[t->edge].node]);
         if (k > 0) {
             growing_add(&inside, rational_sign(t->coef) != rational_sign(first->coef) ? " - " : " + ");
-            e->out->ops.add++;
+            e->ops.add++;
         }
         growing_add(&inside, text);
         free(text);
     }
-    struct phrase factor = {inside.text, NULL, SUM};
+    struct expression factor = {inside.text, NULL, SUM};
     if (schedule_doublings(e->s, first->size) > 0) { /* what is doubled is written twice: it needs a name */
         char name[32];
         emitter_name(e, 'u', ++e->helpers, inside.text, name);
-        factor = (struct phrase){new_joined(name, "", ""), NULL, ATOM};
+        factor = (struct expression){new_joined(name, "", ""), NULL, ATOM};
         free(inside.text);
     }
-    char *all = phrase_scaled(e, first->size, &factor);
+    char *all = expression_scaled(e, first->size, &factor);
     free(factor.num);
     return all;
 }
@@ -192,7 +192,7 @@ static size_t first_edge(const struct node *sum, const struct addend *const *ter
     return first;
 }
 
-void phrase_sum(struct emitter *e, int n, struct phrase *t)
+void expression_sum(struct emitter *e, int n, struct expression *t)
 {
     const struct node *node = &e->s->dag->node[n];
     struct addend *sorted = new_array(node->edges, sizeof *sorted);
@@ -217,10 +217,10 @@ void phrase_sum(struct emitter *e, int n, struct phrase *t)
         char *group = group_text(e, node, from, (size_t)(to - from), term[i]);
         if (all.size > 0) {
             growing_add(&all, is_negative(term[i]) ? " - " : " + ");
-            e->out->ops.add++;
+            e->ops.add++;
         } else if (is_negative(term[i])) {
             growing_add(&all, "-");
-            e->out->negations++;
+            e->negations++;
         }
         growing_add(&all, group);
         free(group);
@@ -234,7 +234,7 @@ void phrase_sum(struct emitter *e, int n, struct phrase *t)
 
 /* ---- products ---- */
 
-void phrase_product(struct emitter *e, int n, struct phrase *t)
+void expression_product(struct emitter *e, int n, struct expression *t)
 {
     const struct node *node = &e->s->dag->node[n];
     struct growing num = {0}, den = {0};
@@ -244,7 +244,7 @@ void phrase_product(struct emitter *e, int n, struct phrase *t)
     for (long i = 1; i < divisors; i++)
         growing_add(&den, "(");
     for (size_t i = 0; i < node->edges; i++) {
-        const struct phrase *part = &e->text[node->edge[i].node];
+        const struct expression *part = &e->text[node->edge[i].node];
         for (int k = 0; k < node->edge[i].power; k++) {
             if (part->num || !part->den) {
                 char *factor = factor_text(part);
@@ -263,10 +263,10 @@ void phrase_product(struct emitter *e, int n, struct phrase *t)
     }
     t->num = num.text;
     t->den = den.text;
-    e->out->ops.mul += factors > 1 ? factors - 1 : 0;
+    e->ops.mul += factors > 1 ? factors - 1 : 0;
     if (divisors > 1) { /* divisions become one */
-        e->out->ops.mul += divisors - 1;
-        e->out->ops.div -= divisors - 1;
+        e->ops.mul += divisors - 1;
+        e->ops.div -= divisors - 1;
     }
     t->level = factors > 1 ? PRODUCT : ATOM;
 }
@@ -277,7 +277,7 @@ void phrase_product(struct emitter *e, int n, struct phrase *t)
 static char *operand_name(struct emitter *e, int n, size_t i)
 {
     const struct edge *edge = &e->s->dag->node[n].edge[i];
-    const struct phrase *t = &e->text[edge->node];
+    const struct expression *t = &e->text[edge->node];
     rational coef = schedule_coefficient(e->s, n, i);
     char name[32];
     if (e->s->dag->node[n].kind == NODE_ABS)
@@ -288,9 +288,9 @@ static char *operand_name(struct emitter *e, int n, size_t i)
         return constant_text(rational_value(coef));
     if (coef == ONE)
         return new_joined(t->num, "", "");
-    char *product = phrase_scaled(e, rational_abs(coef), t);
+    char *product = expression_scaled(e, rational_abs(coef), t);
     char *value = new_joined(rational_sign(coef) < 0 ? "-" : "", product, "");
-    e->out->negations += rational_sign(coef) < 0;
+    e->negations += rational_sign(coef) < 0;
     emitter_name(e, 'u', ++e->helpers, value, name);
     free(product);
     free(value);
@@ -317,7 +317,7 @@ static char *constant_name(struct emitter *e, rational c)
 
 /* A constant comes first: c < x ? c : x passes on what is no number.  So does !(x >= c) ? x : c, which is better for
  * the second choice of a clamp on the way to an output: in a loop it needs fewer masks. */
-static void phrase_choice(struct emitter *e, int n, struct phrase *t)
+static void expression_choice(struct emitter *e, int n, struct expression *t)
 {
     const struct node *node = &e->s->dag->node[n];
     const bool least = node->kind == NODE_MIN, swap = node->edge[1].node == 0,
@@ -332,15 +332,15 @@ static void phrase_choice(struct emitter *e, int n, struct phrase *t)
     free(b);
 }
 
-void phrase_function(struct emitter *e, int n, struct phrase *t)
+void expression_function(struct emitter *e, int n, struct expression *t)
 {
     const enum node_kind kind = e->s->dag->node[n].kind;
     t->level = ATOM;
-    e->out->ops.sqrt += kind == NODE_SQRT;
-    e->out->ops.div += kind == NODE_PDIV;
-    e->out->ops.compare += kind != NODE_SQRT;
+    e->ops.sqrt += kind == NODE_SQRT;
+    e->ops.div += kind == NODE_PDIV;
+    e->ops.compare += kind != NODE_SQRT;
     if (kind == NODE_MIN || kind == NODE_MAX) {
-        phrase_choice(e, n, t);
+        expression_choice(e, n, t);
         return;
     }
     char *a = operand_name(e, n, 0), *b = kind == NODE_PDIV ? operand_name(e, n, 1) : NULL;

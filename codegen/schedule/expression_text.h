@@ -3,13 +3,14 @@
 #ifndef FOOTPOINT_EXPRESSION_TEXT_H
 #define FOOTPOINT_EXPRESSION_TEXT_H
 
-#include "emit.h"
+#include "../genome/genome.h"
 #include "../genome/text.h"
+#include "schedule.h"
 
 enum precedence { ATOM, PRODUCT, SUM };
 
 /** Text of a node: numerator, and denominator when it is a quotient not yet written out. */
-struct phrase {
+struct expression {
     char *num, *den;       /* owned; num NULL: 1; den NULL: none */
     enum precedence level; /* of num */
 };
@@ -24,14 +25,16 @@ struct named_constant {
 struct emitter {
     const struct genome_file *file;
     const struct schedule *s;
-    struct phrase *text; /* owned; by node */
-    bool *named;         /* owned: must have a name, because it is written twice */
-    bool *early;         /* owned: a sum that is used in a later stage than its own */
-    bool *last;          /* owned: reaches an output past no choice (min, max, protected quotient) */
-    struct emission *out;
-    struct growing body;
-    long helpers;     /* named operands that are no nodes */
-    long *term_named; /* owned: by place in the schedule's table, helper that is this term; 0: none yet */
+    struct expression *text; /* owned; by node */
+    bool *named;             /* owned: must have a name, because it is written twice */
+    bool *early;             /* owned: a sum that is used in a later stage than its own */
+    bool *last;              /* owned: reaches an output past no choice (min, max, protected quotient) */
+    struct growing body;     /* owned: the statements so far */
+    struct operations ops;
+    long negations;
+    bool out_of_range; /* a constant factor is no normal double, or its quotient's parts are none */
+    long helpers;      /* named operands that are no nodes */
+    long *term_named;  /* owned: by place in the schedule's table, helper that is this term; 0: none yet */
     struct named_constant *constant; /* owned */
     size_t constants, constant_room;
 };
@@ -46,17 +49,17 @@ void emitter_name(struct emitter *e, char prefix, long number, const char *value
 void emitter_name_constant(struct emitter *e, long number, const char *value, char name[32]);
 
 /** Numerator and denominator as one expression; a division is counted by who creates the denominator.  Caller frees. */
-char *phrase_whole(const struct phrase *t, enum precedence *level);
+char *expression_whole(const struct expression *t, enum precedence *level);
 
 /** Numerator of the inverse n, NULL if it is 1.  Caller frees. */
-char *phrase_numerator(struct emitter *e, int n);
+char *expression_numerator(struct emitter *e, int n);
 
 /** coef * text for a coefficient > 0, as a factor or term.  Caller frees. */
-char *phrase_scaled(struct emitter *e, rational coef, const struct phrase *t);
+char *expression_scaled(struct emitter *e, rational coef, const struct expression *t);
 
 /** The empty text of node n, a sum, a product, or a function of one or two operands, is filled. */
-void phrase_sum(struct emitter *e, int n, struct phrase *t);
-void phrase_product(struct emitter *e, int n, struct phrase *t);
-void phrase_function(struct emitter *e, int n, struct phrase *t);
+void expression_sum(struct emitter *e, int n, struct expression *t);
+void expression_product(struct emitter *e, int n, struct expression *t);
+void expression_function(struct emitter *e, int n, struct expression *t);
 
 #endif

@@ -1,11 +1,11 @@
 /* Enclosures and error bounds against exact values: intervals, random programs, known programs, the genomes.  With
  * FOOTPOINT_LONG set, at a million points each. */
+#include "../../codegen/bound/enclosure.h"
+#include "../../codegen/bound/evidence.h"
+#include "../../codegen/bound/rounding.h"
 #include "../../codegen/bound/rounding_bound.h"
 #include "../../codegen/compile/compile.h"
-#include "../../codegen/bound/evidence.h"
-#include "../../codegen/bound/enclosure.h"
 #include "../../codegen/program/evaluate.h"
-#include "../../codegen/bound/rounding.h"
 #include "../support/genome_text.h"
 
 #include <dirent.h>
@@ -158,10 +158,10 @@ static bool exact_values(struct program *p, int op, const double *input, arb_ptr
 }
 
 /* A box inside the ranges; often one that ends at 0, which may have a sign. */
-static void random_box(const struct region *r, uint64_t *seed, struct interval *box)
+static void random_box(const struct known *x, uint64_t *seed, struct interval *box)
 {
-    for (size_t k = 0; k < r->variables; k++) {
-        const struct interval range = r->range[r->input[k]];
+    for (size_t k = 0; k < x->variables; k++) {
+        const struct interval range = x->range[x->input[k]];
         const double a = inside(range, seed), b = inside(range, seed), shrink = random_next(seed) % 2 ? 1 : 1e-3;
         box[k] = (struct interval){fmin(a, a + shrink * (b - a)), fmax(a, a + shrink * (b - a))};
         if (range.lo <= 0 && range.hi >= 0 && random_next(seed) % 3 == 0) {
@@ -207,7 +207,7 @@ static void subject_free(struct subject *s)
 
 static void point_in(struct subject *s, uint64_t *seed)
 {
-    for (size_t k = 0; k < s->region->variables; k++)
+    for (size_t k = 0; k < s->region->known->variables; k++)
         s->at[k] = inside(s->box[k], seed);
     region_inputs(s->region, s->at, s->input);
 }
@@ -234,9 +234,9 @@ static void check_box(struct subject *s, struct forms *w, struct rounding *e, ui
         struct interval point[INPUTS];
         bool member = true;
         point_in(s, seed);
-        for (size_t k = 0; k < s->region->variables; k++) {
+        for (size_t k = 0; k < s->region->known->variables; k++) {
             point[k] = interval_point(s->at[k]);
-            member = member && interval_has(s->box[k], s->input[s->region->input[k]]);
+            member = member && interval_has(s->box[k], s->input[s->region->known->input[k]]);
         }
         if (!member || !region_holds(s->region, point) || !exact_values(s->program, last, s->input, s->exact))
             continue;
@@ -263,10 +263,10 @@ static void check_random_programs(const char *requires)
     for (int i = 0; i < PROGRAMS; i++) {
         struct subject s = subject_new(text, random_program(&seed));
         const int last = region_op(s.region, (int)s.program->ops - 1);
-        struct forms *w = forms_new(s.region, last);
+        struct forms *w = forms_new(s.region->known, last);
         struct rounding *e = rounding_new(w, last);
         for (int k = 0; k < BOXES; k++) {
-            random_box(s.region, &seed, s.box);
+            random_box(s.region->known, &seed, s.box);
             check_box(&s, w, e, &seed, &bounded);
         }
         rounding_free(e);
@@ -290,7 +290,7 @@ static void test_random_programs_with_requires(void **state)
 
 /* ---- known programs ---- */
 
-struct known {
+struct bounded {
     const char *ranges, *code;
     double tight; /* the bound is at most so many times the worst error found */
 };
@@ -298,7 +298,7 @@ struct known {
 #define BOX_2 "range a -1 1\nrange b -1 1"
 #define BOX_6 "range a 1 2\nrange b 1 2\nrange c 1 2\nrange d -1 1\nrange e -1 1\nrange f -1 1"
 
-static const struct known known[] = {
+static const struct bounded known[] = {
     {BOX_2, "*out_r = in_a + in_b;", 2.5},
     {BOX_2, "*out_r = in_a * in_b;", 2.5},
     {BOX_2, "*out_r = 1.5 + in_a * (-0.3 + in_a * (0.7 + in_a * 1.1));", 3.5},
@@ -331,8 +331,8 @@ static const struct known known[] = {
 /* Some coordinates anew, each kept with a chance of `keep`; a quarter of the new ones are ends of their ranges. */
 static void move(struct subject *s, double keep, uint64_t *seed)
 {
-    for (size_t k = 0; k < s->region->variables; k++) {
-        const size_t input = s->region->input[k];
+    for (size_t k = 0; k < s->region->known->variables; k++) {
+        const size_t input = s->region->known->input[k];
         const struct interval range = s->region->doubles[input];
         const uint64_t choice = random_next(seed) % 8;
         if (fraction(seed) < keep)
@@ -345,7 +345,7 @@ static void move(struct subject *s, double keep, uint64_t *seed)
 
 static bool in_region(struct subject *s)
 {
-    for (size_t k = 0; k < s->region->variables; k++)
+    for (size_t k = 0; k < s->region->known->variables; k++)
         s->box[k] = interval_point(s->at[k]);
     return region_holds(s->region, s->box);
 }
@@ -363,14 +363,14 @@ static void worst_errors(struct subject *s, double *worst)
         worst[i] = 0;
     if (!region_draw(s->region, &seed, 0, &left, s->input))
         fail_msg("no point of the region was found");
-    for (size_t k = 0; k < s->region->variables; k++)
-        from[k] = s->input[s->region->input[k]];
+    for (size_t k = 0; k < s->region->known->variables; k++)
+        from[k] = s->input[s->region->known->input[k]];
     for (left = TRIES * sample_count(); n < sample_count() && left > 0; left--) {
-        memcpy(s->at, from, s->region->variables * sizeof *from);
+        memcpy(s->at, from, s->region->known->variables * sizeof *from);
         move(s, keep[left % 4], &seed);
         if (!in_region(s) || !point_exact(s->program, s->input, s->exact))
             continue;
-        memcpy(from, s->at, s->region->variables * sizeof *from);
+        memcpy(from, s->at, s->region->known->variables * sizeof *from);
         n++;
         for (int k = 0; k < 2; k++) {
             point_double(s->program, s->input, k ? &seed : NULL, s->value);

@@ -1,0 +1,129 @@
+/* Room for enclosures, and which operations they are of; see forms.h. */
+#include "forms.h"
+
+#include <stdlib.h>
+
+enum { MOST_SLOPES = 1 << 22, SHORT = 32 /* operations */ };
+
+/* The operations that are needed so far, and of which values, multiples counted as one, there is any. */
+struct choice {
+    const struct known *known;
+    bool *needed, *value; /* owned: by operation */
+    int *stack;           /* owned */
+    size_t depth, room;
+};
+
+static int value_of(const struct known *x, int op)
+{
+    return x->twin[op] >= 0 ? x->twin[op] : op;
+}
+
+static struct interval ratio_of(const struct known *x, int op)
+{
+    return x->twin[op] >= 0 ? x->ratio[op] : interval_point(1);
+}
+
+static void push(struct choice *c, int op)
+{
+    if (op < 0 || c->needed[op])
+        return;
+    c->needed[op] = c->value[value_of(c->known, op)] = true;
+    grow_array(&c->stack, c->depth, &c->room, sizeof *c->stack);
+    c->stack[c->depth++] = op;
+}
+
+/* Takes in what `op` depends on; how many operations that was. */
+static size_t need(struct choice *c, int op)
+{
+    size_t added = 0;
+    push(c, op);
+    for (; c->depth > 0; added++) {
+        const struct op *o = &c->known->program->op[c->stack[--c->depth]];
+        push(c, o->a);
+        push(c, o->b);
+    }
+    return added;
+}
+
+/* A require, down to some depth, tells something of its operands; it serves if any of that is needed. */
+static bool tells(const struct choice *c, int op, int depth)
+{
+    const struct op *o = &c->known->program->op[op];
+    return (o->kind > OP_INPUT && c->value[value_of(c->known, op)]) ||
+           (depth > 0 && ((o->a >= 0 && tells(c, o->a, depth - 1)) || (o->b >= 0 && tells(c, o->b, depth - 1))));
+}
+
+/* Requires that build on others stand behind them. */
+static void choose_operations(struct forms *w, int target)
+{
+    const struct known *x = w->known;
+    const struct program *p = x->program;
+    struct choice c = {.known = x};
+    c.needed = new_array(p->ops, sizeof *c.needed);
+    c.value = new_array(p->ops, sizeof *c.value);
+    if (target >= 0)
+        w->needs += need(&c, target);
+    for (size_t i = p->outputs; i-- > 0;)
+        if (target < 0 || x->length[p->output[i]] <= SHORT || tells(&c, p->output[i], FORMS_DEPTH)) {
+            w->required[p->output[i]] = true;
+            w->needs += need(&c, p->output[i]);
+        }
+    w->needed = new_array(w->needs, sizeof *w->needed);
+    for (size_t i = 0, n = 0; i < p->ops; i++)
+        if (c.needed[i])
+            w->needed[n++] = (int)i;
+    free(c.needed);
+    free(c.value);
+    free(c.stack);
+}
+
+/* Twins that are known, as far as they are needed. */
+static void choose_twins(struct forms *w)
+{
+    const struct known *x = w->known;
+    int *first = new_array(x->program->ops, sizeof *first);
+    for (size_t n = 0; n < w->needs; n++) {
+        const int i = w->needed[n], value = value_of(x, i);
+        w->twin[i] = first[value] - 1;
+        if (w->twin[i] < 0)
+            first[value] = i + 1;
+        else
+            w->ratio[i] = interval_divide(ratio_of(x, i), ratio_of(x, w->twin[i]));
+    }
+    free(first);
+}
+
+struct forms *forms_new(const struct known *x, int target)
+{
+    struct forms *w = new_array(1, sizeof *w);
+    const size_t rows = x->program->ops + 2; /* and two at hand */
+    *w = (struct forms){.known = x};
+    w->required = new_array(rows, sizeof *w->required);
+    w->twin = new_array(rows, sizeof *w->twin);
+    w->ratio = new_array(rows, sizeof *w->ratio);
+    choose_operations(w, target);
+    choose_twins(w);
+    w->affine = x->variables > 0 && rows <= MOST_SLOPES / x->variables;
+    w->range = new_array(rows, sizeof *w->range);
+    w->centre = new_array(rows, sizeof *w->centre);
+    w->radius = new_array(rows, sizeof *w->radius);
+    w->mass = new_array(rows, sizeof *w->mass);
+    w->slope = new_array(w->affine ? rows * x->variables : 0, sizeof *w->slope);
+    return w;
+}
+
+void forms_free(struct forms *w)
+{
+    if (!w)
+        return;
+    free(w->needed);
+    free(w->twin);
+    free(w->ratio);
+    free(w->required);
+    free(w->range);
+    free(w->centre);
+    free(w->radius);
+    free(w->mass);
+    free(w->slope);
+    free(w);
+}

@@ -1,0 +1,297 @@
+/* What is known of a program's values; see known.h. */
+#include "known.h"
+
+#include "../program/evaluate.h"
+#include "../prove/prove_points.h"
+
+#include <stdlib.h>
+
+/* ---- requires as a program ---- */
+
+struct builder {
+    const struct genome_file *file;
+    struct program *program;
+    int *symbol; /* owned: by symbol, its operation */
+    int *stack;  /* owned */
+    size_t depth, room;
+};
+
+static const enum op_kind kind_of[GENE_OPERATORS] = {
+    [GENE_ADD] = OP_ADD, [GENE_SUB] = OP_SUB, [GENE_MUL] = OP_MUL, [GENE_DIV] = OP_DIV,   [GENE_PDIV] = OP_PDIV,
+    [GENE_MIN] = OP_MIN, [GENE_MAX] = OP_MAX, [GENE_NEG] = OP_NEG, [GENE_SQRT] = OP_SQRT, [GENE_ABS] = OP_ABS,
+};
+
+static int add_op(struct program *p, struct op op)
+{
+    grow_array(&p->op, p->ops, &p->op_room, sizeof *p->op);
+    p->op[p->ops] = op;
+    return (int)p->ops++;
+}
+
+static void decimal_value(fmpq *q, const char *text)
+{
+    decimal_read(q, text + (*text == '-' || *text == '+'));
+    if (*text == '-')
+        fmpq_neg(q, q);
+}
+
+static int add_constant(struct builder *b, size_t k)
+{
+    struct program *p = b->program;
+    grow_array(&p->constant, p->constants, &p->constant_room, sizeof *p->constant);
+    fmpq_init(&p->constant[p->constants]);
+    decimal_value(&p->constant[p->constants], b->file->constant[k].text);
+    return add_op(p, (struct op){.kind = OP_CONSTANT, .a = -1, .b = -1, .input = (int)p->constants++});
+}
+
+static int add_expression(struct builder *b, const struct genome_expr *e)
+{
+    b->depth = 0;
+    for (size_t i = e->length; i-- > 0;) {
+        const int gene = e->gene[i], arity = gene_arity(gene);
+        int op;
+        if (gene < 0)
+            op = add_constant(b, (size_t)(-1 - gene));
+        else if (gene >= GENE_SYMBOL)
+            op = b->symbol[gene - GENE_SYMBOL];
+        else {
+            struct op o = {.kind = kind_of[gene], .a = b->stack[--b->depth], .b = -1, .input = -1};
+            if (arity == 2)
+                o.b = b->stack[--b->depth];
+            o.squared = o.kind == OP_MUL && o.a == o.b;
+            op = add_op(b->program, o);
+        }
+        grow_array(&b->stack, b->depth, &b->room, sizeof *b->stack);
+        b->stack[b->depth++] = op;
+    }
+    return b->stack[0];
+}
+
+/* first[i]: the first require that needs let i, or f->requires. */
+static size_t *first_needs(const struct genome_file *f)
+{
+    size_t *first = new_array(f->lets, sizeof *first);
+    for (size_t i = 0; i < f->lets; i++)
+    first[i] = f->requires;
+    for (size_t k = f->lets + f->requires; k-- > 0;) {
+        const struct genome_expr *e = k < f->lets ? &f->let[k] : &f->require[k - f->lets];
+        const size_t need = k < f->lets ? first[k] : k - f->lets;
+        for (size_t i = 0; i < e->length; i++) {
+            const int let = e->gene[i] - GENE_SYMBOL - (int)f->inputs;
+            if (let >= 0 && need < first[let])
+                first[let] = need;
+        }
+    }
+    return first;
+}
+
+/* The lets that each require is the first to need stand in front of it, so that what earlier requires tell of the
+ * values that these are made of comes first. */
+static void add_requires(struct builder *b)
+{
+    const struct genome_file *f = b->file;
+    struct program *p = b->program;
+    size_t *first = first_needs(f);
+    int *head = new_array(f->requires, sizeof *head), *next = new_array(f->lets, sizeof *next); /* lists, 1 + let */
+    for (size_t i = f->lets; i-- > 0;)
+        if (first[i] < f->requires) {
+            next[i] = head[first[i]];
+            head[first[i]] = 1 + (int)i;
+        }
+    for (size_t k = 0; k < f->requires; k++) {
+        for (int i = head[k]; i > 0; i = next[i - 1])
+            b->symbol[f->inputs + (size_t)i - 1] = add_expression(b, &f->let[i - 1]);
+        p->output[p->outputs++] = add_expression(b, &f->require[k]);
+    }
+    free(first);
+    free(head);
+    free(next);
+}
+
+/* Inputs and requires, which are the outputs. */
+static struct program *read_requires(const struct genome_file *f)
+{
+    struct builder b = {.file = f, .program = new_array(1, sizeof *b.program)};
+    struct program *p = b.program;
+    b.symbol = new_array(f->inputs + f->lets, sizeof *b.symbol);
+    p->inputs = f->inputs;
+    p->output = new_array(f->requires, sizeof *p->output);
+    for (size_t i = 0; i < f->inputs; i++)
+        b.symbol[i] = add_op(p, (struct op){.kind = OP_INPUT, .a = -1, .b = -1, .input = (int)i});
+    add_requires(&b);
+    free(b.symbol);
+    free(b.stack);
+    return p;
+}
+
+/* Appends the operations of q behind p's; inputs are shared. */
+static void append(struct program *p, const struct program *q)
+{
+    const int shift = (int)(p->ops - p->inputs);
+    for (size_t i = q->inputs; i < q->ops; i++) {
+        struct op op = q->op[i];
+        op.a += op.a >= (int)p->inputs ? shift : 0;
+        op.b += op.b >= (int)p->inputs ? shift : 0;
+        if (op.kind == OP_CONSTANT) {
+            grow_array(&p->constant, p->constants, &p->constant_room, sizeof *p->constant);
+            fmpq_init(&p->constant[p->constants]);
+            fmpq_set(&p->constant[p->constants], &q->constant[op.input]);
+            op.input = (int)p->constants++;
+        }
+        add_op(p, op);
+    }
+}
+
+/* ---- ranges ---- */
+
+static void mark_inputs(const struct program *p, bool *matters)
+{
+    for (size_t i = 0; i < p->ops; i++)
+        for (int k = 0; k < 2; k++) {
+            const int operand = k ? p->op[i].b : p->op[i].a;
+            if (operand >= 0 && p->op[operand].kind == OP_INPUT)
+                matters[p->op[operand].input] = true;
+        }
+    for (size_t i = 0; i < p->outputs; i++)
+        if (p->op[p->output[i]].kind == OP_INPUT)
+            matters[p->op[p->output[i]].input] = true;
+}
+
+static void read_range(struct known *x, const struct genome_file *f, size_t i)
+{
+    const struct genome_range *range = &f->range[i];
+    fmpq_init(&x->lo[i]);
+    fmpq_init(&x->hi[i]);
+    x->range[i] = interval_whole();
+    if (!range->given)
+        return;
+    decimal_value(&x->lo[i], f->constant[range->lo].text);
+    decimal_value(&x->hi[i], f->constant[range->hi].text);
+    x->range[i] = (struct interval){interval_around(&x->lo[i]).lo, interval_around(&x->hi[i]).hi};
+}
+
+static void read_ranges(struct known *x, const struct genome_file *f, const bool *matters)
+{
+    x->lo = new_array(f->inputs, sizeof *x->lo);
+    x->hi = new_array(f->inputs, sizeof *x->hi);
+    x->range = new_array(f->inputs, sizeof *x->range);
+    x->input = new_array(f->inputs, sizeof *x->input);
+    x->variable = new_array(f->inputs, sizeof *x->variable);
+    x->complete = true;
+    for (size_t i = 0; i < f->inputs; i++) {
+        read_range(x, f, i);
+        x->complete = x->complete && (f->range[i].given || !matters[i]);
+        if (matters[i] && (!f->range[i].given || !fmpq_equal(&x->lo[i], &x->hi[i])))
+            x->input[x->variables++] = i;
+    }
+    for (size_t i = 0; i < f->inputs; i++)
+        x->variable[i] = x->variables;
+    for (size_t k = 0; k < x->variables; k++)
+        x->variable[x->input[k]] = k;
+}
+
+static struct interval given_range(const struct known *x, const struct op *op)
+{
+    return op->kind == OP_INPUT      ? x->range[op->input]
+           : op->kind == OP_CONSTANT ? interval_around(&x->program->constant[op->input])
+                                     : interval_whole();
+}
+
+/* ---- twins ---- */
+
+/* Operations that are multiples of an earlier one, at least as far as is proved with all but certainty
+ * (points_classes), with their exact ratios: those of their values at any point; or where these are too long, of their
+ * residues. */
+static void find_twins(struct known *x)
+{
+    const struct program *p = x->program;
+    int divisor;
+    struct points *points = points_new(p, &divisor);
+    int *class = points ? points_classes(points) : NULL;
+    fmpq *input = new_array(p->inputs, sizeof *input), *value = new_array(p->ops, sizeof *value);
+    bool *defined = new_array(p->ops, sizeof *defined);
+    uint64_t seed = 1;
+    fmpq_t ratio;
+    fmpq_init(ratio);
+    for (size_t i = 0; i < p->inputs; i++) {
+        fmpq_init(&input[i]);
+        fmpq_set_si(&input[i], (slong)(random_next(&seed) % 61) - 30, 8);
+    }
+    for (size_t i = 0; i < p->ops; i++)
+        fmpq_init(&value[i]);
+    if (class)
+        point_rational(p, p->ops, input, value, defined);
+    for (size_t i = 0; class && i < p->ops; i++) {
+        const int twin = class[i];
+        if (twin < 0 || (size_t)twin >= i)
+            continue;
+        if (defined[i] && defined[twin]) {
+            if (fmpq_is_zero(&value[i]))
+                continue;
+            fmpq_div(ratio, &value[i], &value[twin]);
+        } else if (!points_factor(points, (int)i, twin, ratio))
+            continue;
+        x->ratio[i] = interval_around(ratio);
+        x->twin[i] = twin;
+    }
+    fmpq_clear(ratio);
+    for (size_t i = 0; i < p->inputs; i++)
+        fmpq_clear(&input[i]);
+    for (size_t i = 0; i < p->ops; i++)
+        fmpq_clear(&value[i]);
+    free(input);
+    free(value);
+    free(defined);
+    free(class);
+    points_free(points);
+}
+
+struct known *known_new(const struct genome_file *f, const struct program *p)
+{
+    struct known *x = new_array(1, sizeof *x);
+    struct program *all = read_requires(f);
+    bool *matters = new_array(f->inputs, sizeof *matters);
+    *x = (struct known){.inputs = f->inputs, .program = all, .shift = all->ops - all->inputs};
+    mark_inputs(p, matters);
+    mark_inputs(all, matters);
+    read_ranges(x, f, matters);
+    append(all, p);
+    x->value = new_array(all->ops, sizeof *x->value);
+    x->twin = new_array(all->ops, sizeof *x->twin);
+    x->ratio = new_array(all->ops, sizeof *x->ratio);
+    for (size_t i = 0; i < all->ops; i++) {
+        x->value[i] = given_range(x, &all->op[i]);
+        x->twin[i] = -1;
+    }
+    x->length = new_array(all->ops, sizeof *x->length);
+    for (size_t i = 0; i < all->inputs + x->shift; i++) {
+        const struct op *op = &all->op[i];
+        const size_t length = 1 + (op->a >= 0 ? x->length[op->a] : 0) + (op->b >= 0 ? x->length[op->b] : 0);
+        x->length[i] = length < all->ops ? length : all->ops;
+    }
+    if (f->requires > 0)
+        find_twins(x);
+    free(matters);
+    return x;
+}
+
+void known_free(struct known *x)
+{
+    if (!x)
+        return;
+    for (size_t i = 0; i < x->inputs; i++) {
+        fmpq_clear(&x->lo[i]);
+        fmpq_clear(&x->hi[i]);
+    }
+    free(x->lo);
+    free(x->hi);
+    free(x->range);
+    free(x->input);
+    free(x->variable);
+    free(x->value);
+    free(x->twin);
+    free(x->ratio);
+    free(x->length);
+    program_free(x->program);
+    free(x);
+}

@@ -1,0 +1,30 @@
+/* What is known of the values of a program before anything is searched: in which ranges its inputs lie, what else the
+ * file requires, and which values are multiples of others.  What the file requires and the program computes become one
+ * program, so that what is known of a value serves for both. */
+#ifndef FOOTPOINT_KNOWN_H
+#define FOOTPOINT_KNOWN_H
+
+#include "../program/program.h"
+#include "interval.h"
+
+struct known {
+    size_t inputs;           /* of the file */
+    fmpq *lo, *hi;           /* owned: by input, exact; 0 where no range is given */
+    struct interval *range;  /* owned: by input, around [lo,hi]; the whole line where none is given */
+    bool complete;           /* every input that the program or a require reads has a range */
+    size_t variables;        /* those inputs, as far as they vary; a box has a side for each */
+    size_t *input;           /* owned: by variable */
+    size_t *variable;        /* owned: by input, or `variables` where it is fixed or does not matter */
+    struct program *program; /* owned: inputs, requires, then the program's operations; outputs: the requires */
+    size_t shift;            /* operations of the requires */
+    struct interval *value;  /* owned: by operation, what is proved of it on the region */
+    int *twin;               /* owned: by operation, an earlier one that it is a multiple of, or -1 */
+    struct interval *ratio;  /* owned: by operation, to its twin */
+    size_t *length;          /* owned: by operation, how many it is made of (at most; of requires alone) */
+};
+
+/** Of the values of program p, made from a genome of file f. */
+struct known *known_new(const struct genome_file *f, const struct program *p);
+void known_free(struct known *x);
+
+#endif
