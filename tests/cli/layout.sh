@@ -4,12 +4,6 @@
 
 rooms() {
     sed 's/ *#.*//; /^$/d' << 'EOF'
-generated:
-runtime/geometry:   runtime
-runtime/certain:    runtime/geometry runtime generated
-runtime/batch:      runtime/certain runtime/geometry runtime generated
-runtime/calculix:   runtime/certain runtime/geometry runtime
-runtime:            runtime/* generated
 codegen/genome:
 codegen/graph:      codegen/genome
 codegen/passes:     codegen/graph codegen/genome
@@ -42,6 +36,7 @@ evolve/paper:       evolve/mpi evolve/fit evolve/eval evolve/genotype evolve/sam
 evolve:             evolve/* codegen/genome
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
+tests/hard:         tests/rivals tests/support runtime runtime/* generated
 tests/bench:        tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
@@ -50,7 +45,6 @@ tests/generated:    tests/rivals tests/support generated codegen/* evolve/* runt
 tests/calculix:     runtime/calculix
 tests/example:      runtime runtime/* generated
 tests/fuzz:         codegen/* runtime runtime/* generated tests/hard
-tests/hard:         tests/rivals runtime runtime/* generated tests/support
 tests/long:
 EOF
 }
