@@ -1,0 +1,152 @@
+/* Forms of the same values: multiplied out, common denominators, one division for several, split quotients. */
+#include "../../codegen/passes/expand.h"
+#include "../support/graph_text.h"
+
+static struct dag *expand(const struct dag *g)
+{
+    return shape_dissolve(g, &(struct policy){.dissolve = 1}, NULL);
+}
+
+static struct dag *expand_nothing(const struct dag *g)
+{
+    return shape_dissolve(g, &(struct policy){0}, NULL);
+}
+
+static struct dag *expand_but_differences(const struct dag *g)
+{
+    return shape_dissolve(g, &(struct policy){.dissolve = 1, .differences = true}, NULL);
+}
+
+static struct dag *combine(const struct dag *g)
+{
+    return shape_combine(g, &(struct policy){.combine = 1}, NULL);
+}
+
+static void test_expand(void **state)
+{
+    (void)state;
+    static const struct graph_row row[] = {
+        {"* a + b c", "a*b + a*c", 2, 1, 0},
+        {"* + a b + c d", "a*c + a*d + b*c + b*d", 4, 3, 0},
+        {"* + x y - x y", "x^2 - y^2", 2, 1, 0},
+        {"* + x 1 + x 1", "2*(0.5 + x + 0.5*x^2)", 3, 2, 0},
+        {"* + x 1 * + x 1 + x 1", "3*((1.0 / 3.0) + x + x^2 + (1.0 / 3.0)*x^3)", 5, 3, 0},
+        {"* - x 1 + 1 + x * x x", "-1 + x^3", 2, 1, 0},
+        {"- * + x y + x y * - x y - x y", "4*x*y", 2, 0, 0},
+        {"* x + 1 * x + 2 * x x", "x + 2*x^2 + x^4", 5, 2, 0},
+        /* inside a quotient, numerator and divisor each */
+        {"/ * a + b c d", "t1 = 1/d; r = t1*a*b + t1*a*c", 4, 1, 1},
+        {"/ 1 * x + y z", "1/(x*y + x*z)", 2, 1, 1},
+        /* inside functions */
+        {"sqrt * a + b c", "sqrt(a*b + a*c)", 2, 1, 0},
+        {"max x * y + x 1", "max(x,x*y + y)", 1, 1, 0},
+        /* nothing to multiply out */
+        {"+ * a b * c d", NULL, 0, 0, 0},
+        {"* a * b c", NULL, 0, 0, 0},
+        {"sqrt + x y", NULL, 0, 0, 0},
+        {"* sqrt + x y z", NULL, 0, 0, 0},
+    };
+    CHECK_GRAPHS(expand, row);
+}
+
+/* A policy that dissolves nothing, and one that keeps differences of inputs, which are exact. */
+static void test_policies(void **state)
+{
+    (void)state;
+    static const struct graph_row none[] = {
+        {"* a + b c", NULL, 0, 0, 0},
+        {"* + x y - x y", NULL, 0, 0, 0},
+        {"+ 1 * x + 2 x", NULL, 0, 0, 0},
+    };
+    static const struct graph_row differences[] = {
+        {"* a - b c", NULL, 0, 0, 0},
+        {"* - a b - c d", NULL, 0, 0, 0},
+        {"* a + b c", "a*b + a*c", 2, 1, 0},
+        {"* - a b + c d", "t1 = a - b; r = c*t1 + d*t1", 2, 2, 0},
+    };
+    CHECK_GRAPHS(expand_nothing, none);
+    CHECK_GRAPHS(expand_but_differences, differences);
+}
+
+static void test_common_denominators(void **state)
+{
+    (void)state;
+    static const struct graph_row row[] = {
+        {"+ / a b / c d", "(a*d + b*c)/(b*d)", 3, 1, 1},
+        {"+ / a b / c b", "(a + c)/b", 0, 1, 1},
+        {"+ a / b c", "(a*c + b)/c", 1, 1, 1},
+        {"- / 1 x / 1 y", "-(x - y)/(x*y)", 1, 1, 1},
+        {"+ / 1 x / 1 * x y", "(1 + y)/(x*y)", 1, 1, 1},
+        {"+ / a * x x / b x", "(a + b*x)/(x^2)", 2, 1, 1},
+        /* quotients inside quotients go */
+        {"/ a + b / c d", "a*d/(b*d + c)", 2, 1, 1},
+        {"/ + 1 / x y - 1 / x y", "-(x + y)/(x - y)", 0, 2, 1},
+        {"/ 1 + / 1 x / 1 y", "x*y/(x + y)", 1, 1, 1},
+        /* inside a function, but not through it */
+        {"sqrt + / a b / c b", "sqrt((a + c)/b)", 0, 1, 1},
+        {"+ sqrt / a b sqrt / c b", NULL, 0, 0, 0},
+        /* nothing to bring together */
+        {"/ a b", NULL, 0, 0, 0},
+        {"+ * a b c", NULL, 0, 0, 0},
+        {"/ + a b c", NULL, 0, 0, 0},
+    };
+    CHECK_GRAPHS(combine, row);
+}
+
+static void test_one_division(void **state)
+{
+    (void)state;
+    static const struct graph_row row[] = {
+        {"genome g\nr = / 1 x\nq = / 1 y", "t1 = 1/(x*y); r = t1*y; q = t1*x", 3, 0, 1},
+        {"genome g\nr = / a x\nq = / b y", "t1 = 1/(x*y); r = t1*a*y; q = t1*b*x", 5, 0, 1},
+        {"genome g\nr = / 1 x\nq = / 1 * 2 y", "t1 = 1/(x*y); r = t1*y; q = 0.5*t1*x", 4, 0, 1},
+        {"+ / a x / b y", "t1 = 1/(x*y); r = t1*a*y + t1*b*x", 5, 1, 1},
+        /* one alone, and quotients that one division makes already */
+        {"/ a x", NULL, 0, 0, 0},
+        {"genome g\nr = / a x\nq = / b x", NULL, 0, 0, 0},
+        {"genome g\nr = / x y\nq = sqrt x", NULL, 0, 0, 0},
+        /* a division that waits for another has a level of its own */
+        {"/ a + b / c d", NULL, 0, 0, 0},
+    };
+    CHECK_GRAPHS(shape_join, row);
+}
+
+static void test_split_quotients(void **state)
+{
+    (void)state;
+    static const struct graph_row row[] = {
+        {"/ a * x y", "a/x/y", 0, 0, 2},
+        {"/ 1 * x * y z", "1/x/y/z", 0, 0, 3},
+        {"/ a * * 2 x y", "0.5*a/x/y", 1, 0, 2},
+        {"+ / a * x y / b * x z", "t1 = 1/x; r = t1*a/y + t1*b/z", 2, 1, 3},
+        {"/ a x", NULL, 0, 0, 0},
+        {"/ a + x y", NULL, 0, 0, 0},
+        {"* a x", NULL, 0, 0, 0},
+    };
+    CHECK_GRAPHS(shape_split, row);
+}
+
+static void test_linear_forms(void **state)
+{
+    (void)state;
+    static const struct graph_row row[] = {
+        {"let s = + a b\ngenome g\nr = - s + c d\nq = + s + c d", "r = a + b - c - d; q = a + b + c + d", 0, 6, 0},
+        {"let s = + a b\ngenome g\nr = * s s\nq = + s 1", "r = (a + b)^2; q = 1 + a + b", 1, 3, 0},
+        {"+ * x y + a b", NULL, 0, 0, 0},
+        {"+ x y", NULL, 0, 0, 0},
+    };
+    CHECK_GRAPHS(shape_linear, row);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_expand),
+        cmocka_unit_test(test_policies),
+        cmocka_unit_test(test_common_denominators),
+        cmocka_unit_test(test_one_division),
+        cmocka_unit_test(test_split_quotients),
+        cmocka_unit_test(test_linear_forms),
+    };
+    return cmocka_run_group_tests_name("expand", tests, NULL, NULL);
+}
