@@ -7,9 +7,9 @@
 #include "../../codegen/genome/console.h"
 #include "../../evolve/common/data_root.h"
 #include "../../evolve/input/scene.h"
+#include "../rivals/contact_table.h"
 #include "bench_map.h"
 #include "bench_measure.h"
-#include "../rivals/contact_table.h"
 
 #include <getopt.h>
 #include <glob.h>

@@ -3,8 +3,8 @@
 #define FOOTPOINT_BENCH_MEASURE_H
 
 #include "../../evolve/input/scene.h"
-#include "bench_methods.h"
 #include "../support/error_stats.h"
+#include "bench_methods.h"
 
 enum bench_mode { BENCH_SCALAR, BENCH_BATCH, BENCH_MODES };
 extern const char *const bench_mode_name[BENCH_MODES];

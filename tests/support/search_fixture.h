@@ -2,10 +2,10 @@
 #ifndef FOOTPOINT_SEARCH_FIXTURE_H
 #define FOOTPOINT_SEARCH_FIXTURE_H
 
-#include "../../evolve/fit/fit_constants.h"
 #include "../../evolve/common/decimal.h"
-#include "../../evolve/fit/grow.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/fit/fit_constants.h"
+#include "../../evolve/fit/grow.h"
 
 #include <math.h>
 #include <setjmp.h>
