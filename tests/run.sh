@@ -17,7 +17,7 @@ if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed se
     fi
     {
         [ "$bad" -eq 0 ] || { echo "--- $test (exit status $status)"; cat "$out"; }
-        grep '^# SKIP' "$out"
+        grep -hE '^# SKIP|skipped:' "$out"
         printf '%-32s %4d passed %4d failed %5d s %7.1f s processor\n' "$(basename "$test")" "$good" "$bad" \
             $(($(date +%s) - start)) "$seconds"
     } > "$out.report"

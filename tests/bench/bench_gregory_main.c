@@ -4,12 +4,12 @@
  * ns: of one search after another, median over rounds in which the methods take turns; from nodes and node normals, and
  * on patches made ready before.  Errors: |xi - xi_ref| and |eta - eta_ref| together. */
 #include "../../codegen/genome/base.h"
-#include "../../evolve/samples/lattice_normals.h"
-#include "../../evolve/samples/body_samples.h"
 #include "../../evolve/samples/bodies.h"
+#include "../../evolve/samples/body_samples.h"
+#include "../../evolve/samples/lattice_normals.h"
 #include "../../runtime/geometry/footpoint-quad4-geometry.h"
-#include "bench_gregory.h"
 #include "../support/error_stats.h"
+#include "bench_gregory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -149,8 +149,8 @@ int main(void)
         compare_surfaces((enum smooth_kind)kind, size[kind], 0.2);
     }
     struct scene *scene = scene_read(".", "paper-quad4", &d);
-    if (!scene || !lattice_gregory_samples(&(struct lattice_gregory){scene, SAMPLES / 16, 20, 0.2, PATCH_GREGORY}, PART_HELDOUT,
-                                           &paper, NULL, &d)) {
+    if (!scene || !lattice_gregory_samples(&(struct lattice_gregory){scene, SAMPLES / 16, 20, 0.2, PATCH_GREGORY},
+                                           PART_HELDOUT, &paper, NULL, &d)) {
         fprintf(stderr, "%s\n", d.text);
         return (int)d.code;
     }

@@ -6,15 +6,15 @@
  * METHODS below and in count_rivals.cpp. */
 #include "bench_methods.h"
 
-#include "footpoint_perceptron.h"
-#include "../support/kind_arguments.h"
-#include "methods.h"
 #include "../rivals/newton_lanes.h"
 #include "../rivals/pinball.h"
 #include "../rivals/rivals_closed.h"
 #include "../rivals/rivals_faces.h"
 #include "../rivals/rivals_patches.h"
 #include "../rivals/trust_region.h"
+#include "../support/kind_arguments.h"
+#include "footpoint_perceptron.h"
+#include "methods.h"
 
 /* Memory changes between samples, as far as the compiler knows: each search stands for itself. */
 #define NEXT_SAMPLE __asm__ volatile("" ::: "memory")

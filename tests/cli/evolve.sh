@@ -82,7 +82,7 @@ cmp -s "$work/r1.gen" "$work/again.gen"; report $((! $?)) 'no generations: the s
 run 2 --start "$work/r1.gen" --generations 40 -o "$work/later.gen" > "$work/table"
 worse=$(awk '/->/ && $5 + 0 > $3 + 0' "$work/table")
 [ -z "$worse" ] && grep -q -- '->' "$work/table"; report $((! $?)) 'a second run makes nothing worse'
-"$BIN/footpoint-codegen" --allow-poles "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
+"$BIN/footpoint-codegen" --effort 10 --allow-poles "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
     grep -q 'small_paper_at' "$work/small.h"; report $((! $?)) 'both frames end in a header'
 
 sed 's/^xi = .*/xi = + p/' "$work/r1.gen" > "$work/bad.gen"

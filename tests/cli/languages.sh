@@ -1,4 +1,5 @@
 # What codegen writes beside C in double: float, Fortran, infix, LaTeX.  Fortran gives the bits of C, infix its values.
+# With FOOTPOINT_LONG all functions of three scenes, else two of quad4 and that of tri3.
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
 codegen() { "$BIN/footpoint-codegen" --quiet --effort 10 "$@"; } # how the search ends is no matter here
@@ -166,8 +167,10 @@ if command -v gfortran > /dev/null; then
 fi
 
 # ---- segments ----
-for scene in quad4 paper-quad4 tri3; do
-    file=evolve/genomes/$scene.gen
+later 'languages: paper-quad4, most functions of quad4'
+for scene in quad4 ${FOOTPOINT_LONG:+paper-quad4} tri3; do
+    file=$work/$scene.gen
+    some evolve/genomes/$scene.gen > "$file"
     vectors=$(($(sed -n 's/^input //p' "$file" | wc -w) / 3)) pointers= arguments=
     for k in $(seq 0 $((vectors - 1))); do
         pointers="$pointers@ *, " arguments="${arguments}x + $((3 * k)), "
@@ -221,8 +224,8 @@ END
 done
 
 # ---- float beside double ----
-codegen evolve/genomes/quad4.gen --allow-poles --prefix d -o "$work/d.h"
-codegen evolve/genomes/quad4.gen --allow-poles --precision float --prefix f -o "$work/f.h"
+codegen "$work/quad4.gen" --allow-poles --prefix d -o "$work/d.h"
+codegen "$work/quad4.gen" --allow-poles --precision float --prefix f -o "$work/f.h"
 cat > "$work/beside.c" <<'END'
 #include "d.h"
 #include "f.h"

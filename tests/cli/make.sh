@@ -20,6 +20,7 @@ refused regenerate 'SEED=1 2' 'not a whole number'
 refused regenerate FROM=nothing 'FROM=nothing: scratch or nothing'
 refused check JOBS=0 'not a number of jobs'
 refused check JOBS=all 'not a number of jobs'
+refused bench ISAS=z80 'ISAS=z80: not instruction sets of the bench; there are '
 refused runtime OPENMP=yes 'OPENMP=yes: 0 or 1'
 for target in install install-runtime uninstall; do
     for value in PREFIX= PREFIX=tools BINDIR=bin LIBDIR= INCLUDEDIR=./include MANDIR=man; do

@@ -1,5 +1,5 @@
-/* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene
- * and must show the figures of its banner; and the checked function must agree with the unchecked one however the
+/* Accuracy regression: every function of every committed header is measured again on the held-out samples of its scene,
+ * random ones and, with FOOTPOINT_LONG, all, and must show the figures of its banner; and the checked function must agree with the unchecked one however the
  * corners are numbered. */
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/samples/samples.h"
@@ -13,6 +13,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -155,6 +156,12 @@ static void renumber(const struct header_function *m, const struct sample *s)
     }
 }
 
+/* Samples on a lattice or a mesh take long, and so do those off the paper's lattice. */
+static bool is_left(const char *scene, enum sample_part part)
+{
+    return (part != PART_HELDOUT_RANDOM || strcmp(scene, "paper-quad4") == 0) && !getenv("FOOTPOINT_LONG");
+}
+
 static void check_scene(const char *name)
 {
     struct diag d = {0};
@@ -164,7 +171,7 @@ static void check_scene(const char *name)
     struct scene *scene = f ? scene_read(".", name, &d) : NULL;
     for (int p = 0; scene && p < HELDOUT_PARTS; p++) {
         struct sample_set set = {0};
-        if (!scene_has(scene, heldout_part[p].part))
+        if (!scene_has(scene, heldout_part[p].part) || is_left(name, heldout_part[p].part))
             continue;
         if (!scene_samples(scene, heldout_part[p].part, &set, &d))
             fail_msg("%s", d.text);
@@ -238,6 +245,8 @@ int main(void)
 {
     struct CMUnitTest tests[HEADER_FUNCTIONS + 1];
     size_t n = 0;
+    if (!getenv("FOOTPOINT_LONG"))
+        puts("# SKIP headers: paper-quad4, and samples on lattices and meshes: make check-long");
     tests[n++] = (struct CMUnitTest)cmocka_unit_test(test_collapsed);
     for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
         if (i == 0 || strcmp(header_functions[i].scene, header_functions[i - 1].scene) != 0)

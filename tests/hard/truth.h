@@ -3,8 +3,8 @@
 #ifndef FOOTPOINT_TRUTH_H
 #define FOOTPOINT_TRUTH_H
 
-#include "subdivision.h"
 #include "hard.h"
+#include "subdivision.h"
 
 /* 113 bits of mantissa where the compiler has them. */
 #if defined(__SIZEOF_FLOAT128__)

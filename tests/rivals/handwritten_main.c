@@ -13,9 +13,9 @@
 #include "../../generated/footpoint_punch_quad4.h"
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_whole_quad4.h"
+#include "../support/ordinary_quad.h"
 #include "as_written.h"
 #include "handwritten.h"
-#include "../support/ordinary_quad.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,7 +1,7 @@
 /* The pinball test: known answers above a square, invariance under motion and change of scale, and what is counted as
  * right and wrong. */
-#include "contact_table.h"
 #include "../support/ordinary_quad.h"
+#include "contact_table.h"
 #include "pinball.h"
 
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* The rivals that are tuned to a scene, those that iterate until they stand, and their forms for columns. */
-#include "newton_lanes.h"
 #include "../support/ordinary_quad.h"
+#include "newton_lanes.h"
 #include "rivals_tuned.h"
 #include "trust_region.h"
 

@@ -343,13 +343,19 @@ static void test_derivatives_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_inside),        cmocka_unit_test(test_square),
-        cmocka_unit_test(test_invariance),    cmocka_unit_test(test_two_closest),
-        cmocka_unit_test(test_nearly_plane),  cmocka_unit_test(test_no_area),
+        cmocka_unit_test(test_inside),
+        cmocka_unit_test(test_square),
+        cmocka_unit_test(test_invariance),
+        cmocka_unit_test(test_two_closest),
+        cmocka_unit_test(test_nearly_plane),
+        cmocka_unit_test(test_no_area),
         cmocka_unit_test(test_not_finite),
-        cmocka_unit_test(test_certify),       cmocka_unit_test(test_certify_refuses),
-        cmocka_unit_test(test_locate_checks), cmocka_unit_test(test_stationary),
-        cmocka_unit_test(test_derivatives),   cmocka_unit_test(test_derivatives_refused),
+        cmocka_unit_test(test_certify),
+        cmocka_unit_test(test_certify_refuses),
+        cmocka_unit_test(test_locate_checks),
+        cmocka_unit_test(test_stationary),
+        cmocka_unit_test(test_derivatives),
+        cmocka_unit_test(test_derivatives_refused),
     };
     return cmocka_run_group_tests_name("robust", tests, NULL, NULL);
 }

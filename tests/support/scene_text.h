@@ -4,9 +4,9 @@
 
 #include "../../evolve/eval/frame.h"
 #include "../../evolve/input/mesh.h"
-#include "../../evolve/surface/foot_bilinear.h"
-#include "../../evolve/samples/samples.h"
 #include "../../evolve/samples/default_tiers.h"
+#include "../../evolve/samples/samples.h"
+#include "../../evolve/surface/foot_bilinear.h"
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <setjmp.h>
