@@ -1,8 +1,8 @@
 /* Samples in, errors out; see float_errors.h. */
 #include "float_errors.h"
 
-#include "../program/evaluate_float.h"
 #include "../genome/text.h"
+#include "../program/evaluate_float.h"
 
 #include <math.h>
 #include <stdlib.h>

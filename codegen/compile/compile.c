@@ -1,13 +1,13 @@
 /* The pipeline of passes for one genome; see compile.h. */
 #include "compile.h"
 
-#include "search.h"
-#include "../passes/expand.h"
 #include "../graph/from_genome.h"
+#include "../passes/expand.h"
+#include "search.h"
 
 #include <stdlib.h>
 
-enum { WRITTEN = 2 }; /* shapes as written that are searched in full */
+enum { WRITTEN = 2 };             /* shapes as written that are searched in full */
 static const double BEHIND = 1.5; /* how dear a shape may be at first, in terms of the genome as written */
 
 struct compile_options compile_defaults(void)

@@ -2,9 +2,9 @@
 #include "compiled_file.h"
 
 #include "../genome/console.h"
+#include "../genome/text.h"
 #include "../program/degree.h"
 #include "../program/evaluate_float.h"
-#include "../genome/text.h"
 
 #include <float.h>
 #include <math.h>

@@ -2,10 +2,10 @@
 #ifndef FOOTPOINT_COMPILED_FILE_H
 #define FOOTPOINT_COMPILED_FILE_H
 
-#include "compile.h"
 #include "../bound/evidence.h"
 #include "../bound/float_errors.h"
 #include "../prove/prove.h"
+#include "compile.h"
 
 enum precision { PRECISION_DOUBLE, PRECISION_FLOAT };
 

@@ -3,15 +3,15 @@
  * that the result does not depend on the machine. */
 #include "search.h"
 
+#include "../graph/rewrite.h"
 #include "../passes/absorb.h"
+#include "../passes/cse.h"
+#include "../passes/expand.h"
+#include "../passes/horner.h"
 #include "../schedule/balance.h"
 #include "../schedule/distribute.h"
-#include "../passes/horner.h"
-#include "../schedule/share_multiples.h"
 #include "../schedule/scales.h"
-#include "../passes/expand.h"
-#include "../passes/cse.h"
-#include "../graph/rewrite.h"
+#include "../schedule/share_multiples.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -69,8 +69,8 @@ struct search {
     struct cost_model latency;             /* when operands are ready */
     double work, limit;
     bool differences; /* those of two inputs stay whole */
-    bool starting;   /* the starting points are under way */
-    bool explaining; /* the passes print what they made */
+    bool starting;    /* the starting points are under way */
+    bool explaining;  /* the passes print what they made */
 };
 
 struct search *search_new(const struct genome_file *f, const struct compile_options *o)

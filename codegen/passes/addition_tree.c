@@ -245,8 +245,7 @@ bool additions_along_tree(int points, const struct vector *wanted, int n, uint64
         struct additions made;
         if (i > 0)
             change(&t, points, &random);
-        if (!make(&t, points, wanted, n, &random, &made) ||
-            (found->values > 0 && cost_of(&made) > cost_of(found)))
+        if (!make(&t, points, wanted, n, &random, &made) || (found->values > 0 && cost_of(&made) > cost_of(found)))
             continue;
         best = t;
         *found = made;

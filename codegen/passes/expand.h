@@ -2,9 +2,9 @@
 #ifndef FOOTPOINT_EXPAND_H
 #define FOOTPOINT_EXPAND_H
 
+#include "../genome/segment_kind.h"
 #include "../graph/dag.h"
 #include "choices.h"
-#include "../genome/segment_kind.h"
 
 /** A new graph in which the sums that the policy dissolves (CHOICE_DISSOLVE) are multiplied out where they are used, as
  *  long as no sum gets too long. */

@@ -3,8 +3,8 @@
  * vectors are made, for x, y and z alike. */
 #include "expand.h"
 
-#include "addition_chain.h"
 #include "../graph/rewrite.h"
+#include "addition_chain.h"
 
 #include <stdlib.h>
 #include <string.h>

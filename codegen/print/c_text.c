@@ -2,8 +2,8 @@
  * program that was read from it. */
 #include "c_text.h"
 
-#include "../program/dialects.h"
 #include "../genome/text.h"
+#include "../program/dialects.h"
 
 #include <stdlib.h>
 #include <string.h>

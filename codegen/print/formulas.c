@@ -2,9 +2,9 @@
  * parentheses, functions, and constants as quotients of integers, which none of them rounds but Python. */
 #include "formulas.h"
 
-#include "banner.h"
-#include "../program/dialect.h"
 #include "../genome/text.h"
+#include "../program/dialect.h"
+#include "banner.h"
 
 #include <ctype.h>
 #include <stdlib.h>

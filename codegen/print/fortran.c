@@ -2,9 +2,9 @@
  * to right Fortran does, too, and the rest stands in parentheses, which a Fortran compiler must honour. */
 #include "fortran.h"
 
-#include "banner.h"
-#include "../program/dialect.h"
 #include "../genome/text.h"
+#include "../program/dialect.h"
+#include "banner.h"
 
 #include <stdlib.h>
 #include <string.h>

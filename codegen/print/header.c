@@ -3,12 +3,12 @@
  * denominator may be 0; NAME_n:  the same for arrays; for those of a segment see header_segment.c. */
 #include "header.h"
 
+#include "../genome/text.h"
 #include "banner.h"
 #include "c_text.h"
+#include "header_float.h"
 #include "header_helpers.h"
 #include "header_segment.h"
-#include "header_float.h"
-#include "../genome/text.h"
 
 #include <ctype.h>
 #include <stdlib.h>

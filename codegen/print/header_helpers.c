@@ -9,9 +9,9 @@
  * power of 2, so that nothing is rounded.  What is out of range then is so at any size. */
 #include "header_helpers.h"
 
-#include "c_text.h"
-#include "../program/degree.h"
 #include "../genome/text.h"
+#include "../program/degree.h"
+#include "c_text.h"
 
 #include <ctype.h>
 #include <math.h>

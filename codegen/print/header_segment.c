@@ -4,10 +4,10 @@
  *   NAME_n:   NAME_at for many pairs, from columns of coordinates. */
 #include "header_segment.h"
 
-#include "c_text.h"
-#include "header_helpers.h"
-#include "header_float.h"
 #include "../genome/text.h"
+#include "c_text.h"
+#include "header_float.h"
+#include "header_helpers.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -2,8 +2,8 @@
 #ifndef FOOTPOINT_DEGREE_H
 #define FOOTPOINT_DEGREE_H
 
-#include "program.h"
 #include "../genome/segment_kind.h"
+#include "program.h"
 
 /** Degree of an operation in lengths: with all nodes moved away from the origin by a factor s, normals kept, its value
  * is s^degree times as large.  False if it is no whole number, or if there is none because lengths meet numbers. */

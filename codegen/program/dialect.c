@@ -2,8 +2,8 @@
  * chains of any length need neither recursion nor copies. */
 #include "dialect.h"
 
-#include "../graph/constant_text.h"
 #include "../genome/text.h"
+#include "../graph/constant_text.h"
 
 #include <stdlib.h>
 #include <string.h>

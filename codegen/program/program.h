@@ -26,19 +26,19 @@ enum op_kind {
 /** One operation; operands are numbers of earlier operations. */
 struct op {
     enum op_kind kind;
-    int a, b;       /* -1 where there is none */
-    int input;      /* OP_INPUT: which input; OP_CONSTANT: which constant */
-    bool quotient;  /* OP_CONSTANT: written (n.0 / d.0) */
-    bool squared;   /* OP_MUL: both operands are the same operation */
+    int a, b;      /* -1 where there is none */
+    int input;     /* OP_INPUT: which input; OP_CONSTANT: which constant */
+    bool quotient; /* OP_CONSTANT: written (n.0 / d.0) */
+    bool squared;  /* OP_MUL: both operands are the same operation */
 };
 
 /** A statement: names the value of one operation (the last one that it computes). */
 struct statement {
-    char *name;   /* owned: "t1", "u2"; of an output, the output's name */
+    char *name; /* owned: "t1", "u2"; of an output, the output's name */
     int op;
-    int first;    /* the operations first..op belong to this statement, in postorder; names and inputs that it reads
+    int first;   /* the operations first..op belong to this statement, in postorder; names and inputs that it reads
                    * are operations of earlier statements or OP_INPUT */
-    long output;  /* index among the genome's outputs, or -1 */
+    long output; /* index among the genome's outputs, or -1 */
 };
 
 struct program {

@@ -7,7 +7,6 @@
  * registers are few.  The scales are chosen in scales.c. */
 #include "schedule.h"
 
-
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>

@@ -63,7 +63,8 @@ static int is_straight(const struct curved *f, int corners)
     for (int i = 0; i < 3; i++) {
         const double mixed = fabs(f->k[4][i]);
         size += fabs(f->k[1][i]) + fabs(f->k[2][i]) + (corners == 4 ? mixed : 0.0);
-        bent += fabs(f->k[3][i]) + fabs(f->k[5][i]) + fabs(f->k[6][i]) + fabs(f->k[7][i]) + (corners == 3 ? mixed : 0.0);
+        bent +=
+            fabs(f->k[3][i]) + fabs(f->k[5][i]) + fabs(f->k[6][i]) + fabs(f->k[7][i]) + (corners == 3 ? mixed : 0.0);
     }
     return bent <= STRAIGHT * size;
 }

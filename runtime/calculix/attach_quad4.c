@@ -6,8 +6,8 @@
  * closest. Newton's method finds it from the value of an expression.
  * Elsewhere footpoint_robust finds it. */
 #include "../../generated/footpoint_quad4.h"
-#include "attach.h"
 #include "../footpoint.h"
+#include "attach.h"
 
 enum { MAX_STEPS = 8 };
 

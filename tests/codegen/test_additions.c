@@ -1,7 +1,7 @@
 /* The fewest additions for the vectors of a segment: what is found makes them, and is as short as is known; and the
  * code of such a segment, which adds differences of coordinates alone. */
-#include "../../codegen/passes/addition_chain.h"
 #include "../../codegen/compile/compile.h"
+#include "../../codegen/passes/addition_chain.h"
 #include "../../codegen/program/evaluate.h"
 #include "../../codegen/prove/prove.h"
 #include "../support/genome_text.h"
@@ -56,11 +56,14 @@ static void test_tree(void **state)
 {
     (void)state;
     enum { WANTED = 8, SEEDS = 12 };
-    static const struct vector wanted[WANTED] = {
-        {{0, 0, 0, 0, 0, 1, 0, -1}},      {{0, 0, 0, 0, 1, 0, -1}},
-        {{1, 1, 1, 1, -2, 0, -2}},        {{1, 1, 1, 1, 0, -2, 0, -2}},
-        {{1, -1, 1, -1}},                 {{1, 1, -1, -1, -2, 0, 2}},
-        {{1, -1, -1, 1, 0, 2, 0, -2}},    {{1, 1, 1, 1, -2, -2, -2, -2, 4}}};
+    static const struct vector wanted[WANTED] = {{{0, 0, 0, 0, 0, 1, 0, -1}},
+                                                 {{0, 0, 0, 0, 1, 0, -1}},
+                                                 {{1, 1, 1, 1, -2, 0, -2}},
+                                                 {{1, 1, 1, 1, 0, -2, 0, -2}},
+                                                 {{1, -1, 1, -1}},
+                                                 {{1, 1, -1, -1, -2, 0, 2}},
+                                                 {{1, -1, -1, 1, 0, 2, 0, -2}},
+                                                 {{1, 1, 1, 1, -2, -2, -2, -2, 4}}};
     int least = ADDITIONS_VALUES;
     assert_false(additions_few(9, WANTED));
     for (uint64_t seed = 1; seed <= SEEDS; seed++) {

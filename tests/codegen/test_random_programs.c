@@ -3,8 +3,8 @@
  *     test_random_programs [COUNT [FIRST]]    so many programs, from that number on; 20000 when FOOTPOINT_LONG is set
  */
 #include "../../codegen/compile/compile.h"
-#include "../../codegen/prove/prove.h"
 #include "../../codegen/genome/text.h"
+#include "../../codegen/prove/prove.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
