@@ -111,6 +111,12 @@ static bool bench_step(const struct bench_options *o, const struct bench_table *
     return done;
 }
 
+/* What is done, on stderr; not beside a table that comes line by line. */
+static bool is_telling(const struct bench_options *o)
+{
+    return !o->quiet && !o->contact && (o->csv || !o->all);
+}
+
 static bool bench_all(const struct bench_options *o, const struct bench_table *table, struct diag *d)
 {
     char pattern[1024];
@@ -119,7 +125,7 @@ static bool bench_all(const struct bench_options *o, const struct bench_table *t
     snprintf(pattern, sizeof pattern, "%s/evolve/scenes/*.scene", root_default());
     if (glob(pattern, 0, NULL, &found) != 0)
         return diag_at(d, "evolve/scenes", 0, 0, "no scene here; run from the root of the source, or name one");
-    struct steps steps = steps_start((o->csv || !o->all) && !o->quiet, found.gl_pathc);
+    struct steps steps = steps_start(is_telling(o), found.gl_pathc);
     for (size_t i = 0; done && i < found.gl_pathc; i++)
         done = bench_step(o, table, &steps, i, found.gl_pathv[i], d);
     steps_end(&steps);
@@ -129,7 +135,7 @@ static bool bench_all(const struct bench_options *o, const struct bench_table *t
 
 static bool bench_one(const struct bench_options *o, const struct bench_table *table, struct diag *d)
 {
-    struct steps steps = steps_start((o->csv || !o->all) && !o->quiet, 1);
+    struct steps steps = steps_start(is_telling(o), 1);
     const bool done = bench_step(o, table, &steps, 0, o->scene, d);
     steps_end(&steps);
     return done;
