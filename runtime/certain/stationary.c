@@ -90,49 +90,55 @@ static double vary(const struct bilinear *f, const struct bilinear_wide *w, doub
     return length > 0.0 ? (slope / f->m + 0.5 * reach * reach * f->m) / length : INFINITY;
 }
 
+/* The same of all stationary points on the lines of an interval, beside a distance of `there`, if Q is at least `square`.
+ * Along the points of the lines that are nearest to xS the square of the distance changes by -2 P/Q^2 a unit of t. */
+static double vary_along(const struct bilinear *f, const struct lines *l, const struct roots_interval *interval,
+                         double square, double there)
+{
+    struct twofold a[3], e[3];
+    footpoint_lines_at(l, lines_part(interval, 0.5), a, e);
+    const struct twofold p = twofold_dot(a, e), q = twofold_dot(a, a);
+    const double height = twofold_subtract(twofold_dot(e, e), twofold_divide(twofold_multiply(p, p), q)).high;
+    const double change = 2.0 * (1.0 + 2.0 * LINES_BEYOND) * interval->most * interval->width / (square * square);
+    const double least = sqrt(bilinear_larger(height - change, 0.0));
+    const double most = sqrt(bilinear_larger(height + change, 0.0));
+    return bilinear_larger(fabs(most - there), fabs(there - least)) / f->m;
+}
+
 /* What lies in an interval of which nothing more is known: all stationary points on its lines, and `within` along them
- * unless that is NULL.  The point's z, of one of these lines, stands for them.  Along the points of the lines that are
- * nearest to xS the square of the distance changes by -2 P/Q^2 a unit of t.  0 if there are none. */
+ * unless that is NULL.  The point's z, of one of these lines, stands for them.  0 if there are none. */
 static int represent(const double *const x[5], const struct bilinear *f, const struct family *family,
                      const struct roots_interval *interval, const double within[2], struct stationary_point *point)
 {
     const struct lines *const l = &family->lines;
-    struct twofold a[2][3], e[2][3], middle[2][3], opposite[3];
+    const int along = l->exchanged, across = !along;
+    struct twofold a[2][3], e[2][3], opposite[3];
     struct bilinear_wide w;
     double s[2], extent[2];
-    const double square = footpoint_lines_bound(&family->lines, interval, s);
+    const double square = footpoint_lines_bound(l, interval, s);
     s[0] = bilinear_larger(s[0], within ? bilinear_larger(within[0], 0.0) : 0.0) - LINES_BEYOND;
     s[1] = bilinear_smaller(s[1], within ? bilinear_smaller(within[1], 1.0) : 1.0) + LINES_BEYOND;
     if (s[0] > s[1])
         return 0;
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
+        point->z[k] = bilinear_clamp(point->z[k]);
         footpoint_lines_at(l, lines_part(interval, k), a[k], e[k]);
+    }
     for (int i = 0; i < 3; i++)
         opposite[i] = twofold_add(l->across[i], l->twist[i]);
-    point->z[0] = bilinear_clamp(point->z[0]);
-    point->z[1] = bilinear_clamp(point->z[1]);
-    const double at = 0.5 * (1.0 + point->z[family->lines.exchanged]);
-    const double along =
-        bilinear_larger(lines_length(a[0]), lines_length(a[1])) * bilinear_larger(s[1] - at, at - s[0]);
-    const double across = bilinear_larger(lines_length(l->across), lines_length(opposite)) * interval->width;
-    point->reach = (along + across) / f->m;
-    point->box[family->lines.exchanged][0] = s[0];
-    point->box[family->lines.exchanged][1] = s[1];
-    lines_place(interval, point->box[!family->lines.exchanged]);
-    extent[family->lines.exchanged] = 2.0 * bilinear_larger(s[1] - at, at - s[0]);
-    extent[!family->lines.exchanged] = 2.0 * interval->width;
+    const double at = 0.5 * (1.0 + point->z[along]);
+    extent[along] = bilinear_larger(s[1] - at, at - s[0]);
+    extent[across] = interval->width;
+    point->reach = (bilinear_larger(lines_length(a[0]), lines_length(a[1])) * extent[along] +
+                    bilinear_larger(lines_length(l->across), lines_length(opposite)) * extent[across]) /
+                   f->m;
+    point->box[along][0] = s[0];
+    point->box[along][1] = s[1];
+    lines_place(interval, point->box[across]);
     footpoint_bilinear_wide_at(x, f->exponent, point->z, &w);
-    point->variation = bilinear_smaller(point->reach, vary(f, &w, extent[0], extent[1], point->reach));
-    if (!(square > 0.0))
-        return 1;
-    footpoint_lines_at(l, lines_part(interval, 0.5), middle[0], middle[1]);
-    const struct twofold p = twofold_dot(middle[0], middle[1]), q = twofold_dot(middle[0], middle[0]);
-    const double height =
-        twofold_subtract(twofold_dot(middle[1], middle[1]), twofold_divide(twofold_multiply(p, p), q)).high;
-    const double change = 2.0 * (1.0 + 2.0 * LINES_BEYOND) * interval->most * interval->width / (square * square);
-    const double there = sqrt(twofold_dot(w.d, w.d).high), least = sqrt(bilinear_larger(height - change, 0.0));
-    const double most = sqrt(bilinear_larger(height + change, 0.0));
-    point->variation = bilinear_smaller(point->reach, bilinear_larger(fabs(most - there), fabs(there - least)) / f->m);
+    point->variation = bilinear_smaller(
+        point->reach, square > 0.0 ? vary_along(f, l, interval, square, sqrt(twofold_dot(w.d, w.d).high))
+                                   : vary(f, &w, 2.0 * extent[0], 2.0 * extent[1], point->reach));
     return 1;
 }
 
