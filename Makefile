@@ -365,7 +365,7 @@ DATADIR    := $(BINDIR)/../share/footpoint
 
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
-HEADERS := $(GENERATED) $(filter-out $(LIBRARY),$(sort $(wildcard runtime/geometry/footpoint-*.h))) runtime/package/footpoint.f90
+HEADERS := $(GENERATED) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := $(addprefix evolve/man/footpoint-,evolve.1 pga.1 perceptron.1) \
            $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1) tests/bench/footpoint-bench.1
