@@ -68,14 +68,14 @@ refused 'no pair is near enough' "$work/m.inp: error: no slave node within a dis
 
 scene ''
 cp tests/scenes/small.scene "$work/"
-run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 "$@"; }
+run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 "$@"; }
 expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 25 --islands 3 -o "$work/r1.gen"
 for ranks in 2 3 4; do
     run $ranks --from-scratch --generations 25 --islands 3 -o "$work/r$ranks.gen" > /dev/null
     cmp -s "$work/r1.gen" "$work/r$ranks.gen"; report $((! $?)) "$ranks ranks, the same bytes"
 done
-expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --from-scratch --generations 25 \
-    --islands 3 -o "$work/r0.gen"
+expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 --from-scratch \
+    --generations 25 --islands 3 -o "$work/r0.gen"
 cmp -s "$work/r1.gen" "$work/r0.gen"; report $((! $?)) 'and the same bytes'
 run 2 --start "$work/r1.gen" --generations 0 -o "$work/again.gen" > /dev/null
 cmp -s "$work/r1.gen" "$work/again.gen"; report $((! $?)) 'no generations: the same file again'
@@ -151,12 +151,12 @@ report $((! $?)) 'one tier of one gene beside one that is evolved'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
-    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --generations 60 -o $work/t.gen" /dev/null > "$work/tty"
+    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --population 60 --generations 60 -o $work/t.gen" /dev/null > "$work/tty"
     tr '\r' '\n' < "$work/tty" | sed -n 's/\x1b\[K//; /^[0-9]*\/60 .* left /p' > "$work/lines"
     [ -s "$work/lines" ] && [ -z "$(awk 'length > 59' "$work/lines")" ] && tail -1 "$work/lines" | grep -q '^60/60 '
     report $((! $?)) 'a line on a terminal'
 fi
-$mpirun -n 2 "$evolve" --scene "$work/small.scene" --generations 60 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
+$mpirun -n 2 "$evolve" --scene "$work/small.scene" --population 60 --generations 60 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
 [ "$(wc -l < "$work/lines")" -gt 10 ] && ! grep -q "$(printf '[\r\033]')" "$work/lines" &&
     tail -1 "$work/lines" | grep -q '^generation 60/60  0 s left  .* genes x samples/s  steps xi .* eta .*  paper xi .*  eta '
 report $((! $?)) 'plain lines in a file'

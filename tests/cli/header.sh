@@ -4,7 +4,7 @@
 . tests/cli/expect.inc
 CC=${CC:-gcc} CXX=${CXX:-g++}
 strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
-[ -n "$FOOTPOINT_LONG" ] && strict="$strict -O2" || strict="$strict -O1"
+[ -n "$FOOTPOINT_LONG" ] && strict="$strict -O2" || strict="$strict -O0"
 
 # nodes KIND: numbers of the nodes and normals below, S last
 nodes() {

@@ -168,7 +168,7 @@ fi
 
 # ---- segments ----
 later 'languages: paper-quad4, most functions of quad4'
-for scene in quad4 ${FOOTPOINT_LONG:+paper-quad4} tri3; do
+for scene in tri3 ${FOOTPOINT_LONG:+paper-quad4} quad4; do
     file=$work/$scene.gen
     some evolve/genomes/$scene.gen > "$file"
     vectors=$(($(sed -n 's/^input //p' "$file" | wc -w) / 3)) pointers= arguments=
@@ -176,10 +176,10 @@ for scene in quad4 ${FOOTPOINT_LONG:+paper-quad4} tri3; do
         pointers="$pointers@ *, " arguments="${arguments}x + $((3 * k)), "
     done
     for type in double float; do
-        codegen "$file" --allow-poles --precision $type --prefix c -o "$work/c.h"
+        codegen "$file" --allow-poles --precision $type --prefix $type -o "$work/$type.h"
         codegen "$file" --allow-poles --precision $type --prefix m --language fortran -o "$work/m.f90"
         {
-            echo '#include "c.h"'
+            echo "#include \"$type.h\""
             echo '#include <stdio.h>'
             echo '#include <string.h>'
             for f in $(sed -n 's/^genome //p' "$file"); do
@@ -198,7 +198,7 @@ int main(void)
         }
 END
             for f in $(sed -n 's/^genome //p' "$file"); do
-                echo "        c_${f}_at(${arguments}c, c + 1);"
+                echo "        ${type}_${f}_at(${arguments}c, c + 1);"
                 echo "        __m_MOD_m_${f}_at(${arguments}f, f + 1);"
                 echo '        if (memcmp(c, f, sizeof c) != 0)'
                 echo "            return printf(\"$f, point %d, \", n), 1;"
@@ -207,7 +207,7 @@ END
             echo '    return 0;'
             echo '}'
         } > "$work/both.c"
-        echo '#include "c.h"' > "$work/include.c"
+        echo "#include \"$type.h\"" > "$work/include.c"
         for compiler in "$CC -std=c99" "clang -std=c11" "$CXX -std=c++11 -x c++" "clang++ -std=c++17 -x c++"; do
             $compiler $strict -fsyntax-only "$work/include.c" > "$work/log" 2>&1
             good=$?
@@ -223,12 +223,10 @@ END
     done
 done
 
-# ---- float beside double ----
-codegen "$work/quad4.gen" --allow-poles --prefix d -o "$work/d.h"
-codegen "$work/quad4.gen" --allow-poles --precision float --prefix f -o "$work/f.h"
+# ---- float beside double, of quad4 ----
 cat > "$work/beside.c" <<'END'
-#include "d.h"
-#include "f.h"
+#include "double.h"
+#include "float.h"
 int main(void)
 {
     const double a[3] = {0, 0, 0}, b[3] = {2, 0, 0.125}, c[3] = {2.25, 1.5, 0}, d[3] = {0, 1.25, 0.125}, s[3] = {0.75, 1, 0.25};
@@ -236,9 +234,9 @@ int main(void)
     const float fs[3] = {0.75F, 1, 0.25F};
     double loc[2], gap;
     float floc[2], fgap;
-    if (d_accurate(a, b, c, d, s, loc, &gap) != FOOTPOINT_OK || f_accurate(fa, fb, fc, fd, fs, floc, &fgap) != FOOTPOINT_OK)
+    if (double_accurate(a, b, c, d, s, loc, &gap) != FOOTPOINT_OK || float_accurate(fa, fb, fc, fd, fs, floc, &fgap) != FOOTPOINT_OK)
         return 1;
-    if (f_accurate(fa, fa, fc, fc, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
+    if (float_accurate(fa, fa, fc, fc, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
         return 2;
     return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
 }
