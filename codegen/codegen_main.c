@@ -12,7 +12,7 @@ static void print_counts(const struct unit *u)
 {
     puts("genome,mul,div,add,sqrt,compare");
     for (size_t i = 0; i < u->file->genomes; i++) {
-        const struct operations *o = &u->function[i].code.emission.ops;
+        const struct operations *o = &u->function[i].code.ops;
         printf("%s,%ld,%ld,%ld,%ld,%ld\n", u->file->genome[i].name, o->mul, o->div, o->add, o->sqrt, o->compare);
     }
 }

@@ -1,8 +1,10 @@
 /* The pipeline of passes for one genome; see compile.h. */
 #include "compile.h"
 
+#include "../genome/text.h"
 #include "../graph/from_genome.h"
 #include "../passes/expand.h"
+#include "../program/dialects.h"
 #include "search.h"
 
 #include <stdlib.h>
@@ -54,6 +56,23 @@ static void add_factored(struct search *s)
     }
 }
 
+/* What is proved from now on is the program that the text says, which is the one that was lowered. */
+static bool print_and_read(const struct genome_file *f, const struct genome *genome, const struct lowered *l,
+                           struct compiled *c, struct diag *d)
+{
+    struct memory *m = memory_open();
+    printer_free(c_statements(f, genome, l->program, &c_double, m->stream));
+    c->text = memory_close(m);
+    c->ops = l->ops;
+    c->program = program_read(f, genome, c->text, d);
+    if (c->program && program_equal(c->program, l->program))
+        return true;
+    const bool read = c->program != NULL;
+    compiled_free(c);
+    return read && diag_at(d, f->path, genome->line, 1, "internal error: the code of genome '%s' reads otherwise",
+                           genome->name);
+}
+
 bool compile_genome(const struct genome_file *f, const struct genome *genome, const struct compile_options *o,
                     struct compiled *c, struct diag *d)
 {
@@ -78,12 +97,19 @@ bool compile_genome(const struct genome_file *f, const struct genome *genome, co
         search_add(s, linear, 1, "linear forms written out");
     if (!large)
         add_factored(s);
-    c->removed = search_run(s, &c->emission);
+    struct lowered best;
+    c->removed = search_run(s, &best);
     search_free(s);
-    if (!c->emission.out_of_range)
-        return true;
-    free(c->emission.text);
-    c->emission.text = NULL;
-    return diag_at(d, f->path, genome->line, 1, "genome '%s' needs a constant out of the range of double",
-                   genome->name);
+    const bool good = best.out_of_range
+                          ? diag_at(d, f->path, genome->line, 1,
+                                    "genome '%s' needs a constant out of the range of double", genome->name)
+                          : print_and_read(f, genome, &best, c, d);
+    program_free(best.program);
+    return good;
+}
+
+void compiled_free(struct compiled *c)
+{
+    free(c->text);
+    program_free(c->program);
 }

@@ -148,8 +148,8 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     if (!compile_genome(f, function->genome, &o->compile, c, d))
         return false;
     tell(s, f, k, true);
-    function->program = program_read(f, function->genome, c->emission.text, d);
-    if (!function->program || !prove_equal(f, function->genome, function->program, &function->proof, d))
+    function->program = c->program;
+    if (!prove_equal(f, function->genome, function->program, &function->proof, d))
         return false;
     if (c->removed) {
         console_line(s->terminal, "");
@@ -198,10 +198,8 @@ void unit_free(struct unit *u)
     for (size_t k = 0; k < u->file->genomes; k++) {
         struct function *f = &u->function[k];
         free(f->name);
-        free(f->code.emission.text);
+        compiled_free(&f->code);
         free(f->measured);
-        if (f->program)
-            program_free(f->program);
         if (f->evidence)
             evidence_free(f->evidence);
     }

@@ -14,7 +14,7 @@ struct function {
     const struct genome *genome; /* not owned */
     char *name;                  /* owned: prefix and genome */
     struct compiled code;        /* owned text */
-    struct program *program;     /* owned: the text read back */
+    struct program *program;     /* not owned: of code */
     struct proof proof;          /* that the program equals the genome */
     struct evidence *evidence;   /* owned; NULL: not asked for */
     bool scaled; /* computes with coordinates relative to the segment: there were samples, and neither place

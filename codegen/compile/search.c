@@ -43,7 +43,7 @@ struct shape {
     const char *what;
 };
 
-/* A way to emit a shape. */
+/* A way to lower a shape. */
 struct candidate {
     size_t shape;
     struct policy policy; /* owned */
@@ -58,10 +58,10 @@ struct search {
     size_t shapes, shape_room;
     struct candidate beam[BEAM + 1]; /* sorted by cost; the last place is for the one under trial */
     size_t n;
-    struct emission best;    /* owned text */
+    struct lowered best;     /* owned program; NULL until there is one */
     struct candidate winner; /* that it came from */
     double least;
-    double guide;             /* least cost of the emissions that steer the search */
+    double guide;             /* least cost of the programs that steer the search */
     size_t removing, removed; /* singularities: by the passes under way, by the winner's */
     uint64_t random;
     int degree, most_degree, least_degree; /* of the graph at hand, what it may be, what it always may be */
@@ -216,63 +216,64 @@ static struct dag *run_passes(struct search *s, const struct candidate *c, struc
     return g;
 }
 
-/* Emits a scheduled graph; the text is kept if it is the cheapest so far.  Returns the cost.  Emissions that do not
+/* Lowers a scheduled graph; the program is kept if it is the cheapest so far.  Returns the cost.  Programs that do not
  * steer the search leave no trace where they do not win. */
-static double emit_schedule(struct search *s, const struct schedule *schedule, const struct candidate *from,
-                            bool steers)
+static double lower_schedule(struct search *s, const struct schedule *schedule, const struct candidate *from,
+                             bool steers)
 {
-    struct emission e;
-    emit_statements(s->file, schedule, &e);
+    struct lowered e;
+    lower(s->file, schedule, &e);
     e.out_of_range |= rational_take_overflow();
     const double sum = operations_cost(&e.ops, &s->options->cost);
     const double cost = (s->options->cost.chain ? s->chain + TIE * sum : sum) + (e.out_of_range ? 1e9 : 0);
-    const bool tie = s->best.text && cost < s->least + 1e-9,
+    const bool tie = s->best.program && cost < s->least + 1e-9,
                exacter = from->policy.differences && !s->winner.policy.differences,
                neater =
                    e.ops.mul < s->best.ops.mul || (e.ops.mul == s->best.ops.mul && e.negations < s->best.negations);
     if (steers && cost < s->guide)
         s->guide = cost;
-    if (!s->best.text || cost < s->least - 1e-9 || (tie && (exacter || (steers && neater)))) {
-        free(s->best.text);
+    if (!s->best.program || cost < s->least - 1e-9 || (tie && (exacter || (steers && neater)))) {
+        program_free(s->best.program);
         s->best = e;
         s->least = cost;
         s->removed = s->removing;
         copy_candidate(&s->winner, from);
     } else
-        free(e.text);
+        program_free(e.program);
     return cost;
 }
 
 /* Once more with multiples of values shared, if that may be the cheapest. */
-static void emit_multiples(struct search *s, const struct schedule *schedule, const struct candidate *from, double cost)
+static void lower_multiples(struct search *s, const struct schedule *schedule, const struct candidate *from,
+                            double cost)
 {
     size_t saved;
     struct dag *g = s->options->cost.chain ? NULL : multiples_taken(schedule, &saved);
     if (g && cost - (double)saved * s->options->cost.mul < s->least - 1e-9) {
         struct schedule *again = scaled_schedule(g, &s->options->cost, SCALES_SINGLE);
-        emit_schedule(s, again, from, false);
+        lower_schedule(s, again, from, false);
         schedule_free(again);
     }
     dag_free(g);
 }
 
-/* Emits a graph, in its own scales or in those that a search finds; returns the cost. */
-static double emit(struct search *s, const struct dag *g, const struct candidate *from, enum scale_search scales)
+/* Lowers a graph, in its own scales or in those that a search finds; returns the cost. */
+static double lower_graph(struct search *s, const struct dag *g, const struct candidate *from, enum scale_search scales)
 {
     struct schedule *schedule = scaled_schedule(g, &s->options->cost, scales);
     const bool steers = scales != SCALES_GROUPS;
-    const double cost = emit_schedule(s, schedule, from, steers);
+    const double cost = lower_schedule(s, schedule, from, steers);
     if (steers) {
         s->work += (scales ? SCALES : 2) * (double)schedule->n;
         count_dear(s, schedule->work);
     }
     if (scales != SCALES_KEPT)
-        emit_multiples(s, schedule, from, cost);
+        lower_multiples(s, schedule, from, cost);
     schedule_free(schedule);
     return cost;
 }
 
-/* Emits the candidate; the text is kept if it is the cheapest so far.  One whose estimate is beyond `limit` is not
+/* Lowers the candidate; the program is kept if it is the cheapest so far.  One whose estimate is beyond `limit` is not
  * looked at any further. */
 static void evaluate(struct search *s, struct candidate *c, struct record *record, double limit)
 {
@@ -287,16 +288,16 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
         if (multiples > 0)
             share_multiples(g);
         if (multiples == 0)
-            c->estimate = emit(s, g, c, SCALES_KEPT);
+            c->estimate = lower_graph(s, g, c, SCALES_KEPT);
         if (g->nodes > SEARCH_MOST_NODES) {
             c->cost = c->estimate;
             break;
         }
         if (c->estimate <= limit) {
-            const double cost = emit(s, g, c, SCALES_SINGLE);
+            const double cost = lower_graph(s, g, c, SCALES_SINGLE);
             c->cost = cost < c->cost ? cost : c->cost;
             if (s->starting && c->cost <= s->least + SLACK * s->options->cost.mul)
-                emit(s, g, c, SCALES_GROUPS);
+                lower_graph(s, g, c, SCALES_GROUPS);
         }
         if (c->estimate > limit || c->cost > s->guide + SLACK * s->options->cost.mul)
             break;
@@ -332,8 +333,8 @@ static struct policy starting_policy(const struct search *s, int form)
 /* What has been found so far is forgotten. */
 static void start_again(struct search *s, double work)
 {
-    free(s->best.text);
-    s->best = (struct emission){0};
+    program_free(s->best.program);
+    s->best = (struct lowered){0};
     s->guide = HUGE_VAL;
     s->work = work;
 }
@@ -344,7 +345,7 @@ static double first_cost(struct search *s, size_t shape)
     const double work = s->work;
     struct candidate c = {.shape = shape, .policy = {.plain = true, .differences = s->differences}};
     evaluate(s, &c, NULL, HUGE_VAL);
-    const double cost = s->best.text ? s->least + TIE * (double)s->best.ops.mul : HUGE_VAL;
+    const double cost = s->best.program ? s->least + TIE * (double)s->best.ops.mul : HUGE_VAL;
     start_again(s, work);
     return cost;
 }
@@ -520,7 +521,7 @@ static void try_splitting(struct search *s)
 static void try_differences(struct search *s)
 {
     struct candidate c = {0};
-    if (!s->file->segment || s->differences || !s->best.text)
+    if (!s->file->segment || s->differences || !s->best.program)
         return;
     struct dag *g = shape_differences(s->shape[s->winner.shape].dag, s->file->segment, 0);
     if (!g)
@@ -549,7 +550,7 @@ static void explain(struct search *s)
             s->options->cost.name);
 }
 
-size_t search_run(struct search *s, struct emission *e)
+size_t search_run(struct search *s, struct lowered *l)
 {
     drop_shapes(s);
     try_first(s);
@@ -565,9 +566,9 @@ size_t search_run(struct search *s, struct emission *e)
     try_splitting(s);
     try_absorbing(s);
     try_differences(s);
-    if (s->options->explain && s->best.text)
+    if (s->options->explain && s->best.program)
         explain(s);
-    *e = s->best;
-    e->out_of_range |= !e->text; /* on the way there, in every form */
+    *l = s->best;
+    l->out_of_range |= !l->program; /* on the way there, in every form */
     return s->removed;
 }

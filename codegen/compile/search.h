@@ -3,9 +3,9 @@
 #define FOOTPOINT_SEARCH_H
 
 #include "../graph/cost.h"
-#include "../schedule/emit.h"
+#include "../schedule/lower.h"
 
-/** A genome of more nodes is compiled as it is written: no other shapes of it, and one emission. */
+/** A genome of more nodes is compiled as it is written: no other shapes of it, and lowered once. */
 enum { SEARCH_MOST_NODES = 100000 };
 
 struct compile_options {
@@ -30,8 +30,8 @@ void search_select(struct search *s, size_t n);
 /** The shape that was added first. */
 const struct dag *search_first(const struct search *s);
 
-/** The cheapest emission found with the options' effort, and how many singularities it removed.  e->text is the
- *  caller's. */
-size_t search_run(struct search *s, struct emission *e);
+/** The cheapest program found with the options' effort, NULL if there is none, and how many singularities it removed.
+ *  l->program is the caller's. */
+size_t search_run(struct search *s, struct lowered *l);
 
 #endif

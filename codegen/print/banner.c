@@ -66,7 +66,7 @@ static void print_notes(const struct genome *g, bool errors, FILE *out)
 static void print_function(const struct unit *u, const struct function *f, FILE *out)
 {
     const struct genome *g = f->genome;
-    const struct operations *ops = &f->code.emission.ops;
+    const struct operations *ops = &f->code.ops;
     fprintf(out, " *\n * %s\n *   genome_sha256: %s\n", f->name, f->sha256);
     fprintf(out,
             " *   operations: %ld mul, %ld div, %ld add, %ld sqrt, %ld compare; "

@@ -1,5 +1,4 @@
-/* C text; see c_text.h.  In double the statements are the proved text itself; in float they are printed from the
- * program that was read from it. */
+/* C text of the program that was proved; see c_text.h. */
 #include "c_text.h"
 
 #include "../genome/text.h"
@@ -33,50 +32,16 @@ void c_print(const char *text, enum precision precision, const char *name, FILE 
 
 /* ---- statements ---- */
 
-struct target {
-    const struct genome_file *file;
-    FILE *out;
-};
-
-static void write_float(void *to, const char *name, long output, const char *text)
-{
-    const struct target *t = to;
-    const bool constant = text[strspn(text, "-.0123456789ef")] == '\0'; /* see constant_name of expression_text.c */
-    char *head = output < 0         ? new_format("    %sfloat %s = ", constant ? "" : "const ", name)
-                 : t->file->segment ? new_format("    *%s = ", name)
-                                    : new_format("    *out_%s = ", name);
-    fputs(head, t->out);
-    print_broken(text, strlen(head), WIDTH, "\n        ", NULL, t->out);
-    fputs(";\n", t->out);
-    free(head);
-}
-
-static void write_nothing(void *to, const char *name, long output, const char *text)
-{
-    (void)to;
-    (void)name;
-    (void)output;
-    (void)text;
-}
-
-static struct printer *run_printer(const struct unit *u, const struct function *f, write_statement *write, FILE *out)
+static struct printer *print_program(const struct unit *u, const struct function *f, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT;
-    struct target t = {u->file, out};
-    struct printer *r = printer_new(u->file, f->genome, f->program,
-                                    !single     ? &c_double
-                                    : f->scaled ? &c_relative
-                                                : &c_float);
-    printer_run(r, write, &t);
-    return r;
+    const struct dialect *d = !single ? &c_double : f->scaled ? &c_relative : &c_float;
+    return c_statements(u->file, f->genome, f->program, d, out);
 }
 
 void c_print_statements(const struct unit *u, const struct function *f, FILE *out)
 {
-    if (u->options.precision == PRECISION_FLOAT)
-        printer_free(run_printer(u, f, write_float, out));
-    else
-        fputs(f->code.emission.text, out);
+    printer_free(print_program(u, f, out));
 }
 
 bool c_scales_status(const struct unit *u, const struct function *f)
@@ -107,7 +72,7 @@ void c_print_flaw(const struct unit *u, const struct function *f, bool poles, FI
 {
     const bool segment = u->file->segment != NULL;
     const enum precision precision = u->options.precision;
-    struct printer *r = run_printer(u, f, write_nothing, out);
+    struct printer *r = print_program(u, f, NULL);
     struct memory *m = memory_open();
     for (size_t i = 0; i < f->evidence->denominators; i++) {
         const struct denominator *d = &f->evidence->denominator[i];

@@ -201,7 +201,7 @@ static void print_vectors(const struct segment_kind *k, const char *shape, FILE 
 
 static void print_subroutine(const struct unit *u, const struct function *f, struct target *t, FILE *out)
 {
-    const struct operations *ops = &f->code.emission.ops;
+    const struct operations *ops = &f->code.ops;
     const bool segment = u->file->segment != NULL, status = !segment && function_has_poles(f);
     fprintf(out, "\n  ! %ld mul, %ld div, %ld add, %ld sqrt.%s\n", ops->mul, ops->div, ops->add, ops->sqrt,
             segment  ? "  xi, eta dimensionless; nothing checked."

@@ -127,7 +127,7 @@ static void print_parameters(const struct unit *u, const struct function *f, boo
 static void print_one(const struct unit *u, const struct function *f, FILE *out)
 {
     const bool poles = function_has_poles(f);
-    const struct operations *ops = &f->code.emission.ops;
+    const struct operations *ops = &f->code.ops;
     fprintf(out, "\n/* %ld mul, %ld div, %ld add, %ld sqrt.%s */\n", ops->mul, ops->div, ops->add, ops->sqrt,
             poles ? "  FOOTPOINT_ERR_DEGENERATE where a denominator is 0, or too near it to tell, or\n"
                     " * not finite (the outputs are written all the same); FOOTPOINT_OK elsewhere."

@@ -86,7 +86,7 @@ static void print_call(const struct unit *u, const char *before, const char *fun
 static void print_at(const struct unit *u, const struct function *f, FILE *out)
 {
     const enum precision precision = u->options.precision;
-    const struct operations *ops = &f->code.emission.ops;
+    const struct operations *ops = &f->code.ops;
     char *head = new_format("footpoint_detail_%s", f->name);
     c_print("\n/* xi and eta of @N_at; the highest bit is set where a denominator is too near 0 or too large. */\n"
             "FOOTPOINT_PART @I\n",

@@ -60,7 +60,13 @@ void printer_free(struct printer *r)
 static const struct pattern *pattern_of(const struct printer *r, int op)
 {
     const struct op *o = &r->program->op[op];
-    return o->squared && r->dialect->square.text ? &r->dialect->square : &r->dialect->op[o->kind];
+    const struct dialect *d = r->dialect;
+    const bool chooses = o->kind == OP_MIN || o->kind == OP_MAX;
+    if (o->squared && d->square.text)
+        return &d->square;
+    if (chooses && program_is_constant(r->program, o->b) && d->second[o->kind - OP_MIN].text)
+        return &d->second[o->kind - OP_MIN];
+    return &d->op[o->kind];
 }
 
 /* A name, an input or a constant, and its level; NULL for anything that has operands. */

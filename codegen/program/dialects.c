@@ -4,6 +4,7 @@
 #include "../genome/text.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static char *constant_text(const fmpq *value, enum level *level, bool single)
 {
@@ -50,8 +51,9 @@ static char *relative_text(const struct genome_file *f, size_t k)
     return text;
 }
 
-/* Both choices of a protected quotient are made before it divides: no branch is left. */
-#define DIALECT(suffix, constant_function, input_function)                                                             \
+/* A variable that is a constant is not const, so that gcc's front end does not see through it: it would turn a comparison
+ * round, and later passes would not find the one instruction that c < x ? c : x is. */
+#define DIALECT(real, suffix, constant_function, input_function, protected_quotient)                                   \
     {                                                                                                                  \
         .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},                                                                       \
                [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},                                                                    \
@@ -62,12 +64,47 @@ static char *relative_text(const struct genome_file *f, size_t k)
                [OP_ABS] = {"fabs" suffix "($a0)", LEVEL_NAME},                                                         \
                [OP_MIN] = {"($a1 < $b1 ? $a1 : $b1)", LEVEL_NAME},                                                     \
                [OP_MAX] = {"($a1 > $b1 ? $a1 : $b1)", LEVEL_NAME},                                                     \
-               [OP_PDIV] = {"(($b3 == 0.0" suffix " ? 1.0" suffix " : $a3) / ($b3 == 0.0" suffix " ? 1.0" suffix       \
-                            " : $b3))",                                                                                \
-                            LEVEL_NAME}},                                                                              \
-        .open = "(", .close = ")", .constant = constant_function, .input = input_function                              \
+               [OP_PDIV] = {protected_quotient, LEVEL_NAME}},                                                          \
+        .second = {{"(!($a1 >= $b1) ? $a1 : $b1)", LEVEL_NAME}, {"(!($a1 <= $b1) ? $a1 : $b1)", LEVEL_NAME}},          \
+        .open = "(", .close = ")", .constant = constant_function, .input = input_function, .type = real                \
     }
 
-const struct dialect c_double = DIALECT("", double_constant, input_text);
-const struct dialect c_float = DIALECT("f", float_constant, input_text);
-const struct dialect c_relative = DIALECT("f", float_constant, relative_text);
+/* In float both choices of a protected quotient are made before it divides: no branch is left. */
+#define FLOAT_QUOTIENT "(($b3 == 0.0f ? 1.0f : $a3) / ($b3 == 0.0f ? 1.0f : $b3))"
+
+const struct dialect c_double = DIALECT("double", "", double_constant, input_text, "($b1 == 0.0 ? 1.0 : $a1 / $b1)");
+const struct dialect c_float = DIALECT("float", "f", float_constant, input_text, FLOAT_QUOTIENT);
+const struct dialect c_relative = DIALECT("float", "f", float_constant, relative_text, FLOAT_QUOTIENT);
+
+/* ---- statements ---- */
+
+struct target {
+    const struct genome_file *file;
+    const char *type;
+    FILE *out; /* NULL: none */
+};
+
+static void write_c(void *to, const char *name, long output, const char *text)
+{
+    enum { WIDTH = 117 };
+    const struct target *t = to;
+    const bool constant = text[strspn(text, "-.0123456789f/ ()")] == '\0';
+    if (!t->out)
+        return;
+    char *head = output < 0         ? new_format("    %s%s %s = ", constant ? "" : "const ", t->type, name)
+                 : t->file->segment ? new_format("    *%s = ", name)
+                                    : new_format("    *out_%s = ", name);
+    fputs(head, t->out);
+    print_broken(text, strlen(head), WIDTH, "\n        ", NULL, t->out);
+    fputs(";\n", t->out);
+    free(head);
+}
+
+struct printer *c_statements(const struct genome_file *f, const struct genome *genome, const struct program *p,
+                             const struct dialect *d, FILE *out)
+{
+    struct target t = {f, d->type, out};
+    struct printer *r = printer_new(f, genome, p, d);
+    printer_run(r, write_c, &t);
+    return r;
+}

@@ -219,10 +219,8 @@ static int read_atom(struct reader *r)
 /* What is written twice in a choice: a name or a constant. */
 static int read_repeated(struct reader *r)
 {
-    if (accept(r, "("))
-        return read_quotient(r);
     const bool negative = accept(r, "-");
-    const int op = read_atom(r);
+    const int op = accept(r, "(") ? read_quotient(r) : read_atom(r);
     return negative && op >= 0 ? program_add(r->program, OP_NEG, op, -1) : op;
 }
 
@@ -365,7 +363,7 @@ static int read_expression(struct reader *r)
 
 /* ---- statements ---- */
 
-static void add_statement(struct program *p, const char *name, int op, size_t first, long output)
+void program_add_statement(struct program *p, const char *name, int op, size_t first, long output)
 {
     grow_array(&p->statement, p->statements, &p->statement_room, sizeof *p->statement);
     p->statement[p->statements++] = (struct statement){new_text(name, strlen(name)), op, (int)first, output};
@@ -392,7 +390,7 @@ static bool is_next_output(const struct reader *r, const char *word)
     return k < r->genome->outs && strcmp(name, r->genome->out[k].name) == 0;
 }
 
-static bool is_constant(const struct program *p, int op)
+bool program_is_constant(const struct program *p, int op)
 {
     return p->op[p->op[op].kind == OP_NEG ? p->op[op].a : op].kind == OP_CONSTANT;
 }
@@ -409,13 +407,13 @@ static bool read_statement(struct reader *r)
     if (!read_word(r, word) || (output && !is_next_output(r, word)) || !accept(r, "="))
         return false;
     const int op = read_expression(r);
-    if (op < 0 || !accept(r, ";") || (changes && !is_constant(p, op)))
+    if (op < 0 || !accept(r, ";") || (changes && !program_is_constant(p, op)))
         return false;
     if (!output) {
-        add_statement(p, word, op, first, -1);
+        program_add_statement(p, word, op, first, -1);
         return find_name(r, word) < 0 && add_name(r, word, op);
     }
-    add_statement(p, r->genome->out[p->outputs].name, op, first, (long)p->outputs);
+    program_add_statement(p, r->genome->out[p->outputs].name, op, first, (long)p->outputs);
     p->output[p->outputs++] = op;
     return true;
 }
@@ -429,15 +427,9 @@ static void free_name(void *name)
 struct program *program_read(const struct genome_file *f, const struct genome *genome, const char *statements,
                              struct diag *d)
 {
-    struct program *p = new_array(1, sizeof *p);
+    struct program *p = program_new(f, genome->outs);
     struct reader r = {.file = f, .genome = genome, .program = p, .at = statements};
     bool good = true;
-    p->inputs = f->inputs;
-    p->output = new_array(genome->outs, sizeof *p->output);
-    for (size_t i = 0; i < f->inputs; i++) {
-        const int op = program_add(p, OP_INPUT, -1, -1);
-        p->op[op].input = op;
-    }
     const char *start = statements;
     for (skip_blanks(&r); good && *r.at; skip_blanks(&r)) {
         start = r.at;
@@ -453,6 +445,54 @@ struct program *program_read(const struct genome_file *f, const struct genome *g
             genome->name, (int)strcspn(start, "\n;") > 60 ? 60 : (int)strcspn(start, "\n;"), start);
     program_free(p);
     return NULL;
+}
+
+struct program *program_new(const struct genome_file *f, size_t outputs)
+{
+    struct program *p = new_array(1, sizeof *p);
+    p->inputs = f->inputs;
+    p->output = new_array(outputs, sizeof *p->output);
+    for (size_t i = 0; i < f->inputs; i++) {
+        const int op = program_add(p, OP_INPUT, -1, -1);
+        p->op[op].input = op;
+    }
+    return p;
+}
+
+static bool op_equal(const struct program *p, const struct program *q, size_t i)
+{
+    const struct op *a = &p->op[i], *b = &q->op[i];
+    return a->kind == b->kind && a->a == b->a && a->b == b->b && a->quotient == b->quotient && a->input == b->input &&
+           (a->kind != OP_CONSTANT || fmpq_equal(&p->constant[a->input], &q->constant[b->input]));
+}
+
+static bool statement_equal(const struct statement *a, const struct statement *b)
+{
+    return strcmp(a->name, b->name) == 0 && a->op == b->op && a->first == b->first && a->output == b->output;
+}
+
+bool program_equal(const struct program *p, const struct program *q)
+{
+    bool equal =
+        p->ops == q->ops && p->statements == q->statements && p->inputs == q->inputs && p->outputs == q->outputs;
+    for (size_t i = 0; equal && i < p->ops; i++)
+        equal = op_equal(p, q, i);
+    for (size_t i = 0; equal && i < p->statements; i++)
+        equal = statement_equal(&p->statement[i], &q->statement[i]);
+    return equal;
+}
+
+struct operations program_count(const struct program *p)
+{
+    long n[OP_PDIV + 1] = {0};
+    for (size_t i = 0; i < p->ops; i++)
+        n[p->op[i].kind]++;
+    return (struct operations){.mul = n[OP_MUL],
+                               .div = n[OP_DIV] + n[OP_PDIV],
+                               .add = n[OP_ADD] + n[OP_SUB],
+                               .sqrt = n[OP_SQRT],
+                               .compare = n[OP_MIN] + n[OP_MAX] + n[OP_ABS] + n[OP_PDIV],
+                               .temporaries = (long)(p->statements - p->outputs)};
 }
 
 void program_free(struct program *p)

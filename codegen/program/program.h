@@ -1,10 +1,11 @@
-/* The emitted statements, read back: a straight-line program of rounded operations, in the order and association that
- * the C text prescribes.  Everything that speaks about the emitted code (proof, error bound, poles, other languages)
- * works on this program, never on the graph that it was printed from. */
+/* A straight-line program of rounded operations, in the order and association that its C text prescribes.  Everything that
+ * speaks about the emitted code (text, counts, proof, error bound, poles, other languages) works on the program, never on
+ * the graph that it was made from; and what is proved is the program that is read back from the text. */
 #ifndef FOOTPOINT_PROGRAM_H
 #define FOOTPOINT_PROGRAM_H
 
 #include "../genome/genome.h"
+#include "../graph/cost.h"
 
 #include <flint/fmpq.h>
 
@@ -52,14 +53,25 @@ struct program {
     int *output; /* owned: by output of the genome, its operation */
 };
 
-/** Reads the statements that emit_statements wrote for `genome` of file f.  NULL with *d filled if they are not such. */
+/** The inputs alone, and room for that many outputs. */
+struct program *program_new(const struct genome_file *f, size_t outputs);
+void program_free(struct program *p);
+
+/** Reads the statements of C that c_statements (dialects.h) prints of a program for `genome` of file f.  NULL with *d
+ *  filled if they are not such. */
 struct program *program_read(const struct genome_file *f, const struct genome *genome, const char *statements,
                              struct diag *d);
-void program_free(struct program *p);
 
 /** Append an operation; its number. */
 int program_add(struct program *p, enum op_kind kind, int a, int b);
 int program_add_constant(struct program *p, const fmpq *q, bool quotient);
+/** Appends the statement of the operations from `first` on. */
+void program_add_statement(struct program *p, const char *name, int op, size_t first, long output);
+
+/** A constant, with or without a sign. */
+bool program_is_constant(const struct program *p, int op);
+bool program_equal(const struct program *p, const struct program *q);
+struct operations program_count(const struct program *p);
 
 /** Exact value of a decimal without sign, such as 0.05 or 1.25e-3; returns its end, or NULL if there is none. */
 const char *decimal_read(fmpq *q, const char *text);

@@ -7,8 +7,8 @@ rooms() {
 codegen/genome:
 codegen/graph:      codegen/genome
 codegen/passes:     codegen/graph codegen/genome
-codegen/schedule:   codegen/graph codegen/genome
 codegen/program:    codegen/graph codegen/genome
+codegen/schedule:   codegen/program codegen/graph codegen/genome
 codegen/prove:      codegen/program codegen/graph codegen/genome
 codegen/bound:      codegen/prove codegen/program codegen/graph codegen/genome
 codegen/compile:    codegen/bound codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome

@@ -126,17 +126,17 @@ static void test_code(void **state)
     struct genome_file *f = parse(step);
     if (!compile_genome(f, &f->genome[0], &o, &c, &d))
         fail_msg("%s", d.text);
-    struct program *p = read_program(f, 0, c.emission.text);
+    struct program *p = read_program(f, 0, c.text);
     assert_true(prove_equal(f, &f->genome[0], p, &how, &d));
-    assert_int_equal(c.emission.ops.div, 1);
-    assert_true(c.emission.ops.add <= 37 && c.emission.ops.mul <= 26);
+    assert_int_equal(c.ops.div, 1);
+    assert_true(c.ops.add <= 37 && c.ops.mul <= 26);
     for (size_t i = 0; i < p->ops; i++) {
         const struct op *op = &p->op[i];
         if (op->kind == OP_ADD)
             assert_true(p->op[op->a].kind != OP_INPUT && p->op[op->b].kind != OP_INPUT);
     }
     program_free(p);
-    free(c.emission.text);
+    compiled_free(&c);
     genome_file_free(f);
 }
 

@@ -439,7 +439,7 @@ static void test_rows(void **state)
         snprintf(whole, sizeof whole, text, with ? "range z 0 0.25\n" : "");
         struct genome_file *f = parse(whole);
         assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
-        struct program *p = read_program(f, 0, c.emission.text);
+        struct program *p = read_program(f, 0, c.text);
         struct subject s = subject_new(whole, p);
         struct evidence *e =
             evidence_new(s.file, &s.file->genome[0], p, &(struct evidence_options){.samples = 100, .boxes = 100});
@@ -452,7 +452,7 @@ static void test_rows(void **state)
             check_row(&s, row, &seed);
         assert_string_equal(row, "");
         free(rows);
-        free(c.emission.text);
+        compiled_free(&c);
         evidence_free(e);
         subject_free(&s);
         genome_file_free(f);
@@ -510,8 +510,8 @@ static void check_genome(const struct genome_file *f, size_t k, const char *head
     genome_print(f, copy);
     fclose(copy);
     assert_true(compile_genome(f, g, &o, &c, &d));
-    assert_true(strstr(header, "precision: float") || strstr(header, c.emission.text));
-    struct subject s = subject_new(text, read_program(f, k, c.emission.text));
+    assert_true(strstr(header, "precision: float") || strstr(header, c.text));
+    struct subject s = subject_new(text, read_program(f, k, c.text));
     double *worst = new_array(g->outs, sizeof *worst);
     worst_errors(&s, worst);
     for (size_t i = 0; i < g->outs; i++) {
@@ -521,7 +521,7 @@ static void check_genome(const struct genome_file *f, size_t k, const char *head
     }
     free(worst);
     subject_free(&s);
-    free(c.emission.text);
+    compiled_free(&c);
     free(text);
 }
 

@@ -32,12 +32,12 @@ static char *compile(const char *expression, struct operations *ops)
     o.effort = 20;
     snprintf(text, sizeof text, "footpoint-genome 1\ninput x y z\ngenome g\nr = %s\nend\n", expression);
     struct genome_file *f = genome_parse("test", text, strlen(text), &d);
-    if (!f || !compile_genome(f, &f->genome[0], &o, &c, &d) || !proved(f, c.emission.text, &d))
+    if (!f || !compile_genome(f, &f->genome[0], &o, &c, &d) || !proved(f, c.text, &d))
         fail_msg("%s: %s", expression, d.text);
     genome_file_free(f);
     if (ops)
-        *ops = c.emission.ops;
-    return c.emission.text;
+        *ops = c.ops;
+    return c.text;
 }
 
 static void check(const char *expression, const char *statement)
@@ -133,9 +133,9 @@ static void test_ten_term_pair(void **state)
     struct genome_file *f = genome_parse("pair", text, sizeof text - 1, &d);
     assert_non_null(f);
     assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
-    assert_true(proved(f, c.emission.text, &d));
-    assert_true(c.emission.ops.mul <= 25);
-    free(c.emission.text);
+    assert_true(proved(f, c.text, &d));
+    assert_true(c.ops.mul <= 25);
+    compiled_free(&c);
     genome_file_free(f);
 }
 
@@ -157,9 +157,9 @@ static void test_shared_quotient(void **state)
             struct genome_file *f = genome_parse("shared", texts[k], strlen(texts[k]), &d);
             assert_non_null(f);
             assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
-            if (!proved(f, c.emission.text, &d))
-                fail_msg("%s\n%s", d.text, c.emission.text);
-            free(c.emission.text);
+            if (!proved(f, c.text, &d))
+                fail_msg("%s\n%s", d.text, c.text);
+            compiled_free(&c);
             genome_file_free(f);
         }
 }
@@ -175,9 +175,9 @@ static void test_proof_refuses(void **state)
     o.effort = 20;
     struct genome_file *f = genome_parse("proof", text, sizeof text - 1, &d);
     assert_true(compile_genome(f, &f->genome[0], &o, &c, &d));
-    assert_true(proved(f, c.emission.text, &d));
+    assert_true(proved(f, c.text, &d));
     size_t refused = 0, tried = 0;
-    for (char *at = c.emission.text; *at; at++) {
+    for (char *at = c.text; *at; at++) {
         const char kept = *at;
         const char *swap = strchr("+--+*//*34x-yz", kept);
         if (!swap || at[-1] == 't' || strncmp(at, "*out", 4) == 0)
@@ -192,13 +192,13 @@ static void test_proof_refuses(void **state)
                             : kept;
         if (*at != kept) {
             tried++;
-            refused += !proved(f, c.emission.text, &d);
+            refused += !proved(f, c.text, &d);
         }
         *at = kept;
     }
     assert_true(tried >= 6);
     assert_int_equal(refused, tried);
-    free(c.emission.text);
+    compiled_free(&c);
     genome_file_free(f);
 }
 

@@ -255,17 +255,17 @@ static void test_counts(void **state)
         struct compiled c;
         long n[OP_PDIV + 1] = {0};
         assert_true(compile_genome(f, &f->genome[g], &options, &c, &d));
-        struct program *p = read_program(f, g, c.emission.text);
+        struct program *p = read_program(f, g, c.text);
         for (size_t i = 0; i < p->ops; i++)
             n[p->op[i].kind]++;
-        assert_int_equal(n[OP_MUL], c.emission.ops.mul);
-        assert_int_equal(n[OP_DIV] + n[OP_PDIV], c.emission.ops.div);
-        assert_int_equal(n[OP_ADD] + n[OP_SUB], c.emission.ops.add);
-        assert_int_equal(n[OP_SQRT], c.emission.ops.sqrt);
-        assert_int_equal(n[OP_MIN] + n[OP_MAX] + n[OP_ABS] + n[OP_PDIV], c.emission.ops.compare);
-        assert_int_equal(p->statements, (size_t)c.emission.ops.temporaries + p->outputs);
+        assert_int_equal(n[OP_MUL], c.ops.mul);
+        assert_int_equal(n[OP_DIV] + n[OP_PDIV], c.ops.div);
+        assert_int_equal(n[OP_ADD] + n[OP_SUB], c.ops.add);
+        assert_int_equal(n[OP_SQRT], c.ops.sqrt);
+        assert_int_equal(n[OP_MIN] + n[OP_MAX] + n[OP_ABS] + n[OP_PDIV], c.ops.compare);
+        assert_int_equal(p->statements, (size_t)c.ops.temporaries + p->outputs);
         program_free(p);
-        free(c.emission.text);
+        compiled_free(&c);
     }
     genome_file_free(f);
 }

@@ -259,8 +259,8 @@ static void test_changes(void **state)
             struct genome_file *f = genome_parse("test", genome, strlen(genome), &d);
             assert_non_null(f);
             assert_true(compile_genome(f, &f->genome[0], &options, &c, &d));
-            const size_t size = strlen(c.emission.text);
-            struct tally t = {.file = f, .code = c.emission.text, .changed = new_array(size + 1, 1)};
+            const size_t size = strlen(c.text);
+            struct tally t = {.file = f, .code = c.text, .changed = new_array(size + 1, 1)};
             assert_int_equal(ask(f, t.code, &how, &d), PROVED);
             change(&t);
             assert_int_equal(t.proved, 0);

@@ -2,7 +2,7 @@
  * when its form is settled. */
 #include "../../codegen/schedule/balance.h"
 #include "../../codegen/schedule/distribute.h"
-#include "../../codegen/schedule/emit.h"
+#include "../../codegen/schedule/lower.h"
 #include "../../codegen/schedule/scales.h"
 #include "../../codegen/schedule/share_multiples.h"
 #include "../support/graph_text.h"
@@ -50,10 +50,11 @@ static void test_scales(void **state)
         char *text[3];
         for (int k = 0; k < 3; k++) {
             struct schedule *s = scaled_schedule(g, &model, (enum scale_search)k);
-            struct emission e;
-            emit_statements(f, s, &e);
+            struct lowered e;
+            lower(f, s, &e);
             mul[k] = e.ops.mul;
-            text[k] = e.text;
+            text[k] = row_code(f, e.program);
+            program_free(e.program);
             for (size_t n = 0; k == 0 && n < g->nodes; n++)
                 assert_int_equal(s->scale[n], ONE);
             schedule_free(s);
@@ -128,13 +129,15 @@ static void test_chains(void **state)
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         struct genome_file *f = row_file(row[i].genome);
         struct dag *g = row_graph(f);
-        struct emission e;
+        struct lowered e;
         balance_order(g, &latency);
         struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT);
-        emit_statements(f, s, &e);
-        assert_string_equal(e.text + strspn(e.text, " "), row[i].expected);
+        lower(f, s, &e);
+        char *code = row_code(f, e.program);
+        assert_string_equal(code + strspn(code, " "), row[i].expected);
         check_values(f, g);
-        free(e.text);
+        program_free(e.program);
+        free(code);
         schedule_free(s);
         dag_free(g);
         genome_file_free(f);

@@ -1,5 +1,5 @@
 /* Statements and their order: the text of a schedule, what is named, what is counted, and what waits for what. */
-#include "../../codegen/schedule/emit.h"
+#include "../../codegen/schedule/lower.h"
 #include "../../codegen/schedule/scales.h"
 #include "../support/graph_text.h"
 
@@ -25,11 +25,12 @@ static void check_statements(const struct statement_row *row, size_t rows)
         struct genome_file *f = row_file(row[i].genome);
         struct dag *g = row_graph(f);
         struct schedule *s = scaled_schedule(g, &model, SCALES_KEPT);
-        struct emission e;
-        emit_statements(f, s, &e);
-        program_free(read_program(f, 0, e.text)); /* it is what the prover reads */
+        struct lowered e;
+        lower(f, s, &e);
+        char *code = row_code(f, e.program);
+        program_free(read_program(f, 0, code)); /* it is what the prover reads */
         char text[1000] = "";
-        for (const char *line = strtok(e.text, "\n"); line; line = strtok(NULL, "\n")) {
+        for (const char *line = strtok(code, "\n"); line; line = strtok(NULL, "\n")) {
             strcat(text, *text ? " " : "");
             strcat(text, line + strspn(line, " "));
         }
@@ -39,7 +40,8 @@ static void check_statements(const struct statement_row *row, size_t rows)
                           row[i].expected, text, e.ops.mul, e.ops.add, e.ops.div, e.ops.sqrt, e.ops.compare);
             wrong++;
         }
-        free(e.text);
+        program_free(e.program);
+        free(code);
         schedule_free(s);
         dag_free(g);
         genome_file_free(f);

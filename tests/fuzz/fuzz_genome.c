@@ -56,10 +56,10 @@ static void compile_and_prove(const struct genome_file *f, const struct genome *
         require(!strstr(d.text, "internal error"), "compiler", d.text);
         return;
     }
-    struct program *p = program_read(f, genome, c.emission.text, &d);
+    struct program *p = program_read(f, genome, c.text, &d);
     require(p && prove_equal(f, genome, p, &how, &d), "proof", d.text);
     program_free(p);
-    free(c.emission.text);
+    compiled_free(&c);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

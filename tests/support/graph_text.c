@@ -4,6 +4,7 @@
 #include "../../codegen/genome/text.h"
 #include "../../codegen/graph/constant_text.h"
 #include "../../codegen/graph/from_genome.h"
+#include "../../codegen/program/dialects.h"
 
 enum { POINTS = 3 };
 
@@ -14,6 +15,13 @@ struct genome_file *row_file(const char *genome)
     struct genome_file *f = parse(text);
     free(text);
     return f;
+}
+
+char *row_code(const struct genome_file *f, const struct program *p)
+{
+    struct memory *m = memory_open();
+    printer_free(c_statements(f, &f->genome[0], p, &c_double, m->stream));
+    return memory_close(m);
 }
 
 struct dag *row_graph(const struct genome_file *f)

@@ -32,6 +32,9 @@ struct dag *row_graph(const struct genome_file *f);
 /** Caller frees. */
 char *graph_text(const struct genome_file *f, const struct dag *g);
 
+/** The statements in C; caller frees. */
+char *row_code(const struct genome_file *f, const struct program *p);
+
 /** Fails unless the graph has the values of the genome at some rational points.  A square root that is irrational is
  *  any function there: the same one in both. */
 void check_values(const struct genome_file *f, const struct dag *g);
