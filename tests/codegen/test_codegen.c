@@ -37,6 +37,7 @@ static char *compile(const char *expression, struct operations *ops)
     genome_file_free(f);
     if (ops)
         *ops = c.ops;
+    program_free(c.program);
     return c.text;
 }
 

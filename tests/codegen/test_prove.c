@@ -266,7 +266,7 @@ static void test_changes(void **state)
             assert_int_equal(t.proved, 0);
             tried += t.tried;
             free(t.changed);
-            free(t.code);
+            compiled_free(&c);
             genome_file_free(f);
         }
     assert_true(tried > 300);

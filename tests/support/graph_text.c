@@ -110,7 +110,8 @@ static int by_text(const void *a, const void *b)
 static struct edge *sorted_edges(struct writer *w, const struct node *node)
 {
     struct edge *edge = new_array(node->edges, sizeof *edge);
-    memcpy(edge, node->edge, node->edges * sizeof *edge);
+    for (size_t i = 0; i < node->edges; i++)
+        edge[i] = node->edge[i];
     for (size_t i = 0; i < node->edges; i++)
         if (!w->full[edge[i].node])
             free(node_text(w, edge[i].node));
