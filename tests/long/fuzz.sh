@@ -15,7 +15,7 @@ printf '"%s"\n' 'footpoint-genome 1\x0a' 'input ' 'note ' 'segment quad4 any\x0a
     'end\x0a' ' = ' ' + ' ' - ' ' * ' ' / ' ' % ' ' min ' ' max ' ' neg ' ' sqrt ' ' abs ' ' 0.5' ' -1e3' ' 1e-300' ' x' ' y' > "$work/words"
 mkdir "$work/corpus"
 cp tests/fuzz/corpus/*.gen "$work/corpus"
-"$fuzzer" -dict="$work/words" -max_len=600 -timeout=20 -rss_limit_mb=2048 -max_total_time=60 -seed=1 -print_final_stats=1 \
+"$fuzzer" -dict="$work/words" -max_len=600 -timeout=20 -rss_limit_mb=2048 -max_total_time=${FUZZ_SECONDS:-60} -seed=1 -print_final_stats=1 \
     -artifact_prefix="$work/" "$work/corpus" > "$work/log" 2>&1
 status=$?
 [ $status -eq 0 ] || { grep -v '^#' "$work/log" | tail -40 | sed 's/^/# /'; base64 "$work"/crash-* "$work"/timeout-* 2> /dev/null | sed 's/^/# /'; }
