@@ -313,8 +313,10 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
-check-long: build-tests ## all tests in full, and the long ones, one after the other
-	$(Q)FOOTPOINT_LONG=1 JOBS=1 $(run_tests) $(in_order) tests/long/*.sh
+# Those that compare times.
+TIMED := $(patsubst %,tests/long/%.sh,calls gregory handwritten impact pairs scaling)
+check-long: build-tests ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
+	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(filter-out $(TIMED),$(wildcard tests/long/*.sh)) --alone $(TIMED)
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))
