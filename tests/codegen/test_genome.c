@@ -50,7 +50,7 @@ static void test_round_trip(void **state)
     assert_int_equal(f->lets, 2);
     assert_int_equal(g->exchanges, 1);
     assert_int_equal(genome_find_function(g, "step"), 0);
-    assert_int_equal(g->function[0].to[1], genome_find_symbol(g, "t"));
+    assert_int_equal(g->function[0].result[1].gene, GENE_LOCAL + 3);
     assert_int_equal(g->genome[0].outs, 2);
     assert_int_equal(g->genome[0].out[0].length, f->genome[0].out[0].length);
     for (size_t i = 0; i < f->genome[0].out[0].length; i++)
