@@ -26,7 +26,8 @@ static bool add_number(struct reader *r, const char *name, int line, int *gene)
     struct genome_file *f = r->file;
     r->total += r->genes;
     if (f->format > 1 && r->total > GENOME_MOST)
-        return diag_at(r->d, f->path, line, 0, "the file expands to more than %d genes", GENOME_MOST);
+        return diag_at(r->d, f->path, r->w.word_line, r->w.word_column, "the file expands to more than %d genes",
+                       GENOME_MOST);
     if (x)
         genome_add_expr(&x->let, &x->lets, &x->let_room, name, r->gene, r->genes);
     else
