@@ -1,59 +1,83 @@
-/* Genome text: a small straight-line program with named inputs, named values (`let`) and any number of genomes.
+/* Genome text: a small straight-line program with named inputs, named values (`let`), functions and any number of
+ * genomes.
  *
- *     footpoint-genome 1                   the format and its version: the first words of the file
+ *     footpoint-genome 2                   the format and its version: the first words of the file
  *     # comment                            anywhere, to the end of the line
  *     note scene quad4                     provenance: a key and the rest of the line; any number
- *     input xA yA zA xB                    names of inputs, in order; may be repeated
  *     segment quad4 any                    the inputs are nodes of a segment and the slave node: a kind of segment_kind.h
  *                                          and the order of corners assumed: any | nearest | nearest-shorter
+ *     input x y                            names of inputs, in order, where there is no segment; may be repeated
  *     range xC -0.5 2                      closed interval of an input; at most one for each
- *     let c1x = - xB xA                    a value: one expression of inputs and earlier lets
- *     exchange p q                         of a frame: exchanging xi and eta turns the one value into the other
- *     function newton u v un vn            of a frame: newton of a pair (a,b) is what the values un and vn are where a
- *                                          stands for u and b for v
+ *     let c1 = - B A                       a value: one expression of inputs and earlier values; here a vector
+ *     let c11 = dot c1 c1                  a number
+ *     function step u v vector w -> un j   a function: from numbers and a vector to two values of its body
+ *         let j = + c11 * u v
+ *         let un = / dot w c1 j
+ *     end
+ *     let u2 j2 = step 0.5 * 2 c11 - S A   the values of a function
+ *     exchange u2 c11                      of a frame: exchanging xi and eta turns the one number into the other
  *     require - xC xD                      an expression that is > 0 on the region; any number
  *     genome fast                          a function to be made
  *     note training_xi genes 5 mean 1e-3   its own provenance
  *     xi = + * 0.05 c1x yA                 an output: one expression; any number
- *     eta = yA
+ *     eta = u2
  *     end
  *
- *     file       = "footpoint-genome" "1" { line | genome }
- *     line       = note | input | segment | range | let | exchange | function | require
+ *     file       = "footpoint-genome" "2" { line | function | genome }
+ *     line       = note | input | segment | range | let | exchange | require
  *     note       = "note" KEY text-to-the-end-of-the-line
- *     input      = "input" NAME { NAME }                       before the first let and the first genome
- *     segment    = "segment" KIND ORDER                        at most one; ORDER other than "any" for quad4 alone
+ *     input      = "input" NAME { NAME }                       before the first let and the first genome; no segment
+ *     segment    = "segment" KIND ORDER                        at most one, before the first let, function and genome;
+ *                                                              ORDER other than "any" for quad4 alone
  *     range      = "range" INPUT NUMBER NUMBER                 lower limit <= upper limit
  *     let        = "let" NAME "=" expression                   before the first genome
+ *                | "let" NAME { NAME } "=" FUNCTION { expression }
+ *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let } "end"
  *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one such line at most
- *     function   = "function" NAME SYMBOL SYMBOL SYMBOL SYMBOL
  *     require    = "require" expression
  *     genome     = "genome" NAME newline { note | output } "end"
  *     output     = NAME "=" expression
  *     expression = OP2 expression expression | OP1 expression | SYMBOL | NUMBER
- *     OP2        = "+" | "-" | "*" | "/" | "%" | "min" | "max"
+ *     OP2        = "+" | "-" | "*" | "/" | "%" | "min" | "max" | "dot" | "cross"
  *     OP1        = "neg" | "sqrt" | "abs"
  *
  * Words are parted by blanks.  Each of the lines above is one line of the file, but expressions may go on over several:
  * an expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
- * leaf +1), and nothing may follow it on its line.  / is the quotient, % the protected quotient, which is 1 where the
- * divisor is 0.  A NAME has letters, digits and underscores, 63 at most, does not begin with a digit and is no operator
- * or keyword; a SYMBOL is the name of an input or of an earlier let.  A NUMBER is decimal, has an exponent if need be
- * (1e-3), and is exact: 0.05 means 1/20.
+ * leaf +1), and nothing may follow it on its line, but for the next argument of a function.  / is the quotient, % the
+ * protected quotient, which is 1 where the divisor is 0.  A NAME has letters, digits and underscores, 63 at most, does
+ * not begin with a digit and is no operator or keyword; a SYMBOL is the name of an input or of an earlier let.  A NUMBER
+ * is decimal, has an exponent if need be (1e-3), and is exact: 0.05 means 1/20.
  *
- * A file with `segment` has exactly the inputs of that kind (quad4: xA yA zA ... xD yD zD xS yS zS), and each of its
- * genomes the outputs xi and eta.  The region that bounds and verdicts of a header hold on is the box of the ranges, as
- * far as all `require`s are > 0. */
+ * A value is a number or a vector of three: + - and neg take either, * also a number and a vector in any order, dot and
+ * cross two vectors, all else numbers, as do exchange, require and outputs.  The components of a vector e are the
+ * numbers ex ey ez.  What a let is follows from its expression; of a function's parameters, "vector" says so.
+ *
+ * A function has names of its own: its parameters, and the lets of its body, which may use all that stands before the
+ * function, other functions too.  A let that calls it stands for its body, with the arguments in the place of the
+ * parameters; the names behind "->" are those of its values.  A file has GENOME_FUNCTIONS functions at most.  Reading
+ * expands all lets to lets of numbers, in which there may be GENOME_MOST genes.
+ *
+ * A file with `segment` has exactly the inputs of that kind (quad4: xA yA zA ... xD yD zD xS yS zS), which are the
+ * components of the vectors A, B, ..., S and, for unit normals, nA, nB, ...; each of its genomes has the outputs xi and
+ * eta.  The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are
+ * > 0.
+ *
+ * Version 1 has no vectors, "vector", "dot" and "cross" are names like others, `input` lines name the inputs of a
+ * segment, too, and what a function is made of are lets of the file:
+ *
+ *     function newton u v un vn            newton of a pair (a,b) is what the values un and vn are where a stands for u
+ *                                          and b for v */
 #ifndef FOOTPOINT_GENOME_H
 #define FOOTPOINT_GENOME_H
 
 #include "base.h"
 #include "segment_kind.h"
 
-#define GENOME_FORMAT 1
+#define GENOME_FORMAT 2 /* the version that is written; version 1 is read, too */
 
 /** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
- *  -1-k: constant k of the file's table.  Those between are operators of twin trees alone (evolve/genotype/twin.h). */
+ *  GENE_LOCAL+k, in the body of a function alone: number k of its parameters and lets; -1-k: constant k of the file's
+ *  table.  Those between operators and symbols are operators of twin trees alone (evolve/genotype/twin.h). */
 enum gene_operator {
     GENE_ADD,
     GENE_SUB,
@@ -69,9 +93,10 @@ enum gene_operator {
     GENE_HALVES = 16, /* two operands */
     GENE_EXCHANGE,    /* one operand, as all that follow */
     GENE_FUNCTION,    /* + k: function k of the file */
-    GENE_SYMBOL = 64
+    GENE_SYMBOL = 64,
+    GENE_LOCAL = 1 << 29
 };
-enum { GENOME_FUNCTIONS = GENE_SYMBOL - GENE_FUNCTION };
+enum { GENOME_FUNCTIONS = GENE_SYMBOL - GENE_FUNCTION, GENOME_MOST = 1 << 22 };
 
 /** Operands of a gene: 2, 1 or 0. */
 int gene_arity(int gene);
@@ -119,10 +144,27 @@ struct genome_constant {
     double value;
 };
 
-/** A step from a pair of values to another: the symbols that it replaces, and those whose values are its result. */
+/** A parameter or a result of a function: the gene of a number, or of the first of three. */
+struct genome_value {
+    bool vector;
+    int gene;
+};
+
+/** A function, its body expanded to lets of numbers. */
 struct genome_function {
-    char *name; /* owned */
-    size_t from[2], to[2];
+    char *name;                              /* owned */
+    struct genome_value *parameter, *result; /* owned */
+    size_t parameters, parameter_room, results, result_room;
+    struct genome_expr *let; /* owned */
+    size_t lets, let_room;
+    int first_let; /* gene of the first let: behind those of the parameters */
+    void *names;   /* owned: its own; see names.h */
+};
+
+/** A let or a function as it is written, its words parted by single blanks. */
+struct genome_statement {
+    char *name, *text; /* owned; the first name that it defines */
+    int line;
 };
 
 /** Closed interval of an input: constants of the file's table. */
@@ -133,6 +175,7 @@ struct genome_range {
 
 struct genome_file {
     char *path; /* owned */
+    int format; /* 1 or GENOME_FORMAT */
     struct genome_note *note;
     size_t notes, note_room;
     const struct segment_kind *segment; /* NULL when the inputs are not nodes */
@@ -143,7 +186,9 @@ struct genome_file {
     size_t range_room;
     struct genome_constant *constant;
     size_t constants, constant_room;
-    struct genome_expr *let;
+    struct genome_statement *statement; /* owned */
+    size_t statements, statement_room;
+    struct genome_expr *let; /* of numbers: what the statements say, expanded */
     size_t lets, let_room;
     size_t (*exchange)[2]; /* owned: symbols */
     size_t exchanges, exchange_room;
@@ -153,18 +198,26 @@ struct genome_file {
     size_t requires, require_room;
     struct genome *genome;
     size_t genomes, genome_room;
-    void *symbol_tree, *constant_tree; /* owned; name -> index, see genome_find_symbol */
+    void *names, *constant_names; /* owned; see names.h */
 };
 
 /** Read and check a file.  Returns NULL with *d filled ("file:line:column: error: ...") on malformed text. */
 struct genome_file *genome_read(const char *path, struct diag *d);
 /** The same from `size` characters of text; `path` is used in diagnostics only. */
 struct genome_file *genome_parse(const char *path, const char *text, size_t size, struct diag *d);
+/** A let or a function, read as if it stood at the end of the file. */
+bool genome_read_statement(struct genome_file *f, const char *text, struct diag *d);
+/** Statement k with a suffix to all names that statements define.  Caller frees. */
+char *genome_statement_suffixed(const struct genome_file *f, size_t k, const char *suffix);
+/** The statement that defines a name, or NULL. */
+const struct genome_statement *genome_find_statement(const struct genome_file *f, const char *name);
 struct genome_file *genome_file_new(const char *path);
 void genome_file_free(struct genome_file *f);
 
 /** Print; genome_parse of what is printed gives the same program. */
 void genome_print(const struct genome_file *f, FILE *stream);
+/** Print what the genomes and requires need. */
+void genome_print_needed(const struct genome_file *f, FILE *stream);
 
 /** Index of a symbol (inputs, then lets) or -1. */
 long genome_find_symbol(const struct genome_file *f, const char *name);
@@ -178,18 +231,25 @@ void genome_add_note(struct genome_note **note, size_t *n, size_t *room, const c
 const char *genome_find_note(const struct genome_note *note, size_t n, const char *key);
 struct genome *genome_add(struct genome_file *f, const char *name);
 void genome_add_input(struct genome_file *f, const char *name);
+/** Inputs that are the nodes of a segment and a slave node. */
+void genome_add_segment(struct genome_file *f, const struct segment_kind *kind, enum corner_order order);
 /** Give an input's interval as decimal texts, lo <= hi. */
 void genome_add_range(struct genome_file *f, size_t input, const char *lo, const char *hi);
 /** Append an expression that is > 0 on the region. Copies `length` genes. */
 void genome_add_require(struct genome_file *f, const int *gene, size_t length);
 /** Append a named value; its name must be new. Copies `length` genes. */
 void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length);
+/** Append a let or a function as it is written; takes the text. */
+void genome_add_statement(struct genome_file *f, const char *name, char *text, int line);
+/** `head` and an expression, words parted by single blanks.  Caller frees. */
+char *genome_expr_text(const struct genome_file *f, const char *head, const struct genome_expr *e);
+void genome_free_function(struct genome_function *x);
 /** Two symbols that exchanging xi and eta exchanges. */
 void genome_add_exchange(struct genome_file *f, size_t a, size_t b);
-/** Append a function; its name must be new, and there are GENOME_FUNCTIONS at most. */
-void genome_add_function(struct genome_file *f, const char *name, const size_t from[2], const size_t to[2]);
 /** Index of a function or -1. */
 long genome_find_function(const struct genome_file *f, const char *name);
+/** From two numbers to two. */
+bool genome_function_of_pair(const struct genome_function *x);
 /** Append an output of a genome: genome_add_expr(&g->out, &g->outs, &g->out_room, ...). Copies `length` genes. */
 void genome_add_expr(struct genome_expr **e, size_t *n, size_t *room, const char *name, const int *gene, size_t length);
 

@@ -186,7 +186,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
         add_tier(a, kernel, i, run, heldout);
     kernel_free(kernel);
     scene_region_add(a->program, heldout->part, 2);
-    genome_print(a->program, f.stream);
+    genome_print_needed(a->program, f.stream);
     return outfile_commit(&f, d);
 }
 
@@ -232,7 +232,7 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
                     add_member(a, kernel, &a->front[i][k]->member[c], i, k, heldout, f);
     kernel_free(kernel);
     scene_region_add(f, heldout->part, 2);
-    genome_print(f, out.stream);
+    genome_print_needed(f, out.stream);
     genome_file_free(f);
     return outfile_commit(&out, d);
 }

@@ -1,6 +1,7 @@
-/* Frames; see frame.h.  Lets are evaluated by the same kernel as genomes, one column after the other. */
+/* Frames; see frame.h.  A program is put together of their statements; lets are evaluated by the same kernel as genomes, one column after the other. */
 #include "frame.h"
 
+#include "../../codegen/genome/text.h"
 #include "../common/decimal.h"
 #include "../genotype/twin_text.h"
 
@@ -28,23 +29,15 @@ static void scene_values(const struct scene *s, const struct tier *t, double val
     }
 }
 
-static void suffixed(const char *name, const char *suffix, char text[NAME])
-{
-    snprintf(text, NAME, "%.250s%s", name, suffix);
-}
-
-/* `suffix` is what names of lets end in there. */
-static bool rebind(const struct genome_file *from, const struct genome_expr *e, const char *suffix,
-                   struct genome_file *to, int *gene, struct diag *d)
+bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, struct genome_file *to, int *gene,
+                  struct diag *d)
 {
     for (size_t i = 0; i < e->length; i++) {
         gene[i] = e->gene[i];
         if (gene[i] < 0) {
             gene[i] = -1 - (int)genome_add_constant(to, from->constant[-1 - gene[i]].text);
         } else if (gene[i] >= GENE_SYMBOL) {
-            char name[NAME];
-            const size_t symbol = (size_t)(gene[i] - GENE_SYMBOL);
-            suffixed(genome_symbol_name(from, symbol), symbol < from->inputs ? "" : suffix, name);
+            const char *name = genome_symbol_name(from, (size_t)(gene[i] - GENE_SYMBOL));
             const long k = genome_find_symbol(to, name);
             if (k < 0)
                 return diag_at(d, from->path, e->line, 0, "'%s' uses '%s', which no frame of the scene defines",
@@ -55,46 +48,36 @@ static bool rebind(const struct genome_file *from, const struct genome_expr *e, 
     return true;
 }
 
-bool frame_rebind(const struct genome_file *from, const struct genome_expr *e, struct genome_file *to, int *gene,
-                  struct diag *d)
+/* A statement of the frame as the tier has it: with the scene's values, and names of its own where the tier has a
+ * reference point of its own.  Caller frees. */
+static char *statement_of_tier(const struct genome_file *frame, size_t k, const struct scene *s, const struct tier *t)
 {
-    return rebind(from, e, "", to, gene, d);
-}
-
-/* A value of the program, unless another frame of the scene has defined the same one under that name. */
-static bool add_value(const struct genome_file *frame, const struct genome_expr *let, const char *name, const int *gene,
-                      size_t length, struct genome_file *program, struct diag *d)
-{
-    const long k = genome_find_symbol(program, name);
-    if (k < 0) {
-        genome_add_let(program, name, gene, length);
-        return true;
-    }
-    const struct genome_expr *known = (size_t)k < program->inputs ? NULL : &program->let[(size_t)k - program->inputs];
-    if (known && known->length == length && memcmp(known->gene, gene, length * sizeof *gene) == 0)
-        return true;
-    return diag_at(d, frame->path, let->line, 0, "'%s' is another value in another frame of the scene", name);
-}
-
-static bool add_let(const struct genome_file *frame, const struct genome_expr *let, const struct scene *s,
-                    const struct tier *t, struct genome_file *program, struct diag *d)
-{
-    char name[NAME], suffix[16];
-    tier_suffix(t, suffix);
-    suffixed(let->name, suffix, name);
+    char suffix[16], number[32];
     double value[FROM_SCENE];
+    const char *name = frame->statement[k].name;
+    tier_suffix(t, suffix);
     scene_values(s, t, value);
-    for (int k = 0; k < FROM_SCENE; k++)
-        if (strcmp(let->name, scene_let[k]) == 0) {
-            char text[32];
-            number_shortest(value[k], text);
-            const int gene = -1 - (int)genome_add_constant(program, text);
-            return add_value(frame, let, name, &gene, 1, program, d);
+    for (int i = 0; i < FROM_SCENE; i++)
+        if (strcmp(name, scene_let[i]) == 0) {
+            number_shortest(value[i], number);
+            return new_format("let %s%s = %s", name, suffix, number);
         }
-    int *gene = new_array(let->length, sizeof *gene);
+    return genome_statement_suffixed(frame, k, suffix);
+}
+
+/* Adds it to the program, unless another frame of the scene has the same one. */
+static bool add_statement(const struct genome_file *frame, size_t k, const struct scene *s, const struct tier *t,
+                          struct genome_file *program, struct diag *d)
+{
+    char name[NAME], suffix[16], *text = statement_of_tier(frame, k, s, t);
+    tier_suffix(t, suffix);
+    snprintf(name, sizeof name, "%s%s", frame->statement[k].name, suffix);
+    const struct genome_statement *known = genome_find_statement(program, name);
     const bool good =
-        rebind(frame, let, suffix, program, gene, d) && add_value(frame, let, name, gene, let->length, program, d);
-    free(gene);
+        known ? strcmp(known->text, text) == 0 || diag_at(d, frame->path, frame->statement[k].line, 0,
+                                                          "'%s' is another value in another frame of the scene", name)
+              : genome_read_statement(program, text, d);
+    free(text);
     return good;
 }
 
@@ -117,27 +100,6 @@ static bool add_exchange(const struct genome_file *frame, const size_t pair[2], 
                            genome_symbol_name(frame, pair[0]), genome_symbol_name(frame, pair[1]));
     }
     genome_add_exchange(program, a, b);
-    return true;
-}
-
-/* The frame's exchange and function lines. */
-static bool add_functions(const struct genome_file *frame, struct genome_file *program, struct diag *d)
-{
-    for (size_t i = 0; i < frame->exchanges; i++)
-        if (!add_exchange(frame, frame->exchange[i], program, d))
-            return false;
-    for (size_t i = 0; i < frame->functions; i++) {
-        const struct genome_function *f = &frame->function[i];
-        size_t from[2], to[2];
-        if (genome_find_function(program, f->name) >= 0 || program->functions == GENOME_FUNCTIONS)
-            return diag_at(d, frame->path, 0, 0, "function '%s' is one of another frame already, or one too many",
-                           f->name);
-        for (int k = 0; k < 2; k++) {
-            from[k] = same_symbol(frame, f->from[k], program);
-            to[k] = same_symbol(frame, f->to[k], program);
-        }
-        genome_add_function(program, f->name, from, to);
-    }
     return true;
 }
 
@@ -191,14 +153,22 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
     struct genome_file *frame = genome_read(path, d);
     if (!frame)
         return false;
+    if (program->inputs == 0) {
+        program->format = frame->format;
+        genome_add_segment(program, s->segment, s->order);
+    }
     bool good = frame->genomes == 0 || diag_at(d, path, frame->genome[0].line, 0, "a frame holds no genomes");
     if (good && frame->segment && frame->segment != s->segment)
         good = diag_at(d, s->path, t->frame_line, t->frame_column, "tier '%s': frame '%s' is of segments %s", t->name,
                        t->frame, frame->segment->name);
-    for (size_t i = 0; good && i < frame->lets && frame_is_new(s, tier); i++)
-        good = add_let(frame, &frame->let[i], s, t, program, d);
-    good = good && (!frame_is_new(s, tier) || t->at || add_functions(frame, program, d)) &&
-           check_functions(frame, s, t, d);
+    if (good && frame->format != program->format)
+        good = diag_at(d, path, 0, 0, "version %d of the format, but another frame of the scene has version %d",
+                       frame->format, program->format);
+    for (size_t i = 0; good && i < frame->statements && frame_is_new(s, tier); i++)
+        good = add_statement(frame, i, s, t, program, d);
+    for (size_t i = 0; good && i < frame->exchanges && frame_is_new(s, tier) && !t->at; i++)
+        good = add_exchange(frame, frame->exchange[i], program, d);
+    good = good && check_functions(frame, s, t, d);
     for (size_t i = 0; good && i < t->terminals; i++)
         if (genome_find_symbol(program, t->terminal[i]) < 0)
             good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],
@@ -210,13 +180,6 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
 struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d)
 {
     struct genome_file *program = genome_file_new(path);
-    for (size_t i = 0; i < segment_inputs(s->segment); i++) {
-        char name[5];
-        segment_input_name(s->segment, i, name);
-        genome_add_input(program, name);
-    }
-    program->segment = s->segment;
-    program->order = s->order;
     for (size_t i = 0; i < s->tiers; i++)
         if (!add_frame(root, s, i, program, d)) {
             genome_file_free(program);

@@ -1,5 +1,5 @@
 /* What twin trees mean, and their translation to lines; see twin.h.  A function of the frame is compiled once: the lets
- * that lie between what it replaces and its results become lines, all others stay symbols. */
+ * of its body become lines. */
 #include "twin.h"
 
 #include "../common/decimal.h"
@@ -27,8 +27,7 @@ struct compiler {
     const struct genome_file *program;
     const struct genome_function *function;
     struct twin_body *body;
-    bool *follows; /* owned: by symbol; from what the function replaces */
-    int *line;     /* owned: by symbol; -1: none yet */
+    int *symbol, *local; /* owned: lines of symbols, and of the function's parameters and lets; -1: none yet */
 };
 
 static int add_body_line(struct twin_body *b, struct twin_line line)
@@ -38,14 +37,7 @@ static int add_body_line(struct twin_body *b, struct twin_line line)
     return (int)b->lines++;
 }
 
-static int line_of_symbol(struct compiler *c, size_t symbol);
-
-static int line_of_gene(struct compiler *c, int gene)
-{
-    if (gene >= GENE_SYMBOL)
-        return line_of_symbol(c, (size_t)(gene - GENE_SYMBOL));
-    return add_body_line(c->body, (struct twin_line){NUMBER, -1, -1, c->program->constant[-1 - gene].value});
-}
+static int line_of_gene(struct compiler *c, int gene);
 
 static int line_of_let(struct compiler *c, const struct genome_expr *let)
 {
@@ -64,38 +56,45 @@ static int line_of_let(struct compiler *c, const struct genome_expr *let)
     return root;
 }
 
-static int line_of_symbol(struct compiler *c, size_t symbol)
+static int line_of_local(struct compiler *c, int local)
 {
-    if (c->line[symbol] >= 0)
-        return c->line[symbol];
-    int line;
-    if (symbol == c->function->from[0] || symbol == c->function->from[1])
-        line = add_body_line(c->body, (struct twin_line){PARAMETER, symbol == c->function->from[1], -1, 0});
-    else if (c->follows[symbol])
-        line = line_of_let(c, &c->program->let[symbol - c->program->inputs]);
-    else
-        line = add_body_line(c->body, (struct twin_line){GENE_SYMBOL + (int)symbol, -1, -1, 0});
-    return c->line[symbol] = line;
+    const int lets = c->function->first_let - GENE_LOCAL;
+    if (local < lets)
+        return add_body_line(c->body, (struct twin_line){PARAMETER, local, -1, 0});
+    return line_of_let(c, &c->function->let[local - lets]);
 }
 
+static int line_of_gene(struct compiler *c, int gene)
+{
+    if (gene < 0)
+        return add_body_line(c->body, (struct twin_line){NUMBER, -1, -1, c->program->constant[-1 - gene].value});
+    int *line = gene >= GENE_LOCAL ? &c->local[gene - GENE_LOCAL] : &c->symbol[gene - GENE_SYMBOL];
+    if (*line < 0)
+        *line = gene >= GENE_LOCAL ? line_of_local(c, gene - GENE_LOCAL)
+                                   : add_body_line(c->body, (struct twin_line){gene, -1, -1, 0});
+    return *line;
+}
+
+static int *no_lines(size_t n)
+{
+    int *line = new_array(n, sizeof *line);
+    for (size_t i = 0; i < n; i++)
+        line[i] = -1;
+    return line;
+}
+
+/* Functions that are not of a pair stay without a body. */
 static struct twin_body compile(const struct genome_file *f, const struct genome_function *function)
 {
-    const size_t symbols = f->inputs + f->lets;
     struct twin_body b = {0};
-    struct compiler c = {f, function, &b, new_array(symbols, sizeof *c.follows), new_array(symbols, sizeof *c.line)};
-    for (size_t i = 0; i < symbols; i++)
-        c.line[i] = -1;
-    c.follows[function->from[0]] = c.follows[function->from[1]] = true;
-    for (size_t i = 0; i < f->lets; i++)
-        for (size_t k = 0; k < f->let[i].length; k++) {
-            const int gene = f->let[i].gene[k];
-            if (gene >= GENE_SYMBOL && c.follows[gene - GENE_SYMBOL])
-                c.follows[f->inputs + i] = true;
-        }
+    if (!genome_function_of_pair(function))
+        return b;
+    const size_t locals = (size_t)(function->first_let - GENE_LOCAL) + function->lets;
+    struct compiler c = {f, function, &b, no_lines(f->inputs + f->lets), no_lines(locals)};
     for (int k = 0; k < 2; k++)
-        b.to[k] = line_of_symbol(&c, function->to[k]);
-    free(c.follows);
-    free(c.line);
+        b.to[k] = line_of_gene(&c, function->result[k].gene);
+    free(c.symbol);
+    free(c.local);
     return b;
 }
 

@@ -6,7 +6,7 @@
  *   + - * ...      on each half by itself
  *   exchange x     the halves of x in the other order
  *   halves x y     the first half of x, the second half of y
- *   newton x       any `function` of the frame: the halves of x stand for the values that it replaces
+ *   newton x       any `function` of the frame from two numbers to two, of the halves of x
  *
  * A tree is translated to lines, each an operation on earlier ones, in which equal values are there once.  Thus a step
  * of a step grows by a gene and costs what its operations cost. */

@@ -18,7 +18,7 @@ int twin_gene(const struct genome_file *f, const char *name)
     if (strcmp(name, "halves") == 0)
         return GENE_HALVES;
     const long k = genome_find_function(f, name);
-    return k < 0 ? -1 : GENE_FUNCTION + (int)k;
+    return k < 0 || !genome_function_of_pair(&f->function[k]) ? -1 : GENE_FUNCTION + (int)k;
 }
 
 static const char *word_of(const struct genome_file *f, int gene, char number[DECIMAL_TEXT])

@@ -4,7 +4,8 @@
 
 #include "twin.h"
 
-/** Gene of an operator of the genome text, "exchange", "halves" or a function of the file; -1: there is none. */
+/** Gene of an operator of the genome text, "exchange", "halves" or a function of the file from two numbers
+ *  to two; -1: there is none. */
 int twin_gene(const struct genome_file *f, const char *name);
 
 /** The tree in prefix order, words between blanks; owned by the caller. */

@@ -121,7 +121,7 @@ static bool write_all(const struct study *s, struct diag *d)
         for (int k = 0; k < 2; k++)
             add_errors(s, &s->program->genome[i], perceptron_weights(&s->options->network[i]), k);
     scene_region_add(s->program, s->heldout, 2);
-    genome_print(s->program, f.stream);
+    genome_print_needed(s->program, f.stream);
     return outfile_commit(&f, d);
 }
 

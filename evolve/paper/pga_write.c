@@ -98,6 +98,6 @@ bool pga_write(const struct pga_options *o, const struct scene *scene, struct ge
             add_output(o, program, g, k, &find[i][k], heldout);
     }
     scene_region_add(program, heldout, 2);
-    genome_print(program, f.stream);
+    genome_print_needed(program, f.stream);
     return outfile_commit(&f, d);
 }

@@ -25,6 +25,25 @@ static const char sample[] = "footpoint-genome 1\n"
                              "q = neg z\n"
                              "end\n";
 
+static const char vectors[] = "footpoint-genome 2\n"
+                              "segment tri3 any\n"
+                              "let ab = - B A\n"
+                              "let unused = * 2 ab\n"
+                              "function step u vector w -> un normal # a comment\n"
+                              "    let normal = cross w\n"
+                              "      ab\n"
+                              "    let un = dot * u w normal\n"
+                              "end\n"
+                              "function twice u -> c n\n"
+                              "    let b m = step u S\n"
+                              "    let c n = step + b 1 - m A\n"
+                              "end\n"
+                              "let r n = twice xS\n"
+                              "genome one\n"
+                              "xi = r\n"
+                              "eta = nx\n"
+                              "end\n";
+
 static char *print(const struct genome_file *f, size_t *size)
 {
     char *text;
@@ -50,7 +69,7 @@ static void test_round_trip(void **state)
     assert_int_equal(f->lets, 2);
     assert_int_equal(g->exchanges, 1);
     assert_int_equal(genome_find_function(g, "step"), 0);
-    assert_int_equal(g->function[0].to[1], genome_find_symbol(g, "t"));
+    assert_int_equal(g->function[0].result[1].gene, GENE_LOCAL + 3);
     assert_int_equal(g->genome[0].outs, 2);
     assert_int_equal(g->genome[0].out[0].length, f->genome[0].out[0].length);
     for (size_t i = 0; i < f->genome[0].out[0].length; i++)
@@ -60,6 +79,78 @@ static void test_round_trip(void **state)
     free(twice);
     genome_file_free(f);
     genome_file_free(g);
+}
+
+/* The genes of a let, as text. */
+static void assert_let(const struct genome_file *f, size_t k, const char *text)
+{
+    char *let = genome_expr_text(f, f->let[k].name, &f->let[k]);
+    assert_string_equal(let, text);
+    free(let);
+}
+
+static void test_expansion(void **state)
+{
+    (void)state;
+    struct diag d;
+    struct genome_file *f = genome_parse("vectors", vectors, sizeof vectors - 1, &d);
+    assert_non_null(f);
+    assert_int_equal(f->inputs, 12);
+    assert_int_equal(f->lets, 3 + 3 + 4 + 1 + 3 + 4);
+    assert_let(f, 0, "abx - xB xA");
+    assert_let(f, 5, "unusedz * 2 abz");
+    assert_let(f, 6, "r.mx - * yS abz * zS aby");
+    assert_let(f, 7, "r.my - * zS abx * xS abz");
+    assert_let(f, 9, "r.b + + * * xS xS r.mx * * xS yS r.my * * xS zS r.mz");
+    assert_let(f, 10, "r.argument + r.b 1");
+    assert_let(f, 11, "r.argument - r.mx xA");
+    assert_let(f, 14, "nx - * r.argument abz * r.argument aby");
+    assert_string_equal(f->let[17].name, "r");
+    genome_file_free(f);
+}
+
+/* What is printed for a genome is what it needs. */
+static void test_needed(void **state)
+{
+    (void)state;
+    struct diag d;
+    char *text;
+    size_t size;
+    struct genome_file *f = genome_parse("vectors", vectors, sizeof vectors - 1, &d);
+    assert_non_null(f);
+    FILE *stream = open_memstream(&text, &size);
+    genome_print_needed(f, stream);
+    fclose(stream);
+    assert_null(strstr(text, "unused"));
+    struct genome_file *g = genome_parse("needed", text, size, &d);
+    assert_non_null(g);
+    assert_int_equal(g->lets, f->lets - 3);
+    assert_int_equal(g->functions, 2);
+    free(text);
+    genome_file_free(f);
+    genome_file_free(g);
+}
+
+/* Every name that statements define gets the suffix, also as the stem of a component. */
+static void test_suffix(void **state)
+{
+    (void)state;
+    static const char text[] = "footpoint-genome 2\nsegment tri3 any\nlet e = - B A\nlet c = + ex xA\n"
+                               "function f u -> v\n    let w = * u e\n    let v = + wy c\nend\nlet r = f c\n";
+    static const char *const expected[] = {"let e_1 = - B A", "let c_1 = + e_1x xA",
+                                           "function f_1 u_1 -> v_1\nlet w_1 = * u_1 e_1\nlet v_1 = + w_1y c_1\nend",
+                                           "let r_1 = f_1 c_1"};
+    struct diag d;
+    struct genome_file *f = genome_parse("suffix", text, sizeof text - 1, &d);
+    assert_non_null(f);
+    assert_int_equal(f->statements, 4);
+    for (size_t i = 0; i < 4; i++) {
+        char *other = genome_statement_suffixed(f, i, "_1");
+        assert_string_equal(other, expected[i]);
+        assert_true(genome_read_statement(f, other, &d));
+        free(other);
+    }
+    genome_file_free(f);
 }
 
 static void test_long_expression_wraps(void **state)
@@ -124,19 +215,16 @@ static void test_functions_of_frames(void **state)
     }
 }
 
-/* Every truncation and thousands of mutations of the sample end in a program or in one line. */
-static void test_hostile_text(void **state)
+/* Every truncation and thousands of mutations of a text end in a program or in one line. */
+static void check_hostile(const char *sane, size_t length)
 {
-    (void)state;
     uint64_t seed = 1;
-    char text[sizeof sample];
-    for (size_t n = 0; n < sizeof sample + 20000; n++) {
+    char *text = malloc(length + 1);
+    for (size_t n = 0; n < length + 20000; n++) {
         struct diag d = {0};
-        size_t size = sizeof sample - 1;
-        memcpy(text, sample, sizeof sample);
-        if (n < sizeof sample)
-            size = n;
-        for (int k = 0; n >= sizeof sample && k < 3; k++) {
+        const size_t size = n < length ? n : length;
+        memcpy(text, sane, length + 1);
+        for (int k = 0; n >= length && k < 3; k++) {
             seed = seed * 6364136223846793005u + 1442695040888963407u;
             const char *const letters = "+-*/% \n#=x1.e\0\xff"
                                         "end";
@@ -147,13 +235,26 @@ static void test_hostile_text(void **state)
                     (d.code == EXIT_INPUT && strncmp(d.text, "hostile:", 8) == 0 && !strchr(d.text, '\n')));
         genome_file_free(f);
     }
+    free(text);
+}
+
+static void test_hostile_text(void **state)
+{
+    (void)state;
+    check_hostile(sample, sizeof sample - 1);
+    check_hostile(vectors, sizeof vectors - 1);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_long_expression_wraps),
-        cmocka_unit_test(test_span),         cmocka_unit_test(test_functions_of_frames),
+        cmocka_unit_test(test_round_trip),
+        cmocka_unit_test(test_expansion),
+        cmocka_unit_test(test_needed),
+        cmocka_unit_test(test_suffix),
+        cmocka_unit_test(test_long_expression_wraps),
+        cmocka_unit_test(test_span),
+        cmocka_unit_test(test_functions_of_frames),
         cmocka_unit_test(test_hostile_text),
     };
     return cmocka_run_group_tests_name("genome", tests, NULL, NULL);

@@ -1,0 +1,181 @@
+/* Expressions of genome text: their types, and vectors as expressions of numbers; see genome_reader.h.  Without
+ * recursion, since expressions may be a million operators deep. */
+#include "genome_reader.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The numbers that a vector operator stands for: component (c + digit) % 3 of its operands a and b. */
+static const char dot[] = "++*a0b0*a1b1*a2b2", cross[] = "-*a1b2*a2b1";
+
+static int arity(int gene)
+{
+    return gene == GENE_DOT || gene == GENE_CROSS ? 2 : gene_arity(gene);
+}
+
+bool read_gene(struct reader *r, int *gene)
+{
+    char name[NAME_ROOM];
+    if (read_operator(r, gene))
+        return true;
+    if (looks_like_number(r))
+        return read_number(r, gene);
+    const struct name *n = word_copy(&r->w, name, sizeof name) ? find_name(r, name) : NULL;
+    if (!n || n->kind == NAME_FUNCTION)
+        return reader_fail(r, n ? "function '%s' inside an expression" : "unknown gene '%s'");
+    *gene = n->kind == NAME_VECTOR ? n->gene - GENE_SYMBOL + GENE_VECTOR : n->gene;
+    return true;
+}
+
+bool read_symbol(struct reader *r, int *gene)
+{
+    if (!next_word(r, true))
+        return reader_fail(r, "a value is missing here");
+    if (!read_gene(r, gene))
+        return false;
+    return (*gene >= GENE_SYMBOL && *gene < GENE_VECTOR) || reader_fail(r, "'%s' is not a value");
+}
+
+/* ---- types ---- */
+
+/* Whether the value is a vector; -1: there is no such operation. */
+static int is_vector(int gene, bool a, bool b)
+{
+    switch (gene) {
+    case GENE_ADD:
+    case GENE_SUB:
+        return a == b ? a : -1;
+    case GENE_MUL:
+        return a && b ? -1 : a || b;
+    case GENE_NEG:
+        return a;
+    case GENE_DOT:
+        return a && b ? 0 : -1;
+    case GENE_CROSS:
+        return a && b ? 1 : -1;
+    default:
+        return a || b ? -1 : 0;
+    }
+}
+
+static bool fail_type(struct reader *r, const struct node *n, bool a, bool b)
+{
+    static const char *const type[] = {"a number", "a vector"};
+    const char *gene = operator_name(n->gene);
+    if (arity(n->gene) == 1)
+        return diag_at(r->d, r->file->path, n->line, n->column, "'%s' of %s", gene, type[a]);
+    return diag_at(r->d, r->file->path, n->line, n->column, "'%s' of %s and %s", gene, type[a], type[b]);
+}
+
+/* Finds type and second operand of each node, from the last to the first. */
+static bool find_types(struct reader *r)
+{
+    size_t *stack = new_array(r->nodes, sizeof *stack), depth = 0;
+    bool good = true;
+    for (size_t i = r->nodes; good && i-- > 0;) {
+        struct node *n = &r->node[i];
+        const int operands = arity(n->gene);
+        if (operands > 0) {
+            n->second = operands == 2 ? stack[depth - 2] : 0;
+            const bool a = r->node[i + 1].vector, b = operands == 2 && r->node[n->second].vector;
+            const int vector = is_vector(n->gene, a, b);
+            good = vector >= 0 || fail_type(r, n, a, b);
+            n->vector = vector > 0;
+            depth -= (size_t)operands;
+        }
+        stack[depth++] = i;
+    }
+    free(stack);
+    return good;
+}
+
+bool read_expression(struct reader *r, const char *name, bool more)
+{
+    long missing = 1;
+    r->nodes = 0;
+    while (missing > 0) {
+        if (!next_word(r, false) || word_is_keyword(r) || word_is(&r->w, "="))
+            return diag_at(r->d, r->file->path, r->w.word_line, r->w.word_column,
+                           "the expression of '%s' ends early: %ld operand%s missing", name, missing,
+                           missing == 1 ? " is" : "s are");
+        grow_array(&r->node, r->nodes, &r->node_room, sizeof *r->node);
+        struct node *n = &r->node[r->nodes++];
+        *n = (struct node){.line = r->w.word_line, .column = r->w.word_column};
+        if (!read_gene(r, &n->gene))
+            return false;
+        n->vector = n->gene >= GENE_VECTOR;
+        missing += arity(n->gene) - 1;
+    }
+    if (!more && next_word(r, true))
+        return reader_fail(r, "gene '%s' follows a complete expression");
+    return find_types(r);
+}
+
+/* ---- expansion ---- */
+
+static void push(struct reader *r, size_t at, int component)
+{
+    grow_array(&r->task, r->tasks, &r->task_room, sizeof *r->task);
+    r->task[r->tasks++] = (struct task){at, component};
+}
+
+static void push_products(struct reader *r, size_t at, int component)
+{
+    const struct node *n = &r->node[at];
+    const char *form = n->gene == GENE_DOT ? dot : cross;
+    const int first = n->gene == GENE_DOT ? 0 : component;
+    for (size_t i = strlen(form); i-- > 0;)
+        switch (form[i]) {
+        case 'a':
+        case 'b':
+            push(r, form[i] == 'a' ? at + 1 : n->second, (first + form[i + 1] - '0') % 3);
+            break;
+        case '+':
+        case '-':
+        case '*':
+            push(r, form[i] == '+' ? GENE_ADD : form[i] == '-' ? GENE_SUB : GENE_MUL, -1);
+            break;
+        }
+}
+
+void put_gene(struct reader *r, int gene)
+{
+    grow_array(&r->gene, r->genes, &r->gene_room, sizeof *r->gene);
+    r->gene[r->genes++] = gene;
+}
+
+bool expand(struct reader *r, int component)
+{
+    r->genes = r->tasks = 0;
+    push(r, 0, component);
+    while (r->tasks > 0) {
+        const struct task t = r->task[--r->tasks];
+        if (t.component < 0) {
+            put_gene(r, (int)t.at);
+            continue;
+        }
+        const struct node *n = &r->node[t.at];
+        if (n->gene == GENE_DOT || n->gene == GENE_CROSS) {
+            push_products(r, t.at, t.component);
+        } else if (n->gene >= GENE_VECTOR) {
+            put_gene(r, n->gene - GENE_VECTOR + GENE_SYMBOL + t.component);
+        } else {
+            put_gene(r, n->gene);
+            if (arity(n->gene) == 2)
+                push(r, n->second, t.component);
+            if (arity(n->gene) > 0)
+                push(r, t.at + 1, t.component);
+        }
+        if (r->genes > r->nodes && r->genes + r->total > GENOME_MOST)
+            return diag_at(r->d, r->file->path, r->node[0].line, r->node[0].column,
+                           "the file expands to more than %d genes", GENOME_MOST);
+    }
+    return true;
+}
+
+bool expand_number(struct reader *r, const char *name)
+{
+    if (r->node[0].vector)
+        return diag_at(r->d, r->file->path, r->node[0].line, r->node[0].column, "'%s' is a vector, not a number", name);
+    return expand(r, 0);
+}

@@ -1,0 +1,166 @@
+/* Printer of genome text (grammar: genome.h): statements as they were written, the rest from the data structure. */
+#include "genome.h"
+#include "names.h"
+#include "text.h"
+#include "words.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { PRINT_WIDTH = 118 };
+
+static const char *gene_text(const struct genome_file *f, int gene)
+{
+    if (gene < 0)
+        return f->constant[-1 - gene].text;
+    return gene < GENE_OPERATORS ? gene_name(gene) : genome_symbol_name(f, (size_t)(gene - GENE_SYMBOL));
+}
+
+char *genome_expr_text(const struct genome_file *f, const char *head, const struct genome_expr *e)
+{
+    struct memory *m = memory_open();
+    fputs(head, m->stream);
+    for (size_t i = 0; i < e->length; i++)
+        fprintf(m->stream, " %s", gene_text(f, e->gene[i]));
+    return memory_close(m);
+}
+
+/* Words go on one line up to the width, then on indented ones. */
+static void print_line(const char *text, FILE *stream)
+{
+    print_broken(text, 0, PRINT_WIDTH, "\n    ", NULL, stream);
+    fputc('\n', stream);
+}
+
+static void print_expr(const struct genome_file *f, const char *head, const struct genome_expr *e, FILE *stream)
+{
+    char *text = genome_expr_text(f, head, e);
+    print_line(text, stream);
+    free(text);
+}
+
+static void print_notes(const struct genome_note *note, size_t n, FILE *stream)
+{
+    for (size_t i = 0; i < n; i++)
+        fprintf(stream, "note %s %s\n", note[i].key, note[i].text);
+}
+
+static void print_inputs(const struct genome_file *f, FILE *stream)
+{
+    for (size_t i = 0, column = 0; i < f->inputs; i++) {
+        if (column == 0)
+            fputs("input", stream);
+        column += (size_t)fprintf(stream, " %s", f->input[i]);
+        if (column + 20 > PRINT_WIDTH || i + 1 == f->inputs) {
+            fputc('\n', stream);
+            column = 0;
+        }
+    }
+}
+
+/* The lets of a function's body stand further in. */
+static void print_statement(const char *text, FILE *stream)
+{
+    char *copy = new_text(text, strlen(text));
+    for (char *line = copy, *next; line; line = next) {
+        next = strchr(line, '\n');
+        if (next)
+            *next++ = '\0';
+        const bool inside = line > copy && next;
+        fputs(inside ? "    " : "", stream);
+        print_broken(line, inside ? 4 : 0, PRINT_WIDTH, inside ? "\n        " : "\n    ", NULL, stream);
+        fputc('\n', stream);
+    }
+    free(copy);
+}
+
+static void print_genome(const struct genome_file *f, const struct genome *g, FILE *stream)
+{
+    fprintf(stream, "\ngenome %s\n", g->name);
+    print_notes(g->note, g->notes, stream);
+    for (size_t k = 0; k < g->outs; k++) {
+        char *head = new_joined(g->out[k].name, " =", "");
+        print_expr(f, head, &g->out[k], stream);
+        free(head);
+    }
+    fputs("end\n", stream);
+}
+
+/* ---- what is needed ---- */
+
+static void need_name(const struct genome_file *f, const char *name, bool *needed)
+{
+    const struct name *n = names_find(&f->names, name);
+    if (n && n->statement != NO_STATEMENT)
+        needed[n->statement] = true;
+}
+
+static void need_symbols(const struct genome_file *f, const struct genome_expr *e, bool *needed)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] >= GENE_SYMBOL)
+            need_name(f, genome_symbol_name(f, (size_t)(e->gene[i] - GENE_SYMBOL)), needed);
+}
+
+static void need_words(const struct genome_file *f, const char *text, bool *needed)
+{
+    char name[NAME_ROOM];
+    struct words w = words_of(text, strlen(text));
+    while (words_next(&w, false))
+        if (word_copy(&w, name, sizeof name))
+            need_name(f, name, needed);
+}
+
+/* By statement: genomes and requires depend on it. */
+static bool *needed_statements(const struct genome_file *f)
+{
+    bool *needed = new_array(f->statements, sizeof *needed);
+    for (size_t i = 0; i < f->requires; i++)
+        need_symbols(f, &f->require[i], needed);
+    for (size_t i = 0; i < f->genomes; i++)
+        for (size_t k = 0; k < f->genome[i].outs; k++)
+            need_symbols(f, &f->genome[i].out[k], needed);
+    for (size_t i = f->statements; i-- > 0;)
+        if (needed[i])
+            need_words(f, f->statement[i].text, needed);
+    return needed;
+}
+
+/* ---- files ---- */
+
+/* `needed`: the statements to print; NULL: all of them, and the exchanges. */
+static void print_file(const struct genome_file *f, const bool *needed, FILE *stream)
+{
+    fprintf(stream, "footpoint-genome %d\n", f->format);
+    print_notes(f->note, f->notes, stream);
+    if (!f->segment || f->format == 1)
+        print_inputs(f, stream);
+    if (f->segment)
+        fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
+    for (size_t i = 0; i < f->inputs; i++)
+        if (f->range[i].given)
+            fprintf(stream, "range %s %s %s\n", f->input[i], f->constant[f->range[i].lo].text,
+                    f->constant[f->range[i].hi].text);
+    for (size_t i = 0; i < f->statements; i++)
+        if (!needed || needed[i])
+            print_statement(f->statement[i].text, stream);
+    for (size_t i = 0; !needed && i < f->exchanges; i++)
+        fprintf(stream, "exchange %s %s\n", genome_symbol_name(f, f->exchange[i][0]),
+                genome_symbol_name(f, f->exchange[i][1]));
+    for (size_t i = 0; i < f->requires; i++)
+        print_expr(f, "require", &f->require[i], stream);
+    for (size_t i = 0; i < f->genomes; i++)
+        print_genome(f, &f->genome[i], stream);
+}
+
+void genome_print(const struct genome_file *f, FILE *stream)
+{
+    print_file(f, NULL, stream);
+}
+
+void genome_print_needed(const struct genome_file *f, FILE *stream)
+{
+    bool *needed = needed_statements(f);
+    print_file(f, needed, stream);
+    free(needed);
+}

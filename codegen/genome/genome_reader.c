@@ -1,0 +1,123 @@
+/* Words, names and numbers of genome text; see genome_reader.h. */
+#include "genome_reader.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_NAME = NAME_ROOM - 2, MAX_NUMBER = 63, MAX_EXPONENT = 330 };
+
+static const char *const keywords[] = {"note",     "input",   "segment", "range", "let",   "exchange",
+                                       "function", "require", "genome",  "end",   "vector"};
+
+bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)
+{
+    char shown[48];
+    snprintf(shown, sizeof shown, "%.*s%s", length > 40 ? 40 : (int)length, text, length > 40 ? "..." : "");
+    for (char *c = shown; *c; c++)
+        if (!isprint((unsigned char)*c))
+            *c = '?';
+    return diag_at(r->d, r->file->path, r->w.word_line, r->w.word_column, format, shown);
+}
+
+bool reader_fail(struct reader *r, const char *format)
+{
+    return reader_fail_text(r, format, r->w.word, r->w.length);
+}
+
+bool next_word(struct reader *r, bool same_line)
+{
+    return words_next(&r->w, same_line);
+}
+
+bool end_of_line(struct reader *r)
+{
+    return !next_word(r, true) || reader_fail(r, "'%s' is too much here");
+}
+
+/* The last keyword is version 2's. */
+bool word_is_keyword(const struct reader *r)
+{
+    const size_t n = sizeof keywords / sizeof *keywords - (r->file->format == 1);
+    for (size_t i = 0; i < n; i++)
+        if (word_is(&r->w, keywords[i]))
+            return true;
+    return false;
+}
+
+bool read_name(struct reader *r, char name[NAME_ROOM])
+{
+    int gene;
+    if (r->w.length > MAX_NAME)
+        return reader_fail(r, "name '%s' is too long");
+    for (size_t i = 0; i < r->w.length; i++) {
+        const unsigned char c = (unsigned char)r->w.word[i];
+        if (!(c < 128 && (isalpha(c) || c == '_' || (i > 0 && isdigit(c)))))
+            return reader_fail(r, "'%s' is not a name");
+    }
+    if (word_is_keyword(r))
+        return reader_fail(r, "'%s' is a keyword, not a name");
+    if (read_operator(r, &gene))
+        return reader_fail(r, "'%s' is a gene, not a name");
+    return word_copy(&r->w, name, NAME_ROOM);
+}
+
+const struct name *find_name(const struct reader *r, const char *text)
+{
+    const struct name *n = r->function ? names_find(&r->function->names, text) : NULL;
+    return n ? n : names_find(&r->file->names, text);
+}
+
+bool read_new_name(struct reader *r, char name[NAME_ROOM])
+{
+    if (!read_name(r, name))
+        return false;
+    return !names_find(r->function ? &r->function->names : &r->file->names, name) ||
+           reader_fail(r, "name '%s' is defined already");
+}
+
+const char *operator_name(int gene)
+{
+    return gene == GENE_DOT ? "dot" : gene == GENE_CROSS ? "cross" : gene_name(gene);
+}
+
+bool read_operator(const struct reader *r, int *gene)
+{
+    const int operators = r->file->format == 1 ? GENE_OPERATORS : GENE_CROSS + 1;
+    for (*gene = 0; *gene < operators; ++*gene)
+        if (word_is(&r->w, operator_name(*gene)))
+            return true;
+    return false;
+}
+
+bool looks_like_number(const struct reader *r)
+{
+    size_t i = 0;
+    if (r->w.length > 1 && (r->w.word[0] == '-' || r->w.word[0] == '+'))
+        i = 1;
+    return isdigit((unsigned char)r->w.word[i]) || (r->w.word[i] == '.' && r->w.length > i + 1);
+}
+
+/* Plain decimal with an optional exponent, so that text is an exact rational of bounded size. */
+bool read_number(struct reader *r, int *gene)
+{
+    char text[MAX_NUMBER + 1];
+    char *rest;
+    if (r->w.length > MAX_NUMBER)
+        return reader_fail(r, "number '%s' is too long");
+    memcpy(text, r->w.word, r->w.length);
+    text[r->w.length] = '\0';
+    const size_t plain = strspn(text, "+-.0123456789eE");
+    errno = 0;
+    const double value = strtod(text, &rest);
+    if (plain != r->w.length || *rest)
+        return reader_fail(r, "'%s' is not a decimal number");
+    const char *exponent = strpbrk(text, "eE");
+    const long power = exponent ? strtol(exponent + 1, NULL, 10) : 0;
+    if (!isfinite(value) || power > MAX_EXPONENT || power < -MAX_EXPONENT)
+        return reader_fail(r, "number '%s' is out of range");
+    *gene = -1 - (int)genome_add_constant(r->file, text);
+    return true;
+}

@@ -1,0 +1,80 @@
+/* The reader of genome text, in parts: words and names here, expressions, functions, and the lines of a file. */
+#ifndef FOOTPOINT_GENOME_READER_H
+#define FOOTPOINT_GENOME_READER_H
+
+#include "genome.h"
+#include "names.h"
+#include "words.h"
+
+/** Operators on vectors, and the first gene of vectors: GENE_VECTOR + k is the one that begins with symbol k. */
+enum { GENE_DOT = GENE_OPERATORS, GENE_CROSS, GENE_VECTOR = 1 << 30 };
+
+/** A gene of an expression as it is written. */
+struct node {
+    int gene;
+    bool vector;   /* the value of what begins here */
+    size_t second; /* where the second operand begins */
+    int line, column;
+};
+
+/** Component `component` of the expression at node `at`; component -1: the gene `at`. */
+struct task {
+    size_t at;
+    int component;
+};
+
+struct reader {
+    struct genome_file *file;
+    struct diag *d;
+    struct words w;
+    struct genome_function *function; /* not owned; whose body is read, or NULL */
+    struct node *node;                /* owned: the expression as it is written */
+    size_t nodes, node_room;
+    int *gene; /* owned: the expression, or a component of it */
+    size_t genes, gene_room;
+    size_t total;      /* genes of all lets */
+    struct task *task; /* owned: what is still to be expanded */
+    size_t tasks, task_room;
+};
+
+/** Fills the diagnostic; %s in the format is the current word. */
+bool reader_fail(struct reader *r, const char *format);
+/** The same with a text of `length` characters in the place of the word. */
+bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length);
+
+bool next_word(struct reader *r, bool same_line);
+bool end_of_line(struct reader *r);
+bool word_is_keyword(const struct reader *r);
+
+/** The current word as a name that is neither keyword nor operator, or one that is new, too. */
+bool read_name(struct reader *r, char name[NAME_ROOM]);
+bool read_new_name(struct reader *r, char name[NAME_ROOM]);
+/** What a name stands for: the function's first, then the file's; NULL if it is nothing. */
+const struct name *find_name(const struct reader *r, const char *text);
+/** Whether the current word is an operator, and the text of one. */
+bool read_operator(const struct reader *r, int *gene);
+const char *operator_name(int gene);
+/** A decimal number as a constant. */
+bool looks_like_number(const struct reader *r);
+bool read_number(struct reader *r, int *gene);
+
+/** The operator, number or value that the current word is. */
+bool read_gene(struct reader *r, int *gene);
+/** The next word, the name of a number. */
+bool read_symbol(struct reader *r, int *gene);
+/** An expression, to the node array.  Unless `more` may follow, it ends its line.
+ *  @param[in] name  whose it is, for messages */
+bool read_expression(struct reader *r, const char *name, bool more);
+/** A component of the expression that was read, or its number, to the gene array. */
+bool expand(struct reader *r, int component);
+/** The expression must be a number; it is expanded. */
+bool expand_number(struct reader *r, const char *name);
+
+/** Appends to the gene array. */
+void put_gene(struct reader *r, int gene);
+
+/** Lines "let ..." and "function ...", at the keyword. */
+bool read_let(struct reader *r);
+bool read_function(struct reader *r);
+
+#endif

@@ -1,0 +1,54 @@
+/* See words.h. */
+#include "words.h"
+
+#include <string.h>
+
+struct words words_of(const char *text, size_t size)
+{
+    return (struct words){.at = text, .end = text + size, .line_start = text, .line = 1};
+}
+
+/* To the next word, past blanks, comments and, unless it is to be the same line, newlines. */
+static void skip(struct words *w, bool same_line)
+{
+    for (;; w->at++) {
+        if (w->at < w->end && *w->at == '#')
+            while (w->at < w->end && *w->at != '\n')
+                w->at++;
+        if (w->at == w->end)
+            return;
+        if (*w->at == '\n') {
+            if (same_line)
+                return;
+            w->line++;
+            w->line_start = w->at + 1;
+        } else if (*w->at != ' ' && *w->at != '\t' && *w->at != '\r')
+            return;
+    }
+}
+
+bool words_next(struct words *w, bool same_line)
+{
+    skip(w, same_line);
+    w->word = w->at;
+    w->word_line = w->line;
+    w->word_column = (int)(w->at - w->line_start) + 1;
+    while (w->at < w->end && (*w->at == '\0' || !strchr(" \t\r\n#", *w->at))) /* NUL inside a word is refused later */
+        w->at++;
+    w->length = (size_t)(w->at - w->word);
+    return w->length > 0;
+}
+
+bool word_is(const struct words *w, const char *text)
+{
+    return w->length == strlen(text) && memcmp(w->word, text, w->length) == 0;
+}
+
+bool word_copy(const struct words *w, char *text, size_t size)
+{
+    if (w->length >= size || memchr(w->word, '\0', w->length))
+        return false;
+    memcpy(text, w->word, w->length);
+    text[w->length] = '\0';
+    return true;
+}
