@@ -9,14 +9,6 @@ enum { FIRST_BITS = 128, MOST_BITS = 2048, GOOD_BITS = 64, MOST_RATIONAL_BITS = 
 
 /* ---- double ---- */
 
-uint64_t random_next(uint64_t *seed)
-{
-    uint64_t z = *seed += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 double double_nearest(const fmpq *q)
 {
     mpfr_t x;
