@@ -43,9 +43,8 @@ static int add_number(struct program *p, const char *text)
 /* From its end, as a stack machine. */
 int genome_program_add(struct genome_program *b, const struct genome_expr *e)
 {
-    static const enum op_kind kind[GENE_OPERATORS] = {
-        [GENE_ADD] = OP_ADD, [GENE_SUB] = OP_SUB, [GENE_MUL] = OP_MUL, [GENE_DIV] = OP_DIV,   [GENE_PDIV] = OP_PDIV,
-        [GENE_MIN] = OP_MIN, [GENE_MAX] = OP_MAX, [GENE_NEG] = OP_NEG, [GENE_SQRT] = OP_SQRT, [GENE_ABS] = OP_ABS};
+#define OPERATION(gene, ...) [GENE_##gene] = OP_##gene,
+    static const enum op_kind kind[GENE_OPERATORS] = {GENES_OF_TWO(OPERATION) GENES_OF_ONE(OPERATION)};
     b->depth = 0;
     for (size_t i = e->length; i-- > 0;) {
         const int gene = e->gene[i];

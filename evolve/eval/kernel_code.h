@@ -4,7 +4,6 @@
 #define FOOTPOINT_KERNEL_CODE_H
 
 #include "columns.h"
-#include "genes.h"
 
 #include <math.h>
 
@@ -70,7 +69,7 @@ struct kernel_run {
 /** The value of an operator of two numbers, or of a alone. */
 __attribute__((no_sanitize("float-divide-by-zero"))) static inline double kernel_apply(int op, double a, double b)
 {
-#define RETURN(gene, value, ...)                                                                                       \
+#define RETURN(gene, text, value, ...)                                                                                 \
     case GENE_##gene:                                                                                                  \
         return value;
     switch (op) {

@@ -4,7 +4,6 @@
 
 #include "../common/simd.h"
 #include "columns.h"
-#include "genes.h"
 
 #include <math.h>
 
@@ -26,8 +25,8 @@ static inline __attribute__((always_inline)) void value_of(int gene, const doubl
             to[k] = value;                                                                                             \
         }                                                                                                              \
         break;
-#define VALUE_OF_ONE(gene, value, ...) VALUE(gene, const double a = x[k], value)
-#define VALUE_OF_TWO(gene, value, ...) VALUE(gene, const double a = x[k]; const double b = y[k], value)
+#define VALUE_OF_ONE(gene, text, value, ...) VALUE(gene, const double a = x[k], value)
+#define VALUE_OF_TWO(gene, text, value, ...) VALUE(gene, const double a = x[k]; const double b = y[k], value)
     switch (gene) {
         GENES_OF_ONE(VALUE_OF_ONE)
         GENES_OF_TWO(VALUE_OF_TWO)
@@ -47,8 +46,8 @@ static inline __attribute__((always_inline)) void slope_of(int gene, const doubl
             __VA_ARGS__;                                                                                               \
         }                                                                                                              \
         break;
-#define SLOPE_OF_ONE(gene, v, slope_a) SLOPE(gene, sx[k] = slope_a)
-#define SLOPE_OF_TWO(gene, v, slope_a, slope_b) SLOPE(gene, sx[k] = slope_a, sy[k] = slope_b)
+#define SLOPE_OF_ONE(gene, text, v, slope_a) SLOPE(gene, sx[k] = slope_a)
+#define SLOPE_OF_TWO(gene, text, v, slope_a, slope_b) SLOPE(gene, sx[k] = slope_a, sy[k] = slope_b)
     switch (gene) {
         GENES_OF_ONE(SLOPE_OF_ONE)
         GENES_OF_TWO(SLOPE_OF_TWO)
