@@ -5,9 +5,9 @@
  * chain in which each step waits for the one before.  All loops take turns, ROUNDS times, and a cost is the median over
  * the rounds of a loop's time over that of the additions in the same round: what else the machine does falls on both.
  */
+#include "genome/options.h"
 #include "genome/outfile.h"
 
-#include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -208,51 +208,35 @@ static bool write_costs(const struct costs *c, enum mode mode, const char *path,
     return outfile_commit(&out, d);
 }
 
-static const char usage[] =
-    "usage: footpoint-calibrate [-o FILE] [--latency]\n"
-    "Measures what operations cost on this machine, in about a second; writes a cost file for footpoint-codegen.\n"
-    "\n"
-    "  -o, --output FILE   file to write; default: standard output\n"
-    "      --latency       costs are latencies, and the longest chain counts; default: throughput\n"
-    "  -h, --help          this text\n"
-    "      --version       version\n"
-    "\n"
-    "Exit status: 0 done, 2 usage, 3 I/O.\n";
+struct calibrate_options {
+    const char *output; /* NULL: standard output */
+    bool latency;
+};
 
-static int refuse(const char *what, const char *argument)
-{
-    fprintf(stderr, "footpoint-calibrate: %s%s (try --help)\n", what, argument);
-    return EXIT_USAGE;
-}
+#define AT(member) offsetof(struct calibrate_options, member)
+static const struct option_row rows[] = {
+    {"output", 'o', OPTION_TEXT, AT(output), "FILE", .help = "file to write (default: standard output)"},
+    {"latency", 0, OPTION_FLAG, AT(latency),
+     .help = "costs are latencies, and the longest chain counts (default: throughput)"}};
+static const struct option_table table = {
+    .program = "footpoint-calibrate",
+    .usage =
+        "usage: footpoint-calibrate [-o FILE] [--latency]\n"
+        "Measures what operations cost on this machine, in about a second; writes a cost file for footpoint-codegen.\n",
+    .notes = "Exit status: 0 done, 2 usage, 3 I/O.\n",
+    .row = rows,
+    .rows = sizeof rows / sizeof *rows,
+    .unknown = "unknown option or missing value: %s (try --help)",
+    .lacking = "unknown option or missing value: %s (try --help)",
+    .surplus = "unexpected argument: %s (try --help)"};
 
 int main(int argc, char **argv)
 {
-    enum { LATENCIES = 256, VERSION };
-    static const struct option options[] = {{"output", required_argument, NULL, 'o'},
-                                            {"latency", no_argument, NULL, LATENCIES},
-                                            {"help", no_argument, NULL, 'h'},
-                                            {"version", no_argument, NULL, VERSION},
-                                            {NULL, 0, NULL, 0}};
-    const char *output = NULL;
-    enum mode mode = THROUGHPUT;
+    struct calibrate_options o = {0};
     struct diag d;
-    opterr = 0;
-    for (int c; (c = getopt_long(argc, argv, "o:h", options, NULL)) != -1;) {
-        if (c == 'o')
-            output = optarg;
-        else if (c == LATENCIES)
-            mode = LATENCY;
-        else if (c == VERSION) {
-            puts("footpoint-calibrate " FOOTPOINT_VERSION);
-            return exit_status(true, &d);
-        } else if (c == 'h') {
-            fputs(usage, stdout);
-            return exit_status(true, &d);
-        } else
-            return refuse("unknown option or missing value: ", argv[optind - 1]);
-    }
-    if (optind < argc)
-        return refuse("unexpected argument: ", argv[optind]);
+    const enum options_outcome outcome = options_read(&table, argc, argv, &o, NULL, &d);
+    if (outcome != OPTIONS_READ)
+        return options_end(&table, outcome, &d);
     const struct costs costs = measure();
-    return exit_status(write_costs(&costs, mode, output, &d), &d);
+    return exit_status(write_costs(&costs, o.latency ? LATENCY : THROUGHPUT, o.output, &d), &d);
 }

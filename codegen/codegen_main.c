@@ -89,8 +89,6 @@ int main(int argc, char **argv)
 {
     struct codegen_options o;
     struct diag d;
-    int status;
-    if (!codegen_options_read(argc, argv, &o, &status))
-        return status == EXIT_DONE ? exit_status(true, &d) : status;
-    return exit_status(run(&o, &d), &d);
+    const enum options_outcome outcome = codegen_options_read(argc, argv, &o, &d);
+    return outcome == OPTIONS_READ ? exit_status(run(&o, &d), &d) : options_end(&codegen_option_table, outcome, &d);
 }

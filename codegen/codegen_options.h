@@ -3,19 +3,28 @@
 #define FOOTPOINT_CODEGEN_OPTIONS_H
 
 #include "compile/compiled_file.h"
+#include "genome/options.h"
 
+#include <stdint.h>
+
+enum { CODEGEN_PREFIX = 160 };
 enum language { LANGUAGE_C, LANGUAGE_FORTRAN, LANGUAGE_INFIX, LANGUAGE_LATEX };
 
 struct codegen_options {
     const char *genomes, *output; /* files, not owned; output NULL: --count */
     const char *samples, *cost;   /* files, not owned; NULL: none */
-    bool precision_given;         /* else the genomes' note `precision` counts */
-    char prefix[160];
+    bool count, explain;
+    bool precision_given; /* else the genomes' note `precision` counts */
+    size_t effort;
+    uint64_t seed;
+    char prefix[CODEGEN_PREFIX];
     enum language language;
     struct unit_options unit; /* its prefix is the one above; samples are yet to be read */
 };
 
-/** Reads the command line.  True to go on; else *status is the exit code: help was printed, or what is wrong was. */
-bool codegen_options_read(int argc, char **argv, struct codegen_options *o, int *status);
+extern const struct option_table codegen_option_table;
+
+/** Reads the command line; OPTIONS_WRONG with *d filled. */
+enum options_outcome codegen_options_read(int argc, char **argv, struct codegen_options *o, struct diag *d);
 
 #endif

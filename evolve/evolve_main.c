@@ -40,19 +40,15 @@ int main(int argc, char **argv)
         return EXIT_SYSTEM;
     stop_listen();
     struct team team = team_new(MPI_COMM_WORLD);
-    if (evolve_options_read(argc, argv, &o, &d)) {
-        if (o.action == ACTION_EVOLVE && o.samples) {
-            if (team.rank == 0)
-                samples_write(o.root, o.scene, o.samples, &d);
-        } else if (o.action == ACTION_EVOLVE)
-            evolve(argc, argv, &o, &team, &status, &d);
-        else if (team.rank == 0 && o.action == ACTION_BENCHMARK)
-            evolve_benchmark(stdout);
-        else if (team.rank == 0 && o.action == ACTION_HELP)
-            fputs(evolve_help, stdout);
-        else if (team.rank == 0)
-            printf("footpoint-evolve %s\n", FOOTPOINT_VERSION);
-    }
+    const enum options_outcome outcome = evolve_options_read(argc, argv, &o, &d);
+    if (outcome == OPTIONS_READ && !o.benchmark && !o.samples)
+        evolve(argc, argv, &o, &team, &status, &d);
+    else if (team.rank == 0 && outcome == OPTIONS_READ && o.benchmark)
+        evolve_benchmark(stdout);
+    else if (team.rank == 0 && outcome == OPTIONS_READ)
+        samples_write(o.root, o.scene, o.samples, &d);
+    else if (team.rank == 0 && outcome != OPTIONS_WRONG)
+        options_tell(&evolve_option_table, outcome);
     if (team.rank == 0 && d.code == EXIT_DONE)
         stdout_written(&d);
     if (team.rank == 0 && d.code != EXIT_DONE && d.text[0])

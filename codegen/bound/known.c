@@ -2,70 +2,12 @@
 #include "known.h"
 
 #include "../program/evaluate.h"
+#include "../program/genome_program.h"
 #include "../prove/prove_points.h"
 
 #include <stdlib.h>
 
 /* ---- requires as a program ---- */
-
-struct builder {
-    const struct genome_file *file;
-    struct program *program;
-    int *symbol; /* owned: by symbol, its operation */
-    int *stack;  /* owned */
-    size_t depth, room;
-};
-
-static const enum op_kind kind_of[GENE_OPERATORS] = {
-    [GENE_ADD] = OP_ADD, [GENE_SUB] = OP_SUB, [GENE_MUL] = OP_MUL, [GENE_DIV] = OP_DIV,   [GENE_PDIV] = OP_PDIV,
-    [GENE_MIN] = OP_MIN, [GENE_MAX] = OP_MAX, [GENE_NEG] = OP_NEG, [GENE_SQRT] = OP_SQRT, [GENE_ABS] = OP_ABS,
-};
-
-static int add_op(struct program *p, struct op op)
-{
-    grow_array(&p->op, p->ops, &p->op_room, sizeof *p->op);
-    p->op[p->ops] = op;
-    return (int)p->ops++;
-}
-
-static void decimal_value(fmpq *q, const char *text)
-{
-    decimal_read(q, text + (*text == '-' || *text == '+'));
-    if (*text == '-')
-        fmpq_neg(q, q);
-}
-
-static int add_constant(struct builder *b, size_t k)
-{
-    struct program *p = b->program;
-    grow_array(&p->constant, p->constants, &p->constant_room, sizeof *p->constant);
-    fmpq_init(&p->constant[p->constants]);
-    decimal_value(&p->constant[p->constants], b->file->constant[k].text);
-    return add_op(p, (struct op){.kind = OP_CONSTANT, .a = -1, .b = -1, .input = (int)p->constants++});
-}
-
-static int add_expression(struct builder *b, const struct genome_expr *e)
-{
-    b->depth = 0;
-    for (size_t i = e->length; i-- > 0;) {
-        const int gene = e->gene[i], arity = gene_arity(gene);
-        int op;
-        if (gene < 0)
-            op = add_constant(b, (size_t)(-1 - gene));
-        else if (gene >= GENE_SYMBOL)
-            op = b->symbol[gene - GENE_SYMBOL];
-        else {
-            struct op o = {.kind = kind_of[gene], .a = b->stack[--b->depth], .b = -1, .input = -1};
-            if (arity == 2)
-                o.b = b->stack[--b->depth];
-            o.squared = o.kind == OP_MUL && o.a == o.b;
-            op = add_op(b->program, o);
-        }
-        grow_array(&b->stack, b->depth, &b->room, sizeof *b->stack);
-        b->stack[b->depth++] = op;
-    }
-    return b->stack[0];
-}
 
 /* first[i]: the first require that needs let i, or f->requires. */
 static size_t *first_needs(const struct genome_file *f)
@@ -87,7 +29,7 @@ static size_t *first_needs(const struct genome_file *f)
 
 /* The lets that each require is the first to need stand in front of it, so that what earlier requires tell of the
  * values that these are made of comes first. */
-static void add_requires(struct builder *b)
+static void add_requires(struct genome_program *b)
 {
     const struct genome_file *f = b->file;
     struct program *p = b->program;
@@ -100,8 +42,8 @@ static void add_requires(struct builder *b)
         }
     for (size_t k = 0; k < f->requires; k++) {
         for (int i = head[k]; i > 0; i = next[i - 1])
-            b->symbol[f->inputs + (size_t)i - 1] = add_expression(b, &f->let[i - 1]);
-        p->output[p->outputs++] = add_expression(b, &f->require[k]);
+            b->symbol[f->inputs + (size_t)i - 1] = genome_program_add(b, &f->let[i - 1]);
+        p->output[p->outputs++] = genome_program_add(b, &f->require[k]);
     }
     free(first);
     free(head);
@@ -111,35 +53,9 @@ static void add_requires(struct builder *b)
 /* Inputs and requires, which are the outputs. */
 static struct program *read_requires(const struct genome_file *f)
 {
-    struct builder b = {.file = f, .program = new_array(1, sizeof *b.program)};
-    struct program *p = b.program;
-    b.symbol = new_array(f->inputs + f->lets, sizeof *b.symbol);
-    p->inputs = f->inputs;
-    p->output = new_array(f->requires, sizeof *p->output);
-    for (size_t i = 0; i < f->inputs; i++)
-        b.symbol[i] = add_op(p, (struct op){.kind = OP_INPUT, .a = -1, .b = -1, .input = (int)i});
+    struct genome_program b = genome_program_start(f, f->requires);
     add_requires(&b);
-    free(b.symbol);
-    free(b.stack);
-    return p;
-}
-
-/* Appends the operations of q behind p's; inputs are shared. */
-static void append(struct program *p, const struct program *q)
-{
-    const int shift = (int)(p->ops - p->inputs);
-    for (size_t i = q->inputs; i < q->ops; i++) {
-        struct op op = q->op[i];
-        op.a += op.a >= (int)p->inputs ? shift : 0;
-        op.b += op.b >= (int)p->inputs ? shift : 0;
-        if (op.kind == OP_CONSTANT) {
-            grow_array(&p->constant, p->constants, &p->constant_room, sizeof *p->constant);
-            fmpq_init(&p->constant[p->constants]);
-            fmpq_set(&p->constant[p->constants], &q->constant[op.input]);
-            op.input = (int)p->constants++;
-        }
-        add_op(p, op);
-    }
+    return genome_program_end(&b);
 }
 
 /* ---- ranges ---- */
@@ -165,8 +81,8 @@ static void read_range(struct known *x, const struct genome_file *f, size_t i)
     x->range[i] = interval_whole();
     if (!range->given)
         return;
-    decimal_value(&x->lo[i], f->constant[range->lo].text);
-    decimal_value(&x->hi[i], f->constant[range->hi].text);
+    constant_read(&x->lo[i], f->constant[range->lo].text);
+    constant_read(&x->hi[i], f->constant[range->hi].text);
     x->range[i] = (struct interval){interval_around(&x->lo[i]).lo, interval_around(&x->hi[i]).hi};
 }
 
@@ -255,7 +171,7 @@ struct known *known_new(const struct genome_file *f, const struct program *p)
     mark_inputs(p, matters);
     mark_inputs(all, matters);
     read_ranges(x, f, matters);
-    append(all, p);
+    program_append(all, p);
     x->value = new_array(all->ops, sizeof *x->value);
     x->twin = new_array(all->ops, sizeof *x->twin);
     x->ratio = new_array(all->ops, sizeof *x->ratio);

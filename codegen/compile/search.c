@@ -136,14 +136,6 @@ static void explain_graph(FILE *out, const char *pass, const struct dag *g)
     free(uses);
 }
 
-static uint64_t next_random(struct search *s)
-{
-    uint64_t z = s->random += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 static void copy_candidate(struct candidate *to, const struct candidate *from)
 {
     to->shape = from->shape;
@@ -423,7 +415,7 @@ static void try_first(struct search *s)
         }
         for (int attempt = 0; attempt < RANDOM_TRIES && s->work < s->limit / 2 * (double)(i + 1) / (double)s->shapes;
              attempt++) {
-            const struct policy p = {.seed = next_random(s),
+            const struct policy p = {.seed = random_next(&s->random),
                                      .preference = preference[attempt % 3],
                                      .plain = attempt % 4 == 3,
                                      .early = attempt % 5 == 1,
@@ -439,20 +431,20 @@ static void try_first(struct search *s)
 /* One choice of the candidate under trial overruled. */
 static void mutate(struct search *s, struct candidate *c, const struct record *record)
 {
-    if (c->policy.choices > 0 && next_random(s) % 8 == 0) {
-        const size_t k = next_random(s) % c->policy.choices;
+    if (c->policy.choices > 0 && random_next(&s->random) % 8 == 0) {
+        const size_t k = random_next(&s->random) % c->policy.choices;
         memmove(&c->policy.choice[k], &c->policy.choice[k + 1],
                 (c->policy.choices-- - k - 1) * sizeof *c->policy.choice);
         return;
     }
-    const struct decision *d = &record->decision[next_random(s) % record->decisions];
-    const size_t k = next_random(s) % (d->alternatives + 1);
+    const struct decision *d = &record->decision[random_next(&s->random) % record->decisions];
+    const size_t k = random_next(&s->random) % (d->alternatives + 1);
     policy_choose(&c->policy, (struct choice){d->key, k == d->alternatives ? 0 : record->alternative[d->first + k]});
 }
 
 static double uniform(struct search *s)
 {
-    return (double)(next_random(s) >> 11) * 0x1p-53;
+    return (double)(random_next(&s->random) >> 11) * 0x1p-53;
 }
 
 /* Simulated annealing from a candidate until so much work is done; it becomes the best that was met. */
@@ -466,7 +458,7 @@ static void anneal(struct search *s, struct candidate *best, double hot, double 
     while (s->work < until && record.decisions > 0) {
         const double heat = hot * (1 - (s->work - start) / (until - start)) * s->options->cost.mul;
         copy_candidate(trial, &at);
-        for (uint64_t moves = 1 + next_random(s) % 3; moves > 0; moves--)
+        for (uint64_t moves = 1 + random_next(&s->random) % 3; moves > 0; moves--)
             mutate(s, trial, &record);
         evaluate(s, trial, &next, at.estimate + SLACK * s->options->cost.mul);
         if (trial->cost > at.cost - heat * log(1 - uniform(s)))

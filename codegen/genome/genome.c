@@ -12,10 +12,9 @@ static const struct {
     const char *name;
     int arity;
 } operators[GENE_OPERATORS] = {
-    [GENE_ADD] = {"+", 2},     [GENE_SUB] = {"-", 2},   [GENE_MUL] = {"*", 2},   [GENE_DIV] = {"/", 2},
-    [GENE_PDIV] = {"%", 2},    [GENE_MIN] = {"min", 2}, [GENE_MAX] = {"max", 2}, [GENE_NEG] = {"neg", 1},
-    [GENE_SQRT] = {"sqrt", 1}, [GENE_ABS] = {"abs", 1},
-};
+#define OF_TWO(gene, text, ...) {text, 2},
+#define OF_ONE(gene, text, ...) {text, 1},
+    GENES_OF_TWO(OF_TWO) GENES_OF_ONE(OF_ONE)};
 
 int gene_arity(int gene)
 {

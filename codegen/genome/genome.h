@@ -71,6 +71,7 @@
 #define FOOTPOINT_GENOME_H
 
 #include "base.h"
+#include "genes.h"
 #include "segment_kind.h"
 
 #define GENOME_FORMAT 2 /* the version that is written; version 1 is read, too */
@@ -78,17 +79,9 @@
 /** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
  *  GENE_LOCAL+k, in the body of a function alone: number k of its parameters and lets; -1-k: constant k of the file's
  *  table.  Those between operators and symbols are operators of twin trees alone (evolve/genotype/twin.h). */
+#define GENE(name, ...) GENE_##name,
 enum gene_operator {
-    GENE_ADD,
-    GENE_SUB,
-    GENE_MUL,
-    GENE_DIV,
-    GENE_PDIV, /* 1 where the divisor is 0 */
-    GENE_MIN,
-    GENE_MAX,
-    GENE_NEG,
-    GENE_SQRT,
-    GENE_ABS,
+    GENES_OF_TWO(GENE) GENES_OF_ONE(GENE) /* GENE_PDIV: 1 where the divisor is 0 */
     GENE_OPERATORS,
     GENE_HALVES = 16, /* two operands */
     GENE_EXCHANGE,    /* one operand, as all that follow */

@@ -2,6 +2,8 @@
  * then looks the result up by its value at the random points. */
 #include "dag.h"
 
+#include "../genome/random.h"
+
 #include <flint/nmod_vec.h>
 #include <math.h>
 #include <stdint.h>
@@ -9,14 +11,6 @@
 #include <string.h>
 
 enum { POOL = 4096, MOST_POWER = 64 /* products of a higher power stay factors of their own */ };
-
-static uint64_t mix(uint64_t z)
-{
-    z += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
 
 static nmod_t modulus(int k)
 {
@@ -50,7 +44,7 @@ static struct value value_of(rational coef, int node)
 
 static size_t bucket_of(const struct dag *g, const mp_limb_t mark[PRIMES])
 {
-    return (size_t)mix(mark[0] ^ mix(mark[1])) & (g->buckets - 1);
+    return (size_t)random_of(mark[0] ^ random_of(mark[1])) & (g->buckets - 1);
 }
 
 static void insert(struct dag *g, int n)
@@ -173,7 +167,8 @@ void dag_add_output(struct dag *g, const char *name, struct value v)
 
 struct value dag_input(struct dag *g, size_t input)
 {
-    const mp_limb_t mark[PRIMES] = {mix(2 * input + 1) % rational_prime[0], mix(2 * input + 2) % rational_prime[1]};
+    const mp_limb_t mark[PRIMES] = {random_of(2 * input + 1) % rational_prime[0],
+                                    random_of(2 * input + 2) % rational_prime[1]};
     return value_of(ONE, make(g, NODE_INPUT, (int)input, NULL, mark));
 }
 
@@ -408,7 +403,7 @@ struct value dag_function(struct dag *g, enum node_kind kind, struct value a, st
         for (size_t i = 0; i < list.n; i++)
             part[i] = nmod_mul(rational_mod(edge[i].coef, k), g->node[edge[i].node].mark[k], modulus(k));
         const uint64_t low = part[0] < part[1] || !commutes ? part[0] : part[1], high = part[0] ^ part[1] ^ low;
-        mark[k] = mix(low ^ mix(high ^ mix((uint64_t)kind * 3 + (uint64_t)k))) % rational_prime[k];
+        mark[k] = random_of(low ^ random_of(high ^ random_of((uint64_t)kind * 3 + (uint64_t)k))) % rational_prime[k];
     }
     return value_of(outside, make(g, kind, 0, &list, mark));
 }

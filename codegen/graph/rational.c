@@ -1,6 +1,8 @@
 /* The table of rationals and the memory of what was computed with them; see rational.h. */
 #include "rational.h"
 
+#include "../genome/random.h"
+
 #include "../genome/base.h"
 
 #include <flint/nmod_vec.h>
@@ -30,16 +32,9 @@ static struct result *memo; /* by hash of operation and operands; a new one repl
 static bool overflow;
 enum { MEMO = 1 << 16, MOST_BITS = 1 << 16 };
 
-static uint64_t mix(uint64_t z)
-{
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 static void insert(rational r)
 {
-    size_t i = mix(known[r].residue[0]) & (buckets - 1);
+    size_t i = random_mix(known[r].residue[0]) & (buckets - 1);
     while (bucket[i])
         i = (i + 1) & (buckets - 1);
     bucket[i] = r + 1;
@@ -79,7 +74,7 @@ rational rational_intern(const fmpq *q)
         residue[k] = nmod_mul(fmpz_fdiv_ui(fmpq_numref(q), rational_prime[k]),
                               nmod_inv(fmpz_fdiv_ui(fmpq_denref(q), rational_prime[k]), m), m);
     }
-    for (size_t i = mix(residue[0]) & (buckets - 1); bucket[i]; i = (i + 1) & (buckets - 1))
+    for (size_t i = random_mix(residue[0]) & (buckets - 1); bucket[i]; i = (i + 1) & (buckets - 1))
         if (fmpq_equal(known[bucket[i] - 1].value, q))
             return bucket[i] - 1;
     if (2 * (n_known + 1) > buckets) {
@@ -150,7 +145,7 @@ static rational combine(rational a, rational b, bool sum)
         a = b;
         b = swap;
     }
-    struct result *m = &memo[mix((uint64_t)a << 33 ^ (uint64_t)b << 1 ^ sum) & (MEMO - 1)];
+    struct result *m = &memo[random_mix((uint64_t)a << 33 ^ (uint64_t)b << 1 ^ sum) & (MEMO - 1)];
     if (m->r >= 0 && m->a == a && m->b == b && m->sum == sum)
         return m->r;
     if (!fits(bits_of(known[a].value) + bits_of(known[b].value)))

@@ -33,7 +33,7 @@ struct pair {
 
 static uint64_t draw(uint64_t *random, int below)
 {
-    return policy_mix(++*random) % (uint64_t)below;
+    return random_of(++*random) % (uint64_t)below;
 }
 
 static long greatest_divisor(long a, long b)
@@ -150,7 +150,7 @@ static bool choose(struct sums *s, struct pair *best)
                 if (s->row[i].of[b] == 0)
                     continue;
                 const struct pair x = pair_of(&s->row[i], a, b);
-                size_t k = policy_mix((uint64_t)(a * 64 + b) << 32 ^ (uint64_t)(x.p * 4096 + x.q)) & (PAIRS - 1);
+                size_t k = random_of((uint64_t)(a * 64 + b) << 32 ^ (uint64_t)(x.p * 4096 + x.q)) & (PAIRS - 1);
                 while (table[k].count > 0 && !same(&table[k], &x))
                     k = (k + 1) & (PAIRS - 1);
                 const int count = table[k].count + 1;
@@ -233,7 +233,7 @@ static void change(struct tree *t, int points, uint64_t *random)
 
 bool additions_along_tree(int points, const struct vector *wanted, int n, uint64_t seed, struct additions *found)
 {
-    uint64_t random = policy_mix(seed);
+    uint64_t random = random_of(seed);
     struct tree best = {.from = {0}};
     found->values = 0;
     for (int e = 0; e < points - 1; e++) {

@@ -3,17 +3,9 @@
 
 #include <stdlib.h>
 
-uint64_t policy_mix(uint64_t z)
-{
-    z += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 uint64_t policy_key(enum choice_kind kind, uint64_t mark)
 {
-    return policy_mix(mark + (uint64_t)kind);
+    return random_of(mark + (uint64_t)kind);
 }
 
 static int compare_choices(const void *a, const void *b)
@@ -30,7 +22,7 @@ const struct choice *policy_find(const struct policy *p, uint64_t key)
 
 double policy_random(const struct policy *p, uint64_t mark)
 {
-    return (double)(policy_mix(mark ^ policy_mix(p->seed)) >> 11) * 0x1p-53;
+    return (double)(random_of(mark ^ random_of(p->seed)) >> 11) * 0x1p-53;
 }
 
 bool policy_flag(const struct policy *p, struct record *r, enum choice_kind kind, uint64_t mark, uint64_t group)

@@ -4,6 +4,7 @@
 #define FOOTPOINT_CHOICES_H
 
 #include "../genome/base.h"
+#include "../genome/random.h"
 
 #include <stdint.h>
 
@@ -44,9 +45,6 @@ struct record {
     uint64_t *alternative; /* owned */
     size_t alternatives, alternative_room;
 };
-
-/** Bits without pattern from any number (splitmix64's finaliser). */
-uint64_t policy_mix(uint64_t z);
 
 uint64_t policy_key(enum choice_kind kind, uint64_t mark);
 /** The choice of that key, or NULL. */

@@ -44,7 +44,7 @@ struct sharing {
 
 static size_t place_of(const struct sharing *s, int a, int b, rational ratio)
 {
-    size_t i = policy_mix((uint64_t)a << 40 ^ (uint64_t)b << 20 ^ (uint64_t)ratio) & (s->room - 1);
+    size_t i = random_of((uint64_t)a << 40 ^ (uint64_t)b << 20 ^ (uint64_t)ratio) & (s->room - 1);
     while (s->pair[i].a >= 0 && (s->pair[i].a != a || s->pair[i].b != b || s->pair[i].ratio != ratio))
         i = (i + 1) & (s->room - 1);
     return i;

@@ -51,9 +51,9 @@ static uint64_t key_of(const struct dag *g, const struct terms *list)
         uint64_t term = rational_mod(list->term[i].coef, 0);
         for (size_t k = 0; k < list->term[i].factors.n; k++) {
             const struct edge *e = &list->term[i].factors.edge[k];
-            term += policy_mix(g->node[e->node].mark[0] + (uint64_t)e->power);
+            term += random_of(g->node[e->node].mark[0] + (uint64_t)e->power);
         }
-        key += policy_mix(term);
+        key += random_of(term);
     }
     return key;
 }

@@ -9,14 +9,6 @@ enum { FIRST_BITS = 128, MOST_BITS = 2048, GOOD_BITS = 64, MOST_RATIONAL_BITS = 
 
 /* ---- double ---- */
 
-uint64_t random_next(uint64_t *seed)
-{
-    uint64_t z = *seed += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 double double_nearest(const fmpq *q)
 {
     mpfr_t x;
@@ -95,48 +87,30 @@ void point_constants(const struct program *p, double *value)
             value[i] = point_constant(p, &p->op[i], &error);
 }
 
+static double apply(enum op_kind kind, double a, double b)
+{
+#define VALUE(gene, text, value, ...)                                                                                  \
+    case OP_##gene:                                                                                                    \
+        return value;
+    switch (kind) {
+        GENES_OF_TWO(VALUE)
+        GENES_OF_ONE(VALUE)
+    default:
+        return NAN;
+    }
+}
+
 void point_double(const struct program *p, const double *input, uint64_t *contract, double *value)
 {
     double *v = value;
     for (size_t i = 0; i < p->ops; i++) {
         const struct op *op = &p->op[i];
-        switch (op->kind) {
-        case OP_CONSTANT:
-            break;
-        case OP_INPUT:
+        if (op->kind == OP_INPUT)
             v[i] = input[op->input];
-            break;
-        case OP_NEG:
-            v[i] = -v[op->a];
-            break;
-        case OP_ADD:
-            v[i] = sum(p, v, op, 1, contract);
-            break;
-        case OP_SUB:
-            v[i] = sum(p, v, op, -1, contract);
-            break;
-        case OP_MUL:
-            v[i] = v[op->a] * v[op->b];
-            break;
-        case OP_DIV:
-            v[i] = v[op->a] / v[op->b];
-            break;
-        case OP_SQRT:
-            v[i] = sqrt(v[op->a]);
-            break;
-        case OP_ABS:
-            v[i] = fabs(v[op->a]);
-            break;
-        case OP_MIN:
-            v[i] = v[op->a] < v[op->b] ? v[op->a] : v[op->b];
-            break;
-        case OP_MAX:
-            v[i] = v[op->a] > v[op->b] ? v[op->a] : v[op->b];
-            break;
-        case OP_PDIV:
-            v[i] = v[op->b] == 0.0 ? 1.0 : v[op->a] / v[op->b];
-            break;
-        }
+        else if (op->kind == OP_ADD || op->kind == OP_SUB)
+            v[i] = sum(p, v, op, op->kind == OP_ADD ? 1 : -1, contract);
+        else if (op->kind != OP_CONSTANT)
+            v[i] = apply(op->kind, v[op->a], op->b >= 0 ? v[op->b] : 0);
     }
 }
 

@@ -2,13 +2,11 @@
 #ifndef FOOTPOINT_EVALUATE_H
 #define FOOTPOINT_EVALUATE_H
 
+#include "../genome/random.h"
 #include "program.h"
 
 #include <arb.h>
 #include <stdint.h>
-
-/** The next of a stream of random numbers. */
-uint64_t random_next(uint64_t *seed);
 
 /** Values of the operations that are constants; the others are left alone. */
 void point_constants(const struct program *p, double *value);

@@ -16,48 +16,28 @@ void single_constants(const struct program *p, float *value)
                                          : single_nearest(&p->constant[p->op[i].input]);
 }
 
+/* A root of a float in double, rounded twice, is rounded once. */
+static float apply(enum op_kind kind, float a, float b)
+{
+#define VALUE(gene, text, value, ...)                                                                                  \
+    case OP_##gene:                                                                                                    \
+        return (float)value;
+    switch (kind) {
+        GENES_OF_TWO(VALUE)
+        GENES_OF_ONE(VALUE)
+    default:
+        return NAN;
+    }
+}
+
 void single_values(const struct program *p, const float *input, float *v)
 {
     for (size_t i = 0; i < p->ops; i++) {
         const struct op *op = &p->op[i];
-        const float a = op->a < 0 ? 0.0f : v[op->a], b = op->b < 0 ? 0.0f : v[op->b];
-        switch (op->kind) {
-        case OP_CONSTANT:
-            break;
-        case OP_INPUT:
+        if (op->kind == OP_INPUT)
             v[i] = input[op->input];
-            break;
-        case OP_NEG:
-            v[i] = -a;
-            break;
-        case OP_ADD:
-            v[i] = a + b;
-            break;
-        case OP_SUB:
-            v[i] = a - b;
-            break;
-        case OP_MUL:
-            v[i] = a * b;
-            break;
-        case OP_DIV:
-            v[i] = a / b;
-            break;
-        case OP_SQRT:
-            v[i] = sqrtf(a);
-            break;
-        case OP_ABS:
-            v[i] = fabsf(a);
-            break;
-        case OP_MIN:
-            v[i] = a < b ? a : b;
-            break;
-        case OP_MAX:
-            v[i] = a > b ? a : b;
-            break;
-        case OP_PDIV:
-            v[i] = b == 0.0f ? 1.0f : a / b;
-            break;
-        }
+        else if (op->kind != OP_CONSTANT)
+            v[i] = apply(op->kind, v[op->a], op->b >= 0 ? v[op->b] : 0);
     }
 }
 

@@ -66,32 +66,19 @@ struct kernel_run {
     size_t done; /* samples that have been evaluated */
 };
 
-/** Meaning of the operators.  Min and max give the second operand where one is not a number; x / 0 is what IEEE 754
- *  says. */
-__attribute__((no_sanitize("float-divide-by-zero"))) static inline double kernel_apply(int op, double x, double y)
+/** The value of an operator of two numbers, or of a alone. */
+__attribute__((no_sanitize("float-divide-by-zero"))) static inline double kernel_apply(int op, double a, double b)
 {
+#define RETURN(gene, text, value, ...)                                                                                 \
+    case GENE_##gene:                                                                                                  \
+        return value;
     switch (op) {
-    case GENE_ADD:
-        return x + y;
-    case GENE_SUB:
-        return x - y;
-    case GENE_MUL:
-        return x * y;
-    case GENE_DIV:
-        return x / y;
-    case GENE_PDIV:
-        return y == 0 ? 1 : x / y;
-    case GENE_MIN:
-        return x < y ? x : y;
-    case GENE_MAX:
-        return x > y ? x : y;
-    case GENE_NEG:
-        return -x;
-    case GENE_SQRT:
-        return sqrt(x);
+        GENES_OF_TWO(RETURN)
+        GENES_OF_ONE(RETURN)
     default:
-        return fabs(x);
+        return NAN;
     }
+#undef RETURN
 }
 
 /** Translator with its room. */

@@ -15,8 +15,7 @@ typedef REAL ELSEWHERE __attribute__((vector_size(BYTES), may_alias, aligned(siz
 TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE(struct kernel_run *r)
 {
     static const void *const label[CODES] = {
-        LABELS(ADD), LABELS(SUB),        LABELS(MUL),          LABELS(DIV),  LABELS(PDIV), LABELS(MIN),
-        LABELS(MAX), LABEL(load_column), LABEL(load_constant), LABEL(store), LABEL(slow),  LABEL(end),
+        GENES_OF_TWO(LABELS) LABEL(load_column), LABEL(load_constant), LABEL(store), LABEL(slow), LABEL(end),
     };
     const BITS magnitude = (BITS){0} + (INTEGER)(UINT64_MAX >> (65 - 8 * sizeof(INTEGER)));
     double sum = 0;
@@ -29,8 +28,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
         for (size_t first = 0; first < left; first += TILE) {
             const char *const column = (const char *)r->table.data + (row + first) * sizeof(REAL);
             const struct instruction *at = r->code - 1;
-            NEXT HANDLERS(ADD) HANDLERS(SUB) HANDLERS(MUL) HANDLERS(DIV) HANDLERS(PDIV) HANDLERS(MIN) HANDLERS(MAX)
-                load_column:
+            NEXT GENES_OF_TWO(HANDLERS) load_column:
             {
                 const char *p = column + at->a;
                 EIGHT_DO(LOAD, p)
@@ -50,9 +48,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
             REAL *x = (REAL *)r->slot;
             EIGHT_DO(SAVE, r->slot)
             switch (at->gene) {
-                SLOW_CASE(GENE_NEG)
-                SLOW_CASE(GENE_SQRT)
-                SLOW_CASE(GENE_ABS)
+                GENES_OF_ONE(SLOW_CASE)
             }
             EIGHT_DO(LOAD, r->slot)
             EIGHT_DO(CLEAR, b) /* dead here: nothing has to live across the loops */

@@ -69,8 +69,9 @@
 #define LABELS_OF_ONE(op, t)                                                                                           \
     LABEL(op##_##t##_column), LABEL(op##_column_##t), LABEL(op##_##t##_constant), LABEL(op##_constant_##t),            \
         LABEL(op##_##t##_from_columns), LABEL(op##_##t##_from_column_constant), LABEL(op##_##t##_from_constant_column)
-#define LABELS(op)                                                                                                     \
-    LABELS_OF_ONE(op, a), LABELS_OF_ONE(op, b), LABEL(op##_a_b), LABEL(op##_b_a), LABEL(op##_a_slot), LABEL(op##_slot_a)
+#define LABELS(op, ...)                                                                                                \
+    LABELS_OF_ONE(op, a), LABELS_OF_ONE(op, b), LABEL(op##_a_b), LABEL(op##_b_a), LABEL(op##_a_slot),                  \
+        LABEL(op##_slot_a),
 #define HANDLERS_OF_ONE(op, t, T)                                                                                      \
     HANDLER(op##_##t##_column, op, t, WITH_P(column), T, OF_P)                                                         \
     HANDLER(op##_column_##t, op, t, WITH_P(column), OF_P, T)                                                           \
@@ -79,7 +80,7 @@
     HANDLER(op##_##t##_from_columns, op, t, WITH_PQ, OF_P, OF_Q)                                                       \
     HANDLER(op##_##t##_from_column_constant, op, t, WITH_PC, OF_P, OF_C)                                               \
     HANDLER(op##_##t##_from_constant_column, op, t, WITH_PC, OF_C, OF_P)
-#define HANDLERS(op)                                                                                                   \
+#define HANDLERS(op, ...)                                                                                              \
     HANDLERS_OF_ONE(op, a, OF_A)                                                                                       \
     HANDLERS_OF_ONE(op, b, OF_B)                                                                                       \
     HANDLER(op##_a_b, op, a, , OF_A, OF_B)                                                                             \
@@ -93,7 +94,7 @@
 #else
 #define INDEPENDENT _Pragma("GCC ivdep")
 #endif
-#define SLOW_CASE(op)                                                                                                  \
-    case op:                                                                                                           \
-        INDEPENDENT for (size_t i = 0; i < TILE; i++) x[i] = (REAL)kernel_apply(op, (double)x[i], 0);                  \
+#define SLOW_CASE(op, ...)                                                                                             \
+    case GENE_##op:                                                                                                    \
+        INDEPENDENT for (size_t i = 0; i < TILE; i++) x[i] = (REAL)kernel_apply(GENE_##op, (double)x[i], 0);           \
         break;

@@ -14,80 +14,43 @@
 #define EACH _Pragma("GCC ivdep") for (size_t k = 0; k < TAPE_BLOCK; k++)
 #endif
 
-/* to = a gene b; b counts where the gene has two operands. */
-static inline __attribute__((always_inline)) void value_of(int gene, const double *a, const double *b, double *to)
+/* to = x gene y; y counts where the gene has two operands. */
+static inline __attribute__((always_inline)) void value_of(int gene, const double *x, const double *y, double *to)
 {
+#define VALUE(gene, operands, value)                                                                                   \
+    case GENE_##gene:                                                                                                  \
+        EACH                                                                                                           \
+        {                                                                                                              \
+            operands;                                                                                                  \
+            to[k] = value;                                                                                             \
+        }                                                                                                              \
+        break;
+#define VALUE_OF_ONE(gene, text, value, ...) VALUE(gene, const double a = x[k], value)
+#define VALUE_OF_TWO(gene, text, value, ...) VALUE(gene, const double a = x[k]; const double b = y[k], value)
     switch (gene) {
-    case GENE_ADD:
-        EACH to[k] = a[k] + b[k];
-        break;
-    case GENE_SUB:
-        EACH to[k] = a[k] - b[k];
-        break;
-    case GENE_MUL:
-        EACH to[k] = a[k] * b[k];
-        break;
-    case GENE_DIV:
-        EACH to[k] = a[k] / b[k];
-        break;
-    case GENE_PDIV:
-        EACH to[k] = b[k] == 0 ? 1 : a[k] / b[k];
-        break;
-    case GENE_MIN:
-        EACH to[k] = a[k] < b[k] ? a[k] : b[k];
-        break;
-    case GENE_MAX:
-        EACH to[k] = a[k] > b[k] ? a[k] : b[k];
-        break;
-    case GENE_NEG:
-        EACH to[k] = -a[k];
-        break;
-    case GENE_SQRT:
-        EACH to[k] = sqrt(a[k]);
-        break;
-    default:
-        EACH to[k] = fabs(a[k]);
-        break;
+        GENES_OF_ONE(VALUE_OF_ONE)
+        GENES_OF_TWO(VALUE_OF_TWO)
     }
 }
 
-/* Slopes of the operands: s is that of the operation, v its value. */
-static inline __attribute__((always_inline)) void slope_of(int gene, const double *s, const double *v, const double *a,
-                                                           const double *b, double *sa, double *sb)
+/* Slopes of the operands x and y of a gene; slope is that of the operation. */
+static inline __attribute__((always_inline)) void slope_of(int gene, const double *slope, const double *value,
+                                                           const double *x, const double *y, double *sx, double *sy)
 {
+#define SLOPE(gene, ...)                                                                                               \
+    case GENE_##gene:                                                                                                  \
+        EACH                                                                                                           \
+        {                                                                                                              \
+            const double s = slope[k], v = value[k], a = x[k], b = y[k];                                               \
+            (void)v, (void)a, (void)b;                                                                                 \
+            __VA_ARGS__;                                                                                               \
+        }                                                                                                              \
+        break;
+#define SLOPE_OF_ONE(gene, text, v, slope_a) SLOPE(gene, sx[k] = slope_a)
+#define SLOPE_OF_TWO(gene, text, v, slope_a, slope_b) SLOPE(gene, sx[k] = slope_a, sy[k] = slope_b)
     switch (gene) {
-    case GENE_SUB:
-        EACH sb[k] = -s[k];
-        break;
-    case GENE_MUL:
-        EACH sa[k] = s[k] * b[k];
-        EACH sb[k] = s[k] * a[k];
-        break;
-    case GENE_DIV:
-        EACH sa[k] = s[k] / b[k];
-        EACH sb[k] = -sa[k] * v[k];
-        break;
-    case GENE_PDIV:
-        EACH sa[k] = b[k] == 0 ? 0 : s[k] / b[k];
-        EACH sb[k] = -sa[k] * v[k];
-        break;
-    case GENE_MIN:
-        EACH sa[k] = a[k] < b[k] ? s[k] : 0;
-        EACH sb[k] = a[k] < b[k] ? 0 : s[k];
-        break;
-    case GENE_MAX:
-        EACH sa[k] = a[k] > b[k] ? s[k] : 0;
-        EACH sb[k] = a[k] > b[k] ? 0 : s[k];
-        break;
-    case GENE_NEG:
-        EACH sa[k] = -s[k];
-        break;
-    case GENE_SQRT:
-        EACH sa[k] = 0.5 * s[k] / v[k];
-        break;
-    default:
-        EACH sa[k] = a[k] < 0 ? -s[k] : s[k];
-        break;
+        GENES_OF_ONE(SLOPE_OF_ONE)
+        GENES_OF_TWO(SLOPE_OF_TWO)
     }
 }
 

@@ -221,13 +221,7 @@ WIDE static void pass_down(struct twin_run *r, size_t i)
     const struct twin_line *x = &r->code->line[i];
     const int b = x->b >= 0 ? x->b : x->a;
     double *sa = r->slopes, *sb = r->slopes + TAPE_BLOCK;
-    const double *s = r->slope[i];
-    if (x->gene == GENE_ADD || x->gene == GENE_SUB)
-        EACH sa[k] = s[k];
-    if (x->gene == GENE_ADD)
-        EACH sb[k] = s[k];
-    else
-        slope_of(x->gene, s, r->value[i], r->value[x->a], r->value[b], sa, sb);
+    slope_of(x->gene, r->slope[i], r->value[i], r->value[x->a], r->value[b], sa, sb);
 }
 
 void twin_slopes(struct twin_run *r, int half)

@@ -153,10 +153,6 @@ int main(int argc, char **argv)
 {
     struct perceptron_options o;
     struct diag d = {.code = EXIT_DONE};
-    bool good = perceptron_options_read(argc, argv, &o, &d);
-    if (good && o.action == PERCEPTRON_TRAIN)
-        good = run(&o, &d);
-    else if (good)
-        fputs(o.action == PERCEPTRON_HELP ? perceptron_help : "footpoint-perceptron " FOOTPOINT_VERSION "\n", stdout);
-    return exit_status(good, &d);
+    const enum options_outcome outcome = perceptron_options_read(argc, argv, &o, &d);
+    return outcome == OPTIONS_READ ? exit_status(run(&o, &d), &d) : options_end(&perceptron_option_table, outcome, &d);
 }

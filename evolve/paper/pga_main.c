@@ -263,11 +263,12 @@ int main(int argc, char **argv)
         return EXIT_SYSTEM;
     struct team team = team_new(MPI_COMM_WORLD);
     struct pga pga = {.options = &o, .team = &team};
-    bool good = pga_options_read(argc, argv, &o, &d);
-    if (good && o.action == PGA_SEARCH)
+    const enum options_outcome outcome = pga_options_read(argc, argv, &o, &d);
+    bool good = outcome != OPTIONS_WRONG;
+    if (outcome == OPTIONS_READ)
         good = run(&pga, &d);
     else if (good && team.rank == 0)
-        fputs(o.action == PGA_HELP ? pga_help : "footpoint-pga " FOOTPOINT_VERSION "\n", stdout);
+        options_tell(&pga_option_table, outcome);
     good = good && (team.rank > 0 || stdout_written(&d));
     if (team.rank == 0 && !good)
         fprintf(stderr, "%s\n", d.text);

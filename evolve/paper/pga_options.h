@@ -2,16 +2,15 @@
 #ifndef FOOTPOINT_PGA_OPTIONS_H
 #define FOOTPOINT_PGA_OPTIONS_H
 
+#include "../../codegen/genome/options.h"
 #include "../input/scene.h"
 #include "pga.h"
 
 enum coefficients { COEFFICIENTS_SQUARES, COEFFICIENTS_MEAN, COEFFICIENTS_WORST };
-enum pga_action { PGA_SEARCH, PGA_HELP, PGA_VERSION };
 
 enum { PGA_LIMITS = 16 };
 
 struct pga_options {
-    enum pga_action action;
     const char *scene, *root, *tier, *output, *log, *name, *terms; /* not owned; NULL: not given */
     size_t order, generations;
     struct pga_plan plan;     /* without terms and stream */
@@ -21,10 +20,9 @@ struct pga_options {
     bool quiet;
 };
 
-/** False with *d "footpoint-pga: error: ..." (code EXIT_USAGE). */
-bool pga_options_read(int argc, char **argv, struct pga_options *o, struct diag *d);
+extern const struct option_table pga_option_table;
 
-/** The text of --help. */
-extern const char pga_help[];
+/** OPTIONS_WRONG with *d "footpoint-pga: error: ...". */
+enum options_outcome pga_options_read(int argc, char **argv, struct pga_options *o, struct diag *d);
 
 #endif

@@ -2,20 +2,19 @@
 #ifndef FOOTPOINT_RUN_OPTIONS_H
 #define FOOTPOINT_RUN_OPTIONS_H
 
+#include "../../codegen/genome/options.h"
 #include "../island/island.h"
 #include "../island/topology.h"
 
 enum functions { FUNCTIONS_OF_TIER, FUNCTIONS_POLYNOMIAL, FUNCTIONS_RATIONAL };
 enum growth { GROWTH_YES, GROWTH_NO };
 enum cost_model { COST_THROUGHPUT, COST_PAPER }; /* as codegen's --cost */
-enum action { ACTION_EVOLVE, ACTION_BENCHMARK, ACTION_HELP, ACTION_VERSION };
 
 struct evolve_options {
-    enum action action;
     const char *scene, *root, *start, *output; /* not owned, as are all texts; NULL: not given */
     const char *checkpoint, *resume, *log;
     const char *seeds, *front, *samples;
-    bool from_scratch, quiet;
+    bool from_scratch, quiet, benchmark;
     uint64_t seed;
     size_t generations, islands, population, migrate_every, log_every;
     size_t max_length; /* 0: each tier's own */
@@ -27,10 +26,13 @@ struct evolve_options {
     enum cost_model cost;
     enum growth growth;
     enum topology topology;
+    int preset;
 };
 
-/** False with *d "footpoint-evolve: error: ..." (code EXIT_USAGE) on unknown, contradictory or out-of-range options. */
-bool evolve_options_read(int argc, char **argv, struct evolve_options *o, struct diag *d);
+extern const struct option_table evolve_option_table;
+
+/** OPTIONS_WRONG with *d "footpoint-evolve: error: ..." on unknown, contradictory or out-of-range options. */
+enum options_outcome evolve_options_read(int argc, char **argv, struct evolve_options *o, struct diag *d);
 
 /** Append to text[0..n-1] what a checkpoint keeps: "name value" for each option that the run's result depends on, or
  *  that a resumed run takes over where it is not given anew. */
@@ -39,8 +41,5 @@ void evolve_options_facts(const struct evolve_options *o, char *text, size_t n);
  *  loses its line ends.  False with *d where a value is none, or where the command line contradicts (code EXIT_USAGE).
  */
 bool evolve_options_resume(int argc, char **argv, char *facts, struct evolve_options *o, struct diag *d);
-
-/** The text of --help. */
-extern const char evolve_help[];
 
 #endif

@@ -3,8 +3,8 @@
  * Errors are taken against the certain foot point.  "scalar" is one search at a time, "batch" a loop over columns of
  * coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
  * the best that the machine has is taken. */
-#include "../../codegen/genome/base.h"
 #include "../../codegen/genome/console.h"
+#include "../../codegen/genome/options.h"
 #include "../../evolve/common/data_root.h"
 #include "../../evolve/samples/samples.h"
 #include "../rivals/contact_table.h"
@@ -12,7 +12,6 @@
 #include "bench_measure.h"
 #include "bench_print.h"
 
-#include <getopt.h>
 #include <glob.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,24 +21,30 @@ struct bench_options {
     bool all, csv, contact, quiet;
 };
 
-static void print_usage(FILE *out)
-{
-    fputs("usage: footpoint-bench [--scene NAME] [--all] [--csv] [--isa NAME] [--map FOLDER] [--contact] [--quiet]\n"
-          "Speed against error of every search, on held-out samples.\n"
-          "  --scene NAME   a scene of evolve/scenes, or a path; default: all of evolve/scenes\n"
-          "  --all          every method on all held-out samples; otherwise the front alone: what no other method "
-          "leaves\n"
-          "                 behind in time and error, one at a time or over arrays\n"
-          "  --csv          comma-separated values\n"
-          "  --isa NAME     run the methods as compiled for x86-64, x86-64-v3 (AVX2, FMA) or x86-64-v4 (AVX-512);\n"
-          "                 default: the best that this machine has\n"
-          "  --map FOLDER   errors of our functions over the segment, FOLDER/SCENE-FUNCTION.vtk\n"
-          "  --contact      instead: contact or not, and how deep, by the pinball test; comma-separated values\n"
-          "  --quiet        say nothing while working: otherwise, but for --all, which scene is done and what is left\n"
-          "  --help         this text\n"
-          "  --version      version\n",
-          out);
-}
+#define AT(member) offsetof(struct bench_options, member)
+static const struct option_row rows[] = {
+    {"scene", 0, OPTION_TEXT, AT(scene), "NAME",
+     .help = "a scene of evolve/scenes, or a path (default: all of evolve/scenes)"},
+    {"all", 0, OPTION_FLAG, AT(all),
+     .help = "every method on all held-out samples; otherwise the front alone: what no other method leaves behind in "
+             "time and error, one at a time or over arrays"},
+    {"csv", 0, OPTION_FLAG, AT(csv), .help = "comma-separated values"},
+    {"isa", 0, OPTION_TEXT, AT(isa), "NAME",
+     .help = "run the methods as compiled for x86-64, x86-64-v3 (AVX2, FMA) or x86-64-v4 (AVX-512) (default: the best "
+             "that this machine has)"},
+    {"map", 0, OPTION_TEXT, AT(map), "FOLDER",
+     .help = "errors of our functions over the segment, FOLDER/SCENE-FUNCTION.vtk"},
+    {"contact", 0, OPTION_FLAG, AT(contact),
+     .help = "instead: contact or not, and how deep, by the pinball test; comma-separated values"},
+    {"quiet", 0, OPTION_FLAG, AT(quiet),
+     .help = "say nothing while working: otherwise, but for --all, which scene is done and what is left"}};
+static const struct option_table options = {
+    .program = "footpoint-bench",
+    .usage = "usage: footpoint-bench [--scene NAME] [--all] [--csv] [--isa NAME] [--map FOLDER] [--contact] [--quiet]\n"
+             "Speed against error of every search, on held-out samples.\n",
+    .row = rows,
+    .rows = sizeof rows / sizeof *rows,
+    .surplus = "unexpected argument '%s'"};
 
 /* Every method on one part of a scene's samples; maps only where `map` is a folder. */
 static bool bench_part(const struct bench_options *o, const struct bench_table *table, const struct scene *scene,
@@ -143,50 +148,11 @@ static bool bench_one(const struct bench_options *o, const struct bench_table *t
 
 int main(int argc, char **argv)
 {
-    static const struct option options[] = {
-        {"scene", required_argument, NULL, 's'}, {"all", no_argument, NULL, 'a'},
-        {"csv", no_argument, NULL, 'c'},         {"contact", no_argument, NULL, 'p'},
-        {"isa", required_argument, NULL, 'i'},   {"map", required_argument, NULL, 'm'},
-        {"quiet", no_argument, NULL, 'q'},       {"help", no_argument, NULL, 'h'},
-        {"version", no_argument, NULL, 'v'},     {NULL, 0, NULL, 0}};
     struct bench_options o = {0};
     struct diag d;
-    for (int option; (option = getopt_long(argc, argv, "", options, NULL)) != -1;)
-        switch (option) {
-        case 's':
-            o.scene = optarg;
-            break;
-        case 'a':
-            o.all = true;
-            break;
-        case 'c':
-            o.csv = true;
-            break;
-        case 'p':
-            o.contact = true;
-            break;
-        case 'i':
-            o.isa = optarg;
-            break;
-        case 'm':
-            o.map = optarg;
-            break;
-        case 'q':
-            o.quiet = true;
-            break;
-        case 'h':
-            print_usage(stdout);
-            return exit_status(true, &d);
-        case 'v':
-            printf("footpoint-bench %s\n", FOOTPOINT_VERSION);
-            return exit_status(true, &d);
-        default:
-            return EXIT_USAGE;
-        }
-    if (optind < argc) {
-        fprintf(stderr, "footpoint-bench: unexpected argument '%s'\n", argv[optind]);
-        return EXIT_USAGE;
-    }
+    const enum options_outcome outcome = options_read(&options, argc, argv, &o, NULL, &d);
+    if (outcome != OPTIONS_READ)
+        return options_end(&options, outcome, &d);
     const struct bench_table *table = bench_table_for(o.isa);
     if (!table) {
         fprintf(stderr, "footpoint-bench: error: no methods for '%s' here\n", o.isa);

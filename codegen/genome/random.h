@@ -1,0 +1,30 @@
+/* SplitMix64: numbers without pattern from a counter of odd stride (G. Steele, D. Lea, C. Flood, "Fast splittable
+ * pseudorandom number generators", OOPSLA 2014; mixing constants of S. Vigna's public-domain version). */
+#ifndef FOOTPOINT_RANDOM_H
+#define FOOTPOINT_RANDOM_H
+
+#include <stdint.h>
+
+#define RANDOM_STRIDE 0x9e3779b97f4a7c15u
+
+/** Bits without pattern from any number but 0, which stays 0. */
+static inline uint64_t random_mix(uint64_t z)
+{
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/** The first number of the sequence that starts at a seed. */
+static inline uint64_t random_of(uint64_t seed)
+{
+    return random_mix(seed + RANDOM_STRIDE);
+}
+
+/** The next number of a sequence. */
+static inline uint64_t random_next(uint64_t *seed)
+{
+    return random_mix(*seed += RANDOM_STRIDE);
+}
+
+#endif

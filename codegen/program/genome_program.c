@@ -1,0 +1,77 @@
+/* Genomes as programs; see genome_program.h. */
+#include "genome_program.h"
+
+#include <stdlib.h>
+
+struct genome_program genome_program_start(const struct genome_file *f, size_t outputs)
+{
+    struct genome_program b = {.file = f, .program = new_array(1, sizeof *b.program)};
+    b.symbol = new_array(f->inputs + f->lets, sizeof *b.symbol);
+    b.program->inputs = f->inputs;
+    b.program->output = new_array(outputs, sizeof *b.program->output);
+    for (size_t i = 0; i < f->inputs; i++) {
+        b.symbol[i] = program_add(b.program, OP_INPUT, -1, -1);
+        b.program->op[i].input = (int)i;
+    }
+    return b;
+}
+
+struct program *genome_program_end(struct genome_program *b)
+{
+    free(b->symbol);
+    free(b->stack);
+    return b->program;
+}
+
+void constant_read(fmpq *q, const char *text)
+{
+    decimal_read(q, text + (*text == '-' || *text == '+'));
+    if (*text == '-')
+        fmpq_neg(q, q);
+}
+
+static int add_number(struct program *p, const char *text)
+{
+    fmpq_t q;
+    fmpq_init(q);
+    constant_read(q, text);
+    const int op = program_add_constant(p, q, false);
+    fmpq_clear(q);
+    return op;
+}
+
+/* From its end, as a stack machine. */
+int genome_program_add(struct genome_program *b, const struct genome_expr *e)
+{
+#define OPERATION(gene, ...) [GENE_##gene] = OP_##gene,
+    static const enum op_kind kind[GENE_OPERATORS] = {GENES_OF_TWO(OPERATION) GENES_OF_ONE(OPERATION)};
+    b->depth = 0;
+    for (size_t i = e->length; i-- > 0;) {
+        const int gene = e->gene[i];
+        int op;
+        if (gene < 0)
+            op = add_number(b->program, b->file->constant[-1 - gene].text);
+        else if (gene >= GENE_SYMBOL)
+            op = b->symbol[gene - GENE_SYMBOL];
+        else {
+            const int x = b->stack[--b->depth], y = gene_arity(gene) == 2 ? b->stack[--b->depth] : -1;
+            op = program_add(b->program, kind[gene], x, y);
+        }
+        grow_array(&b->stack, b->depth, &b->room, sizeof *b->stack);
+        b->stack[b->depth++] = op;
+    }
+    return b->stack[0];
+}
+
+int program_append(struct program *p, const struct program *q)
+{
+    const int shift = (int)p->ops - (int)q->inputs, inputs = (int)q->inputs;
+    for (size_t i = q->inputs; i < q->ops; i++) {
+        const struct op *o = &q->op[i];
+        if (o->kind == OP_CONSTANT)
+            program_add_constant(p, &q->constant[o->input], o->quotient);
+        else
+            program_add(p, o->kind, o->a < inputs ? o->a : o->a + shift, o->b < inputs ? o->b : o->b + shift);
+    }
+    return shift;
+}
