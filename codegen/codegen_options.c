@@ -149,12 +149,24 @@ static bool read_option(int option, const char *argument, struct codegen_options
     }
 }
 
+/* The call that a header names: files without their folders, which are others elsewhere. */
+static void write_command(int argc, char **argv, char *text, size_t room)
+{
+    size_t n = (size_t)snprintf(text, room, "footpoint-codegen");
+    for (int i = 1; i < argc && n < room; i++) {
+        const char *slash = strrchr(argv[i], '/'), *value = strchr(argv[i], '=');
+        const int option = argv[i][0] == '-' && value && slash ? (int)(value + 1 - argv[i]) : 0;
+        n += (size_t)snprintf(text + n, room - n, " %.*s%s", option, argv[i], slash ? slash + 1 : argv[i]);
+    }
+}
+
 bool codegen_options_read(int argc, char **argv, struct codegen_options *o, int *status)
 {
     const struct compile_options defaults = compile_defaults();
     bool count = false;
     *o = (struct codegen_options){.unit = {.compile = defaults}};
     *status = EXIT_DONE;
+    write_command(argc, argv, o->command, sizeof o->command);
     opterr = 0;
     for (int c; (c = getopt_long(argc, argv, "o:h", long_options, NULL)) != -1;) {
         if (c == 'h') {
@@ -180,6 +192,7 @@ bool codegen_options_read(int argc, char **argv, struct codegen_options *o, int 
         prefix_from_path(o->output, o->language == LANGUAGE_FORTRAN ? ".f90" : ".h", o->prefix);
     o->genomes = argv[optind];
     o->unit.prefix = o->prefix;
+    o->unit.command = o->command;
     o->unit.evidence = !count;
     return true;
 }
