@@ -111,6 +111,14 @@ $(call object,$(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
 # A file with one line, written where that is new.
 line = mkdir -p $(@D) && { [ "$$(cat $@ 2> /dev/null)" = '$(1)' ] || echo '$(1)' > $@; }
 
+# Templates of headers, as a table that codegen is compiled with.
+CFLAGS_templates := -I$(OBJ)
+$(OBJ)/codegen/print/templates.o: $(OBJ)/templates.inc
+$(OBJ)/templates.inc: codegen/print/templates.awk $(wildcard codegen/print/templates/*.h)
+	@mkdir -p $(@D)
+	$(call say,GEN,$@)
+	$(Q)awk -f $< $(filter %.h,$^) > $@
+
 # New flags rebuild everything.
 $(OBJ)/flags: FORCE
 	@$(call line,$(CC) $(CFLAGS))

@@ -113,11 +113,24 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     return true;
 }
 
+/* The call that a header names: files without their folders, which are others elsewhere. */
+static void write_command(int argc, char **argv, char *text, size_t room)
+{
+    size_t n = (size_t)snprintf(text, room, "footpoint-codegen");
+    for (int i = 1; i < argc && n < room; i++) {
+        const char *slash = strrchr(argv[i], '/'), *value = strchr(argv[i], '=');
+        const int option = argv[i][0] == '-' && value && slash ? (int)(value + 1 - argv[i]) : 0;
+        n += (size_t)snprintf(text + n, room - n, " %.*s%s", option, argv[i], slash ? slash + 1 : argv[i]);
+    }
+}
+
 enum options_outcome codegen_options_read(int argc, char **argv, struct codegen_options *o, struct diag *d)
 {
     const struct compile_options compile = compile_defaults();
     bool given[sizeof rows / sizeof *rows] = {false};
     *o = (struct codegen_options){.effort = (size_t)compile.effort, .seed = compile.seed, .unit = {.compile = compile}};
+    write_command(argc, argv, o->command, sizeof o->command);
+    o->unit.command = o->command;
     const enum options_outcome outcome = options_read(&codegen_option_table, argc, argv, o, given, d);
     return outcome == OPTIONS_READ && !complete(o, given, d) ? OPTIONS_WRONG : outcome;
 }

@@ -17,9 +17,9 @@ struct codegen_options {
     bool precision_given; /* else the genomes' note `precision` counts */
     size_t effort;
     uint64_t seed;
-    char prefix[CODEGEN_PREFIX];
+    char prefix[CODEGEN_PREFIX], command[1000]; /* the latter without folders */
     enum language language;
-    struct unit_options unit; /* its prefix is the one above; samples are yet to be read */
+    struct unit_options unit; /* its prefix and command are those above; samples are yet to be read */
 };
 
 extern const struct option_table codegen_option_table;

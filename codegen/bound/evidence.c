@@ -1,5 +1,4 @@
-/* What is found out about a program and how it is said; see evidence.h.  The finding is done by poles.c, rounding_bound.c and
- * evaluate.c. */
+/* What is found out about a program; see evidence.h.  The finding is done by poles.c, rounding_bound.c and evaluate.c. */
 #include "evidence.h"
 
 #include "../genome/text.h"
@@ -7,11 +6,10 @@
 #include "../program/evaluate.h"
 #include "rounding_bound.h"
 
-#include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NAME = 60, MOST_LISTED = 12, POINTS = 8, POINT_BITS = 6, TRIES_A_SAMPLE = 20, LINE_WIDTH = 118 };
+enum { MOST_NAME = 60, POINTS = 8, POINT_BITS = 6, TRIES_A_SAMPLE = 20 };
 enum { BOXES_FOR_EMPTY = 200 };
 
 /* Limits of work, in operations on coefficients (about a nanosecond) and in Arb's operations. */
@@ -76,26 +74,42 @@ static char *denominator_name(struct printer *r, int op, const struct statement 
     return new_format("divisor of %s", s->name);
 }
 
+static void add_denominator(struct evidence *e, size_t *room, int op, char *name)
+{
+    grow_array(&e->denominator, e->denominators, room, sizeof *e->denominator);
+    e->denominator[e->denominators++] = (struct denominator){.op = op, .name = name};
+}
+
+static void add_protected(struct evidence *e, size_t *room, char *name)
+{
+    grow_array(&e->protected_name, e->protecteds, room, sizeof *e->protected_name);
+    e->protected_name[e->protecteds++] = name;
+}
+
 static void find_denominators(struct evidence *e, const struct genome_file *f, const struct genome *genome,
                               const struct program *p)
 {
     struct printer *r = printer_new(f, genome, p, &c_double);
     const struct statement *s = p->statement;
-    bool *seen = new_array(p->ops, sizeof *seen);
-    size_t room = 0;
+    bool *seen[2] = {new_array(p->ops, sizeof **seen), new_array(p->ops, sizeof **seen)}; /* of protected quotients */
+    size_t room = 0, protected_room = 0;
     printer_run(r, skip_statement, NULL);
     for (size_t i = 0; i < p->ops; i++) {
         const int b = p->op[i].b;
-        if (p->op[i].kind != OP_DIV || p->op[b].kind == OP_CONSTANT || seen[b])
+        const bool protects = p->op[i].kind == OP_PDIV;
+        if (!(protects || p->op[i].kind == OP_DIV) || p->op[b].kind == OP_CONSTANT || seen[protects][b])
             continue;
         while (s->op < (int)i)
             s++;
-        seen[b] = true;
-        grow_array(&e->denominator, e->denominators, &room, sizeof *e->denominator);
-        e->denominator[e->denominators++] = (struct denominator){.op = b, .name = denominator_name(r, b, s)};
+        seen[protects][b] = true;
+        if (protects)
+            add_protected(e, &protected_room, denominator_name(r, b, s));
+        else
+            add_denominator(e, &room, b, denominator_name(r, b, s));
     }
     printer_free(r);
-    free(seen);
+    free(seen[0]);
+    free(seen[1]);
 }
 
 /* Worst |computed - exact| of each output at random points, with and without contraction.  A bound above the outputs
@@ -172,6 +186,9 @@ void evidence_free(struct evidence *e)
         free(e->denominator[i].name);
         free(e->denominator[i].witness);
     }
+    for (size_t i = 0; i < e->protecteds; i++)
+        free(e->protected_name[i]);
+    free(e->protected_name);
     free(e->denominator);
     free(e->error);
     free(e);
@@ -183,157 +200,6 @@ bool evidence_pole_free(const struct evidence *e)
         if (e->denominator[i].verdict != POLE_FREE)
             return false;
     return true;
-}
-
-/* ---- saying ---- */
-
-/* Three digits, rounded away from 0 (sign 1) or towards it (-1). */
-static const char *rounded(double x, int sign, char text[32])
-{
-    mpfr_t y;
-    mpfr_init2(y, 53);
-    mpfr_set_d(y, x, MPFR_RNDN);
-    if (sign > 0)
-        mpfr_snprintf(text, 32, "%.2RUg", y);
-    else
-        mpfr_snprintf(text, 32, "%.2RZg", y);
-    mpfr_clear(y);
-    return text;
-}
-
-/* A line of the banner that goes on below where it gets long. */
-struct line {
-    FILE *out;
-    int column;
-};
-
-static void begin_line(struct line *l, FILE *out, const char *text)
-{
-    l->out = out;
-    l->column = fprintf(out, " *   %s", text);
-}
-
-static void add_word(struct line *l, const char *word)
-{
-    if (l->column + 1 + (int)strlen(word) > LINE_WIDTH)
-        l->column = fprintf(l->out, "\n *    ") - 1;
-    l->column += fprintf(l->out, " %s", word);
-}
-
-static void print_region(const struct genome_file *f, FILE *out)
-{
-    struct line l;
-    char word[300];
-    size_t left = 0;
-    for (size_t i = 0; i < f->inputs; i++)
-        left += f->range[i].given;
-    begin_line(&l, out, "region:");
-    for (size_t i = 0; i < f->inputs; i++) {
-        if (!f->range[i].given)
-            continue;
-        const char *lo = f->constant[f->range[i].lo].text, *hi = f->constant[f->range[i].hi].text;
-        const char *end = --left > 0 ? "," : f->requires ? "; all requires > 0" : "";
-        if (strcmp(lo, hi) == 0)
-            snprintf(word, sizeof word, "%s = %s%s", f->input[i], lo, end);
-        else
-            snprintf(word, sizeof word, "%s in [%s, %s]%s", f->input[i], lo, hi, end);
-        add_word(&l, word);
-    }
-    fputc('\n', out);
-}
-
-/* The inputs that operation `op` depends on. */
-static bool *find_inputs(const struct program *p, int op)
-{
-    bool *needed = new_array(p->ops, sizeof *needed);
-    needed[op] = true;
-    for (int i = op; i >= (int)p->inputs; i--)
-        for (int k = 0; needed[i] && k < 2; k++)
-            if ((k ? p->op[i].b : p->op[i].a) >= 0)
-                needed[k ? p->op[i].b : p->op[i].a] = true;
-    return needed;
-}
-
-static void print_witness(const struct genome_file *f, const struct program *p, const struct denominator *d,
-                          struct line *l)
-{
-    char word[120];
-    bool first = true, *needed = find_inputs(p, d->op);
-    add_word(l, "a zero exists near");
-    for (size_t i = 0; i < f->inputs; i++) {
-        if (!needed[i] || strcmp(f->constant[f->range[i].lo].text, f->constant[f->range[i].hi].text) == 0)
-            continue;
-        snprintf(word, sizeof word, "%s = %.6g", f->input[i], d->witness[i]);
-        if (!first)
-            fputc(',', l->out);
-        first = false;
-        add_word(l, word);
-    }
-    free(needed);
-}
-
-static bool is_word(const char *text)
-{
-    return text[strcspn(text, " (")] == '\0';
-}
-
-static void print_denominator(const struct genome_file *f, const struct program *p, const struct denominator *d,
-                              FILE *out)
-{
-    char word[200], number[32];
-    struct line l;
-    snprintf(word, sizeof word, "poles: %s:", d->name);
-    begin_line(&l, out, word);
-    if (d->verdict == POLE_EXISTS)
-        print_witness(f, p, d, &l);
-    else if (d->verdict == POLE_UNDECIDED)
-        add_word(&l, "undecided");
-    else {
-        snprintf(word, sizeof word, "proved free of zeros, |%s| >= %s", is_word(d->name) ? d->name : "...",
-                 rounded(d->least, -1, number));
-        add_word(&l, word);
-        if (d->threshold > 0) {
-            snprintf(word, sizeof word, "(rounding error <= %s)", rounded(d->threshold, 1, number));
-            add_word(&l, word);
-        }
-    }
-    fputc('\n', out);
-}
-
-static void print_error(const struct evidence *e, size_t i, const char *name, FILE *out)
-{
-    char number[32];
-    fprintf(out, " *   rounding error of %s: ", name);
-    if (e->error[i].bound < INFINITY)
-        fprintf(out, "<= %s proved (with or without FMA)", rounded(e->error[i].bound, 1, number));
-    else
-        fprintf(out, "no bound found");
-    if (e->error[i].sampled >= 0)
-        fprintf(out, ", %s worst of %ld points", rounded(e->error[i].sampled, 1, number), e->samples);
-    fputc('\n', out);
-}
-
-void evidence_print(const struct evidence *e, const struct genome_file *f, const struct genome *genome,
-                    const struct program *p, FILE *out)
-{
-    size_t proved = 0;
-    if (e->region)
-        print_region(f, out);
-    for (size_t i = 0; i < e->denominators; i++) {
-        if (i < MOST_LISTED)
-            print_denominator(f, p, &e->denominator[i], out);
-        else
-            proved += e->denominator[i].verdict == POLE_FREE;
-    }
-    if (e->denominators == 0)
-        fprintf(out, " *   poles: none, nothing is divided by\n");
-    if (e->denominators > MOST_LISTED)
-        fprintf(out, " *   poles: of %zu more denominators, %zu are proved free of zeros\n",
-                e->denominators - MOST_LISTED, proved);
-    if (!e->region)
-        fprintf(out, " *   rounding error: no bound, as no ranges are given\n");
-    for (size_t i = 0; e->region && i < e->outputs; i++)
-        print_error(e, i, genome->out[i].name, out);
 }
 
 /* ---- test points ---- */

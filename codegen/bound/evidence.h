@@ -1,4 +1,4 @@
-/* What a generated header says about itself beyond its operation counts: poles, rounding errors, test points. */
+/* What is found out about a program beyond its operation counts: poles, rounding errors, test points. */
 #ifndef FOOTPOINT_EVIDENCE_H
 #define FOOTPOINT_EVIDENCE_H
 
@@ -26,6 +26,8 @@ struct evidence {
     bool empty;                      /* the requires contradict each other or the ranges: all below means nothing */
     struct denominator *denominator; /* owned */
     size_t denominators;
+    char **protected_name; /* owned: divisors of protected quotients, named as denominators are */
+    size_t protecteds;
     struct output_error *error; /* owned: by output */
     size_t outputs;
     long samples; /* points that `sampled` is from */
@@ -44,10 +46,6 @@ void evidence_free(struct evidence *e);
 
 /** True if no denominator can be 0 over the region (or there is none). */
 bool evidence_pole_free(const struct evidence *e);
-
-/** Lines of the banner, each " *   ...\n". */
-void evidence_print(const struct evidence *e, const struct genome_file *f, const struct genome *genome,
-                    const struct program *p, FILE *out);
 
 /** Eight test points of the region (of [-1,1] without ranges) with their exact results rounded to nearest, as rows of a
  * C table "    {in..., out..., bound...},\n"; points at which a denominator is 0 are left out.  Returns their number. */

@@ -24,7 +24,8 @@ struct function {
 };
 
 struct unit_options {
-    const char *prefix; /* not owned: begins every name */
+    const char *prefix;  /* not owned: begins every name */
+    const char *command; /* not owned: how it was called, for the banner */
     enum precision precision;
     bool allow_poles;                      /* functions may divide by 0, and have a status then */
     bool evidence;                         /* find poles and error bounds */

@@ -1,5 +1,5 @@
-/* Kinds of master segments as text knows them: what the inputs of a genome are called, and what emitted code needs of
- * the geometry.  What evolve/ needs of a kind stands in evolve/surface/surface.h, its geometry in runtime/. */
+/* Kinds of master segments as text knows them: what the inputs of a genome are called.  What evolve/ needs of a kind
+ * stands in evolve/surface/surface.h, its geometry in runtime/, and that for headers in codegen/print/templates/. */
 #ifndef FOOTPOINT_SEGMENT_KIND_H
 #define FOOTPOINT_SEGMENT_KIND_H
 
@@ -16,9 +16,9 @@ struct segment_kind {
     const char *nodes;   /* their letters, "ABCD": corners counter-clockwise from outside, then mid-side nodes */
     const char *normals; /* letters of the nodes whose unit normals are inputs, too: "" */
     size_t corners;
-    bool triangle;       /* xi, eta >= 0, xi + eta <= 1; else -1 <= xi, eta <= 1 */
-    bool turns;          /* genomes may ask for an order of the corners other than "any" */
-    const char *surface; /* statements of C, see segment_kind.c; NULL: the text of quad4 */
+    bool bilinear; /* the four-node segment, of straight edges */
+    bool triangle; /* xi, eta >= 0, xi + eta <= 1; else -1 <= xi, eta <= 1 */
+    bool turns;    /* genomes may ask for an order of the corners other than "any" */
 };
 
 /** NULL if there is none of that name. */

@@ -2,44 +2,44 @@
 #include "banner.h"
 
 #include "../genome/text.h"
+#include "banner_evidence.h"
+#include "banner_line.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* "key: text" inside a comment: nothing in it ends the comment or opens another. */
-static void print_note(const char *indent, const char *key, const char *text, FILE *out)
+static const char *const output[] = {"xi", "eta"};
+
+static void print_line(struct banner_line l, const char *text)
 {
-    fprintf(out, " * %s", indent);
-    for (int part = 0; part < 2; part++) {
-        for (const char *c = part ? text : key; *c; c++) {
-            fputc(isprint((unsigned char)*c) ? *c : '?', out);
-            if ((c[0] == '*' && c[1] == '/') || (c[0] == '/' && c[1] == '*'))
-                fputc(' ', out);
-        }
-        fputs(part ? "\n" : ": ", out);
-    }
+    banner_add(&l, "%s", text);
+    banner_end(&l);
 }
 
-/* The error table, part by part; that of another distribution where it says something else than the first. */
+/* ---- a function ---- */
+
+/* Mean, 99 % and worst error of xi and eta on a part of the samples; that of another distribution where it says
+ * something else than the first. */
 static void print_errors(const struct measured *m, FILE *out)
 {
-    static const char *const output[] = {"xi", "eta"};
-    for (int part = 0; part < MEASURE_PARTS; part++)
-        for (int k = 0; k < 2; k++) {
-            const struct measure_error *e = &m->error[part][k];
-            const bool same = part == MEASURE_EVEN && !measure_differs(&m->error[part][0], &m->error[0][0]) &&
-                              !measure_differs(&m->error[part][1], &m->error[0][1]);
-            if (e->n > 0 && !same)
-                fprintf(out, " *   %s_%s: mean %.3e, 99 %% %.3e, worst of %zu %.3e\n", measure_part[part], output[k],
-                        e->mean, e->p99, e->n, e->max);
-        }
+    for (int part = 0; part < MEASURE_PARTS; part++) {
+        const struct measure_error *e = m->error[part], *first = m->error[0];
+        const bool same =
+            part == MEASURE_EVEN && !measure_differs(&e[0], &first[0]) && !measure_differs(&e[1], &first[1]);
+        if (e[0].n + e[1].n == 0 || same)
+            continue;
+        struct banner_line l = banner_about_function(measure_part[part], out);
+        for (int k = 0; k < 2; k++)
+            if (e[k].n > 0)
+                banner_add(&l, "%s %.3e %.3e %.3e,", output[k], e[k].mean, e[k].p99, e[k].max);
+        banner_add(&l, "samples %zu", e[0].n > 0 ? e[0].n : e[1].n);
+        banner_end(&l);
+    }
 }
 
 /* Where note `key` stands in the table; NULL if nowhere. */
 static struct measure_error *place_of(struct measured *m, const char *key)
 {
-    static const char *const output[] = {"xi", "eta"};
     for (int part = 0; part < MEASURE_PARTS; part++)
         for (int k = 0; k < 2; k++) {
             const size_t length = strlen(measure_part[part]);
@@ -50,81 +50,171 @@ static struct measure_error *place_of(struct measured *m, const char *key)
     return NULL;
 }
 
-/* Notes, those of errors that evolution measured as a table; these are about the genome in double. */
-static void print_notes(const struct genome *g, bool errors, FILE *out)
+/* The text of the note about output k that goes with `key`, a note about the other one; NULL if there is none. */
+static const char *partner(const struct genome *g, const char *key, int k)
 {
+    const char *tail = strrchr(key, '_');
+    if (!tail || strcmp(tail + 1, output[!k]) != 0)
+        return NULL;
+    char *other = new_format("%.*s_%s", (int)(tail - key), key, output[k]);
+    const char *text = genome_find_note(g->note, g->notes, other);
+    free(other);
+    return text;
+}
+
+/* A note; those about xi and eta in one line, of which those about eta are not told again. */
+static void print_note(const struct genome *g, const struct genome_note *note, FILE *out)
+{
+    const char *eta = partner(g, note->key, 1);
+    if (partner(g, note->key, 0))
+        return;
+    if (!eta) {
+        print_line(banner_about_function(note->key, out), note->text);
+        return;
+    }
+    char *key = new_text(note->key, strlen(note->key) - strlen("_xi"));
+    struct banner_line l = banner_about_function(key, out);
+    free(key);
+    if (strcmp(note->text, eta) == 0)
+        banner_add(&l, "%s", eta);
+    else
+        banner_add(&l, "xi %s; eta %s", note->text, eta);
+    banner_end(&l);
+}
+
+/* Notes; those of errors that evolution measured, of the genome in double, as a table if there is none in float. */
+static void print_notes(const struct function *f, FILE *out)
+{
+    const struct genome *g = f->genome;
     struct measured m = {.worst = 0};
     for (size_t k = 0; k < g->notes; k++) {
         struct measure_error *place = place_of(&m, g->note[k].key);
         if (!place || !measure_error_read(g->note[k].text, place))
-            print_note("  ", g->note[k].key, g->note[k].text, out);
+            print_note(g, &g->note[k], out);
     }
-    if (errors)
-        print_errors(&m, out);
+    print_errors(f->measured ? f->measured : &m, out);
+}
+
+/* What a compiler needs to vectorise the loop over arrays. */
+static void print_loop(const struct function *f, FILE *out)
+{
+    bool roots = false, chooses = false;
+    for (size_t i = 0; i < f->program->ops; i++) {
+        const enum op_kind kind = f->program->op[i].kind;
+        roots = roots || kind == OP_SQRT;
+        chooses = chooses || kind == OP_MIN || kind == OP_MAX || kind == OP_PDIV;
+    }
+    struct banner_line l = banner_about_function("vectorises", out);
+    banner_add(&l, "-O3%s%s", roots ? " -fno-math-errno" : "", chooses ? " -fno-trapping-math" : "");
+    banner_end(&l);
 }
 
 static void print_function(const struct unit *u, const struct function *f, FILE *out)
 {
-    const struct genome *g = f->genome;
     const struct operations *ops = &f->code.ops;
-    fprintf(out, " *\n * %s\n *   genome_sha256: %s\n", f->name, f->sha256);
-    fprintf(out,
-            " *   operations: %ld mul, %ld div, %ld add, %ld sqrt, %ld compare; "
-            "%ld temporaries\n",
-            ops->mul, ops->div, ops->add, ops->sqrt, ops->compare, ops->temporaries);
-    if (f->code.removed)
-        fprintf(out,
-                " *   %zu division%s cancelled: the genome is singular where the "
-                "code is not\n",
-                f->code.removed, f->code.removed == 1 ? "" : "s");
     char proof[120];
+    fprintf(out, " * %s\n", f->name);
+    struct banner_line l = banner_about_function("operations", out);
+    banner_add(&l, "%ld mul, %ld div, %ld add, %ld sqrt, %ld compare; %ld temporaries", ops->mul, ops->div, ops->add,
+               ops->sqrt, ops->compare, ops->temporaries);
+    banner_end(&l);
     proof_print(&f->proof, proof);
-    fprintf(out, " *   %s\n", proof);
-    if (f->measured) {
-        fprintf(out, " *   in float:\n");
-        print_errors(f->measured, out);
+    print_line(banner_about_function("proof", out), proof);
+    print_line(banner_about_function("genome_sha256", out), f->sha256);
+    if (f->code.removed) {
+        l = banner_about_function("cancelled", out);
+        banner_add(&l, "%zu division%s: the genome is singular where the code is not", f->code.removed,
+                   f->code.removed == 1 ? "" : "s");
+        banner_end(&l);
     }
-    if (u->options.precision == PRECISION_FLOAT)
-        fprintf(out, " *   the same code in double:\n");
-    evidence_print(f->evidence, u->file, g, f->program, out);
-    print_notes(g, !f->measured, out);
+    banner_evidence(u->file, f, out);
+    print_notes(f, out);
 }
+
+/* ---- the file ---- */
 
 static void print_cost(const struct compile_options *o, FILE *out)
 {
     const struct cost_model *m = &o->cost;
-    char *text = new_format("%s (mul %g, add %g, div %g, sqrt %g, compare %g%s); "
-                            "seed %lu, effort %ld",
-                            m->name, m->mul, m->add, m->div, m->sqrt, m->compare,
-                            m->chain ? "; the longest chain counts" : "", o->seed, o->effort);
-    print_note("", "cost model", text, out);
-    free(text);
+    struct banner_line l = banner_about_file("cost model", out);
+    banner_add(&l, "%s (mul %g, add %g, div %g, sqrt %g, compare %g%s); seed %lu, effort %ld", m->name, m->mul, m->add,
+               m->div, m->sqrt, m->compare, m->chain ? "; the longest chain counts" : "", o->seed, o->effort);
+    banner_end(&l);
 }
 
-void banner_print(const struct unit *u, FILE *out)
+/* What the lines about a function are, as far as these do not say so. */
+static void print_legend(const struct unit *u, FILE *out)
+{
+    const bool single = u->options.precision == PRECISION_FLOAT, measured = u->options.samples != NULL;
+    fputs(" *\n"
+          " * Above each function: poles and rounding errors are bounded over the region, with or without FMA, and "
+          "sampled\n"
+          " * in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.\n",
+          out);
+    if (single)
+        fprintf(out, " * Poles%s rounding errors%s are those of the same code in double.\n", measured ? " and" : ",",
+                measured ? "" : " and heldout...");
+}
+
+static void print_file(const struct unit *u, FILE *out)
 {
     const struct genome_file *f = u->file;
     const char *name = strrchr(f->path, '/') ? strrchr(f->path, '/') + 1 : f->path;
-    fprintf(out, " * GENERATED by footpoint-codegen " FOOTPOINT_VERSION ". DO NOT EDIT; run `make regenerate`.\n");
-    print_note("", "genomes", name, out);
-    print_note("", "sha256", u->sha256, out);
+    const bool scene = genome_find_note(f->note, f->notes, "scene") != NULL;
+    fprintf(out, " * GENERATED by footpoint-codegen " FOOTPOINT_VERSION ". DO NOT EDIT; run `%s`.\n",
+            scene || !u->options.command ? "make regenerate" : u->options.command);
+    print_line(banner_about_file("genomes", out), name);
+    print_line(banner_about_file("sha256", out), u->sha256);
     print_cost(&u->options.compile, out);
-    fprintf(out, " * precision: %s\n", u->options.precision == PRECISION_FLOAT ? "float" : "double");
+    print_line(banner_about_file("precision", out), u->options.precision == PRECISION_FLOAT ? "float" : "double");
     for (size_t i = 0; i < f->notes; i++)
         if (strcmp(f->note[i].key, "precision") != 0)
-            print_note("", f->note[i].key, f->note[i].text, out);
-    if (f->segment)
-        fprintf(out, " * corners: %s%s\n", corner_order_name(f->order),
-                f->order == CORNERS_ANY ? " (as the mesh has them)" : " (NAME_at assumes it; NAME arranges it)");
-    for (size_t i = 0; i < f->genomes; i++)
-        print_function(u, &u->function[i], out);
+            print_line(banner_about_file(f->note[i].key, out), f->note[i].text);
+    if (f->segment) {
+        struct banner_line l = banner_about_file("corners", out);
+        banner_add(&l, "%s%s", corner_order_name(f->order),
+                   f->order == CORNERS_ANY ? " (as the mesh has them)" : " (NAME_at assumes it; NAME arranges it)");
+        banner_end(&l);
+    }
+    banner_region(f, out);
+    print_legend(u, out);
 }
 
-void banner_print_as(const struct unit *u, const char *mark, size_t width, FILE *out)
+/* ---- comments ---- */
+
+static char *lines(const struct unit *u, const struct function *f)
 {
     struct memory *m = memory_open();
-    banner_print(u, m->stream);
-    char *text = memory_close(m), *broken = new_format("\n%s     ", mark);
+    if (f)
+        print_function(u, f, m->stream);
+    else
+        print_file(u, m->stream);
+    return memory_close(m);
+}
+
+static void print_comment(char *text, FILE *out)
+{
+    text[0] = '/';
+    fprintf(out, "%s */\n", text);
+    free(text);
+}
+
+void banner_print_file(const struct unit *u, FILE *out)
+{
+    print_comment(lines(u, NULL), out);
+}
+
+void banner_print_function(const struct unit *u, const struct function *f, FILE *out)
+{
+    struct memory *m = memory_open();
+    print_function(u, f, m->stream);
+    print_loop(f, m->stream);
+    print_comment(memory_close(m), out);
+}
+
+void banner_print_as(const struct unit *u, const struct function *f, const char *mark, size_t width, FILE *out)
+{
+    char *text = lines(u, f), *broken = new_format("\n%s     ", mark);
     for (char *line = text; *line;) {
         char *end = strchr(line, '\n');
         *end = '\0';

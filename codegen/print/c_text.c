@@ -3,34 +3,12 @@
 
 #include "../genome/text.h"
 #include "../program/dialects.h"
+#include "templates.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { WIDTH = 117 };
-
-void c_print(const char *text, enum precision precision, const char *name, FILE *out)
-{
-    const bool f = precision == PRECISION_FLOAT;
-    for (; *text; text++) {
-        if (*text != '@') {
-            fputc(*text, out);
-            continue;
-        }
-        text++;
-        fputs(*text == 'R'   ? (f ? "float" : "double")
-              : *text == 'F' ? (f ? "f" : "")
-              : *text == 'D' ? (f ? "footpoint_detail_f_" : "footpoint_detail_")
-              : *text == 'G' ? (f ? "_F" : "")
-              : *text == 'I' ? (f ? "unsigned int" : "unsigned long long")
-              : *text == 'B' ? (f ? "31" : "63")
-              : *text == 'Z' ? (f ? "1.1754944e-38f" : "2.2250738585072014e-308")
-                             : name,
-              out);
-    }
-}
-
-/* ---- statements ---- */
 
 static struct printer *print_program(const struct unit *u, const struct function *f, FILE *out)
 {
@@ -39,9 +17,41 @@ static struct printer *print_program(const struct unit *u, const struct function
     return c_statements(u->file, f->genome, f->program, d, out);
 }
 
+/* The length of "    const double " or the like at the beginning of a declaration; 0 of another statement. */
+static size_t declaration(const char *text, enum precision precision)
+{
+    const char *type = precision == PRECISION_FLOAT ? "float " : "double ";
+    const size_t indent = strspn(text, " "), constant = strncmp(text + indent, "const ", 6) == 0 ? 6 : 0;
+    const bool declares = strncmp(text + indent + constant, type, strlen(type)) == 0;
+    return declares ? indent + constant + strlen(type) : 0;
+}
+
+/* Statements of one line each, but for long ones; declarations of one type join in a line as long as it has room. */
+static void print_packed(const char *text, enum precision precision, FILE *out)
+{
+    size_t column = 0, open = 0; /* of the line that goes on; the length of what begins its declaration */
+    for (const char *end; *text; text = end + 2) {
+        end = strstr(text, ";\n");
+        const size_t n = (size_t)(end - text), type = declaration(text, precision);
+        const bool short_one = memchr(text, '\n', n) == NULL;
+        if (open && open == type && short_one && column + 2 + n - type <= WIDTH) {
+            column += (size_t)fprintf(out, ", %.*s", (int)(n - type), text + type);
+            continue;
+        }
+        fprintf(out, "%s%.*s", column ? ";\n" : "", (int)n, text);
+        column = n;
+        open = short_one ? type : 0;
+    }
+    fputs(column ? ";\n" : "", out);
+}
+
 void c_print_statements(const struct unit *u, const struct function *f, FILE *out)
 {
-    printer_free(print_program(u, f, out));
+    struct memory *m = memory_open();
+    printer_free(print_program(u, f, m->stream));
+    char *text = memory_close(m);
+    print_packed(text, u->options.precision, out);
+    free(text);
 }
 
 bool c_scales_status(const struct unit *u, const struct function *f)
@@ -54,7 +64,7 @@ bool c_scales_status(const struct unit *u, const struct function *f)
     return false;
 }
 
-/* "@Dbelow(D, LEAST)", where the proof knows how near 0 is too near; of a segment LEAST goes with its size.  Of
+/* "below(D, LEAST)", where the proof knows how near 0 is too near; of a segment LEAST goes with its size.  Of
  * functions of scalars D must be a normal number at least. */
 static char *nearness_text(const struct unit *u, const struct function *f, const struct denominator *d,
                            const char *text)
@@ -62,71 +72,77 @@ static char *nearness_text(const struct unit *u, const struct function *f, const
     const double least = unit_threshold(u, d);
     const int degree = least > 0.0 ? unit_degree(u, f, d) : 0;
     if (degree)
-        return new_format("@Dbelow(%s, %.4e@F * @Dpower(xA, xB, %d)) | ", text, least, degree);
+        return new_format("footpoint_detail_below(%s, %.4e * footpoint_detail_power(xA, xB, %d)) | ", text, least,
+                          degree);
     if (least > 0.0)
-        return new_format("@Dbelow(%s, %.4e@F) | ", text, least);
-    return u->file->segment ? new_text("", 0) : new_format("@Dbelow(%s, @Z) | ", text);
+        return new_format("footpoint_detail_below(%s, %.4e) | ", text, least);
+    return u->file->segment ? new_text("", 0) : new_format("footpoint_detail_below(%s, REAL_MIN) | ", text);
 }
 
-void c_print_flaw(const struct unit *u, const struct function *f, bool poles, FILE *out)
+/* The tests of denominator d: that it is not too near 0, with `poles`, and within the range. */
+static void print_denominator(const struct unit *u, const struct function *f, const struct denominator *d,
+                              const char *text, bool poles, FILE *out)
 {
     const bool segment = u->file->segment != NULL;
-    const enum precision precision = u->options.precision;
-    struct printer *r = print_program(u, f, NULL);
+    if (!segment && d->verdict == POLE_FREE)
+        return;
+    if (poles && d->verdict != POLE_FREE) {
+        char *nearness = nearness_text(u, f, d, text);
+        c_print(nearness, u->options.precision, out);
+        free(nearness);
+    }
+    char *range = new_format(segment ? "footpoint_detail_outside(%s) | " : "footpoint_detail_infinite(%s) | ", text);
+    c_print(range, u->options.precision, out);
+    free(range);
+}
+
+char *c_flaw(const struct unit *u, const struct function *f, bool poles)
+{
     struct memory *m = memory_open();
+    struct printer *r = print_program(u, f, NULL);
     for (size_t i = 0; i < f->evidence->denominators; i++) {
         const struct denominator *d = &f->evidence->denominator[i];
-        if (!segment && d->verdict == POLE_FREE)
-            continue;
         char *text = printer_text(r, d->op, LEVEL_SUM);
-        char *nearness = poles && d->verdict != POLE_FREE ? nearness_text(u, f, d, text) : new_text("", 0);
-        char *range = new_format(segment ? "@Doutside(%s) | " : "@Dinfinite(%s) | ", text);
-        c_print(nearness, precision, "", m->stream);
-        c_print(range, precision, "", m->stream);
-        free(range);
-        free(nearness);
+        print_denominator(u, f, d, text, poles, m->stream);
         free(text);
     }
-    for (size_t i = 0; i < f->program->ops && segment; i++)
+    for (size_t i = 0; i < f->program->ops && u->file->segment; i++)
         if (f->program->op[i].kind == OP_PDIV) {
             char *text = printer_text(r, f->program->op[i].b, LEVEL_SUM),
-                 *range = new_format("@Dinfinite(%s) | ", text);
-            c_print(range, precision, "", m->stream);
+                 *range = new_format("footpoint_detail_infinite(%s) | ", text);
+            c_print(range, u->options.precision, m->stream);
             free(range);
             free(text);
         }
-    char *flaw = memory_close(m);
-    c_print("    const @I flaw = ", precision, "", out);
-    if (*flaw)
-        flaw[strlen(flaw) - strlen(" | ")] = '\0';
-    print_broken(*flaw ? flaw : "0", 40, WIDTH, "\n        ", NULL, out);
-    fputs(";\n", out);
-    free(flaw);
     printer_free(r);
+    char *flaw = memory_close(m);
+    if (!*flaw) {
+        free(flaw);
+        return new_joined("0", "", "");
+    }
+    flaw[strlen(flaw) - strlen(" | ")] = '\0';
+    return flaw;
 }
 
-void c_print_loop_note(const struct function *f, FILE *out)
+void c_print_broken(const char *text, FILE *out)
 {
-    bool roots = false, chooses = false;
-    for (size_t i = 0; i < f->program->ops; i++) {
-        const enum op_kind kind = f->program->op[i].kind;
-        roots = roots || kind == OP_SQRT;
-        chooses = chooses || kind == OP_MIN || kind == OP_MAX || kind == OP_PDIV;
-    }
-    fprintf(out, " Vectorises with -O3%s%s%s.", roots || chooses ? " and" : "", roots ? " -fno-math-errno" : "",
-            chooses ? " -fno-trapping-math" : "");
+    print_broken(text, 0, WIDTH, "\n        ", NULL, out);
+    fputc('\n', out);
 }
 
 void c_print_unused(const struct unit *u, const struct function *f, FILE *out)
 {
-    bool *reads = function_reads(f);
-    for (size_t i = 0; i < u->file->inputs; i += u->file->segment ? 3 : 1) {
+    const struct segment_kind *kind = u->file->segment;
+    bool *reads = function_reads(f), begun = false;
+    for (size_t i = 0; i < u->file->inputs; i += kind ? 3 : 1) {
         char vector[4];
-        if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2])) {
-            segment_vector_name(u->file->segment, i / 3, vector);
-            fprintf(out, "    (void)%s;\n", vector);
-        } else if (!u->file->segment && !reads[i])
-            fprintf(out, "    (void)in_%s;\n", u->file->input[i]);
+        if (reads[i] || (kind && (reads[i + 1] || reads[i + 2])))
+            continue;
+        if (kind)
+            segment_vector_name(kind, i / 3, vector);
+        fprintf(out, "%s(void)%s%s", begun ? ", " : "    ", kind ? "" : "in_", kind ? vector : u->file->input[i]);
+        begun = true;
     }
+    fputs(begun ? ";\n" : "", out);
     free(reads);
 }

@@ -114,6 +114,8 @@ static const struct dialect latex = {
 
 /* ---- files ---- */
 
+enum { WIDTH = 200 }; /* of comments */
+
 struct target {
     FILE *out;
     bool latex, begun;
@@ -141,12 +143,14 @@ static bool check_outputs(const struct genome_file *f, const struct genome *g, s
 bool formulas_print(const struct unit *u, bool as_latex, FILE *out, struct diag *d)
 {
     if (as_latex)
-        banner_print_as(u, "%", 200, out);
+        banner_print_as(u, NULL, "%", WIDTH, out);
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
         struct target t = {out, as_latex, false};
         if (!check_outputs(u->file, f->genome, d))
             return false;
+        if (as_latex)
+            banner_print_as(u, f, "%", WIDTH, out);
         fputs(as_latex ? "\\begin{align}\n" : i ? "\n" : "", out);
         struct printer *r = printer_new(u->file, f->genome, f->program, as_latex ? &latex : &infix);
         printer_run(r, write_formula, &t);

@@ -201,12 +201,13 @@ static void print_vectors(const struct segment_kind *k, const char *shape, FILE 
 
 static void print_subroutine(const struct unit *u, const struct function *f, struct target *t, FILE *out)
 {
-    const struct operations *ops = &f->code.ops;
     const bool segment = u->file->segment != NULL, status = !segment && function_has_poles(f);
-    fprintf(out, "\n  ! %ld mul, %ld div, %ld add, %ld sqrt.%s\n", ops->mul, ops->div, ops->add, ops->sqrt,
-            segment  ? "  xi, eta dimensionless; nothing checked."
-            : status ? "  status: 2 where a denominator is 0, or too near it to tell, or not finite; else 0."
-                     : "");
+    fputc('\n', out);
+    banner_print_as(u, f, "  !", WIDTH, out);
+    fputs(segment  ? "  ! xi, eta dimensionless; nothing checked.\n"
+          : status ? "  ! status: 2 where a denominator is 0, or too near it to tell, or not finite; else 0.\n"
+                   : "",
+          out);
     t->code = out;
     if (segment) {
         fprintf(out, "  pure subroutine %s_at(", f->name);
@@ -284,7 +285,7 @@ bool fortran_print(const struct unit *u, FILE *out, struct diag *d)
     const char *prefix = u->options.prefix;
     if (!check_names(u, d))
         return false;
-    banner_print_as(u, "!", WIDTH, out);
+    banner_print_as(u, NULL, "!", WIDTH, out);
     fprintf(out,
             "module %s\n"
             "  use, intrinsic :: iso_fortran_env, only: %s\n"

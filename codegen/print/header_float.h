@@ -5,8 +5,8 @@
 
 #include "../compile/compiled_file.h"
 
-/** The scale of a segment and, if `checked`, the check of an answer. */
-void single_print_helpers(const struct segment_kind *k, bool checked, FILE *out);
+/** The scale of a segment and, if there is a NAME_sure, the check of an answer. */
+void single_print_helpers(const struct unit *u, FILE *out);
 
 /** Coordinates as single_inputs() has them, before the statements of a function: those of node A as yA. */
 void single_print_inputs(const struct unit *u, const struct function *f, FILE *out);

@@ -5,7 +5,7 @@
 
 #include "../compile/compiled_file.h"
 
-/** All of it, and the macro that helpers_least_name() names. */
+/** All of it, and the macro that helpers_least_name() names.  Templates are in templates/. */
 void helpers_print(const struct unit *u, FILE *out);
 
 /** Whether a function does not depend on the unit of length, so that it may be called with nodes in another one. */

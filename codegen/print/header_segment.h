@@ -7,6 +7,9 @@
 /** False if every zero of a denominator makes xi or eta infinite or NaN, which NAME notices by itself. */
 bool search_hides_poles(const struct function *f);
 
+/** What each of the functions does, said once for all genomes. */
+void search_print_contract(const struct unit *u, FILE *out);
+
 /** NAME_at, NAME and NAME_n; in float, where there were samples, NAME_sure. */
 void search_print(const struct unit *u, const struct function *f, FILE *out);
 

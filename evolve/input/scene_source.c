@@ -29,7 +29,7 @@ static bool check_lattice(const struct scene_reader *r, config_setting_t *g, con
         {"xy", "[1.0, 0.25]"}, {"z", "[0.3, 0.1]"}, {"xi", "[-1.0, 0.0]"}, {"eta", "[-1.0, 0.0]"},
         {"normal_sets", "10"}, {"tilt", "0.3"},     {NULL, NULL}};
     static const char *const optional[] = {"newton", NULL};
-    if (kind->surface && !*kind->normals)
+    if (!kind->bilinear && !*kind->normals)
         return key_fail(r, g, "a 'lattice' is of segments quad4, gregory and bezier");
     return keys_check(r, g, "lattice", *kind->normals ? normals : grid, optional);
 }

@@ -217,7 +217,7 @@ static void tell_chosen(const struct problem *p)
 static void tell_segments(const struct problem *p, const struct run_samples *s)
 {
     printf("%s: ", p->scene->name);
-    if (p->scene->segment->surface)
+    if (!p->scene->segment->bilinear)
         printf("segments are %s", p->scene->segment->name);
     else
         variation_print(&s->vary, stdout);

@@ -57,7 +57,7 @@ static bool take_tiers(const char *root, struct scene *s, struct diag *d)
 
 bool scene_default_tiers(const char *root, struct scene *s, enum variation_kind kind, struct diag *d)
 {
-    const bool own = !s->segment->surface && kind < VARY_WARPED;
+    const bool own = s->segment->bilinear && kind < VARY_WARPED;
     if (!own && !take_tiers(root, s, d))
         return false;
     if (own)

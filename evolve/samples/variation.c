@@ -101,9 +101,9 @@ static struct sample spanned(const struct segment_kind *kind, const struct sampl
 
 struct variation variation_measure(const struct segment_kind *kind, const struct sample_set *set)
 {
-    struct variation most = {.kind = kind->surface ? VARY_WARPED : VARY_RECTANGLES, .tolerance = nothing};
+    struct variation most = {.kind = kind->bilinear ? VARY_RECTANGLES : VARY_WARPED, .tolerance = nothing};
     for (size_t i = 0; i < set->n; i++) {
-        const struct sample p = kind->surface ? spanned(kind, &set->s[i]) : set->s[i];
+        const struct sample p = kind->bilinear ? set->s[i] : spanned(kind, &set->s[i]);
         const struct variation v = measure(&p);
         most.kind = v.kind > most.kind ? v.kind : most.kind;
         most.taper = fmax(most.taper, v.taper);

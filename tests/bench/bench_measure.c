@@ -109,7 +109,7 @@ static double gap_error_of(const struct segment_kind *kind, const struct sample 
 /* Error of the gap (9) at (xi, eta), over the square root of the segment's area. */
 static double gap_error(const struct segment_kind *kind, const struct sample *s, const double at[2])
 {
-    if (kind->surface)
+    if (!kind->bilinear)
         return gap_error_of(kind, s, at);
     double u[3], v[3], d[3], ac[3], bd[3], n[3], m[3];
     for (int i = 0; i < 3; i++) {

@@ -2,9 +2,10 @@
 FNR == 1 { scene = "" }
 /^ \* scene: / && scene == "" { scene = $3 }
 /^#define FOOTPOINT_[A-Z0-9]+_SEARCH$/ { split(tolower($2), part, "_"); kind = part[2] }
-/^\/\* [0-9]+ mul, / { mul = $2 + 0; div = $4 + 0; add = $6 + 0; root = $8 + 0 }
+/^[ \/]\* footpoint_[a-z0-9_]+$/ { banner = $2 }
+/^ \*   operations: / { mul[banner] = $3; div[banner] = $5; add[banner] = $7; root[banner] = $9 }
 /^FOOTPOINT_FN void footpoint_[a-z0-9_]*_at\(/ {
     name = $3
     sub(/_at\(.*/, "", name)
-    printf "METHOD(\"%s\", %s, %s, %d, %d, %d, %d)\n", scene, kind, name, mul, div, add, root
+    printf "METHOD(\"%s\", %s, %s, %d, %d, %d, %d)\n", scene, kind, name, mul[name], div[name], add[name], root[name]
 }

@@ -12,6 +12,7 @@ codegen/schedule:   codegen/program codegen/graph codegen/genome
 codegen/prove:      codegen/program codegen/graph codegen/genome
 codegen/bound:      codegen/prove codegen/program codegen/graph codegen/genome
 codegen/compile:    codegen/bound codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome
+codegen/print/templates:
 codegen/print:      codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
 codegen:            codegen/*
 generated:

@@ -103,7 +103,7 @@ check 'functions' "$(cat "$work/wrong")"
 # ---- figures ----------------------------------------------------------------------------------------------------------
 
 # operations HEADER FUNCTION: mul div add, as the banner says
-operations() { awk -v f="$2" '$2 == f { on = 1 } on && /operations:/ { print $3, $5, $7; exit }' "generated/footpoint_$1.h"; }
+operations() { told "generated/footpoint_$1.h" "$2" operations | awk '{ print $1, $3, $5 }'; }
 # heldout SCENE GENOME NOTE: mean, 99 % and worst
 heldout() {
     awk -v g="$2" -v note="$3" '/^genome/ { on = $2 == g } on && $1 == "note" && $2 == note { printf "%.1e %.1e %.1e\n", $6, $8, $10 }' \
@@ -139,7 +139,7 @@ for kind in gregory bezier; do
 done
 
 # What was bred and what derived by hand: genomes of more than one gene, and twin trees.
-functions=$(cat generated/*.h | grep -c 'operations:') exact=$(cat generated/*.h | grep -c 'exact_xi:')
+functions=$(cat generated/*.h | grep -c '^ \*   operations:') exact=$(cat generated/*.h | grep -c '^ \*   exact:')
 bred=$(awk '/^genome/ { good = 0 } /^note training_/ && $4 > 1 || /^note twin/ { if (!good++) n++ } END { print n }' evolve/genomes/*.gen)
 told=$(tr '\n' ' ' < README.md | sed -n 's/.*Of the \([0-9]*\) functions in `generated.`, \([0-9]*\) are exact. Of the other \([0-9]*\), evolution bred \([0-9]*\):.* The other \([0-9]*\) are values.*/\1 \2 \3 \4 \5/p')
 expect 'how many functions were bred' 0 "$functions $exact $((functions - exact)) $bred $((functions - exact - bred))" '' echo "$told"

@@ -27,7 +27,7 @@ genome resistances 'x 1 10 y 1 10' '/ 1 + / 1 x / 1 y'
 statements() {
     sed -n '/^FOOTPOINT_FN void [a-z_]*_g(/,/^}/p' "$work/g.h" |
         awk '/;$/ { sub(/^ +/, "    " text, $0); print; text = ""; next } / = |^ +[^ ]/ { sub(/^ +/, ""); text = text $0 " " }' |
-        sed -n '
+        sed 's/, \(t[0-9]*\) = /;\n    const double \1 = /g' | sed -n '
         s/^    const double \([a-z0-9]*\) = \(.*\);$/\1 @ \2;/p
         s/^    \*out_\([a-z]*\) = \(.*\);$/\1 @ \2;/p' |
         sed -E "s/([^a-z0-9_.])([0-9]+\.[0-9]+)/\1$3(\2)/g; s/\b(t[0-9]+|v)\b/$1\1/g; s/@/$2/"
@@ -43,7 +43,7 @@ for file in "$work"/*.gen; do
         echo "{ $(awk '$1 == "range" { printf "%sin_%s in [%s,%s]", and, $2, $3, $4; and = " /\\ " }' "$file") -> v - Ev in ? }"
     } > "$work/g.gappa"
     theirs=$(gappa "$work/g.gappa" 2>&1 | sed -n 's/.*v - Ev in \[.*{\(-*[0-9.e+-]*\),.*{\([0-9.e+-]*\),.*/\1 \2/p')
-    ours=$(sed -n 's/.*rounding error of v: <= \([0-9.e+-]*\) proved.*/\1/p' "$work/g.h")
+    ours=$(sed -n 's/.*rounding: *v <= \([0-9.e+-]*\) proved.*/\1/p' "$work/g.h")
     verdict=$(echo "$ours $theirs" | awk 'NF == 3 { lo = $2 < 0 ? -$2 : $2; most = lo > $3 ? lo : $3
                                                     printf "%d %.2g times", $1 <= 2 * most, $1 / most }')
     [ -n "$verdict" ] || { verdict='0 no answer'; gappa "$work/g.gappa" 2>&1 | sed 's/^/# /' | head; }

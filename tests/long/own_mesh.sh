@@ -20,8 +20,7 @@ holds() { # holds NAME CONDITION: of awk
 value() { awk -v what="$1" 'index($0, what) == 1 { print $'"$2"' }' "$work/table"; }
 # banner HEADER FUNCTION: mean error of xi on held-out samples, random ones where the scene has both
 banner() {
-    awk -v f="$2" '$2 == f { on = 1 } on && $2 ~ /^heldout(_random)?_xi:/ { e = $4 + 0 } on && NF == 1 { exit }
-        END { print e }' "$1"
+    { told "$1" "$2" heldout; told "$1" "$2" heldout_random; } | awk '{ e = $2 } END { print e }'
 }
 run_with() { # run_with HEADER FUNCTION PROGRAM: compile the example and run it; $error
     logged "the example with $2" \

@@ -22,7 +22,7 @@ operations() { codegen --count "$1" | awk -F, -v g="$2" '$1 == g { print $2 + $3
 
 # loop_flags HEADER FUNCTION: what the header says that its loop needs, beyond -O3
 loop_flags() {
-    awk -v f=" $2(" '/Vectorises with/ { gsub(/.*-O3| and|,|\. \*\//, ""); flags = $0 } index($0, f) { print flags; exit }' "$1"
+    told "$1" "${2%_n}" vectorises | sed 's/^-O3//'
 }
 
 for file in evolve/genomes/*.gen; do

@@ -61,7 +61,7 @@ static bool print_part(const struct scene *scene, enum sample_part part, const c
 
 bool contact_table(const struct scene *scene, struct diag *d)
 {
-    if (scene->segment->surface) /* pinballs are of four-node segments */
+    if (!scene->segment->bilinear) /* pinballs are of four-node segments */
         return true;
     return scene->source == SOURCE_RANDOM
                ? print_part(scene, PART_HELDOUT, "random", d)

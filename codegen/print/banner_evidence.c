@@ -1,0 +1,148 @@
+/* How the banner tells what is found out about a function; see banner_evidence.h.  Bounds that say nothing are left out:
+ * those of a denominator above 1 or above its least modulus, those of xi and eta above 1. */
+#include "banner_evidence.h"
+
+#include "banner_line.h"
+
+#include <mpfr.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_LISTED = 12, NUMBER = 32 };
+
+/* Three digits, rounded away from 0 (sign 1) or towards it (-1). */
+static const char *rounded(double x, int sign, char text[NUMBER])
+{
+    mpfr_t y;
+    mpfr_init2(y, 53);
+    mpfr_set_d(y, x, MPFR_RNDN);
+    if (sign > 0)
+        mpfr_snprintf(text, NUMBER, "%.2RUg", y);
+    else
+        mpfr_snprintf(text, NUMBER, "%.2RZg", y);
+    mpfr_clear(y);
+    return text;
+}
+
+void banner_region(const struct genome_file *f, FILE *out)
+{
+    size_t left = 0;
+    for (size_t i = 0; i < f->inputs; i++)
+        left += f->range[i].given;
+    if (left == 0)
+        return;
+    struct banner_line l = banner_about_file("region", out);
+    for (size_t i = 0; i < f->inputs; i++) {
+        if (!f->range[i].given)
+            continue;
+        const char *lo = f->constant[f->range[i].lo].text, *hi = f->constant[f->range[i].hi].text;
+        const char *end = --left > 0 ? "," : f->requires ? "; all requires > 0" : "";
+        if (strcmp(lo, hi) == 0)
+            banner_add(&l, "%s = %s%s", f->input[i], lo, end);
+        else
+            banner_add(&l, "%s in [%s,%s]%s", f->input[i], lo, hi, end);
+    }
+    banner_end(&l);
+}
+
+/* The inputs that operation `op` depends on. */
+static bool *find_inputs(const struct program *p, int op)
+{
+    bool *needed = new_array(p->ops, sizeof *needed);
+    needed[op] = true;
+    for (int i = op; i >= (int)p->inputs; i--)
+        for (int k = 0; needed[i] && k < 2; k++)
+            if ((k ? p->op[i].b : p->op[i].a) >= 0)
+                needed[k ? p->op[i].b : p->op[i].a] = true;
+    return needed;
+}
+
+static void add_witness(struct banner_line *l, const struct genome_file *f, const struct program *p,
+                        const struct denominator *d)
+{
+    bool *needed = find_inputs(p, d->op);
+    const char *before = "a zero exists near";
+    for (size_t i = 0; i < f->inputs; i++) {
+        if (!needed[i] || strcmp(f->constant[f->range[i].lo].text, f->constant[f->range[i].hi].text) == 0)
+            continue;
+        banner_add(l, "%s %s = %.6g", before, f->input[i], d->witness[i]);
+        before = "and";
+    }
+    free(needed);
+}
+
+static void print_denominator(const struct genome_file *f, const struct program *p, const struct denominator *d,
+                              FILE *out)
+{
+    char number[NUMBER];
+    struct banner_line l = banner_about_function("poles", out);
+    banner_add(&l, "%s:", d->name);
+    if (d->verdict == POLE_EXISTS)
+        add_witness(&l, f, p, d);
+    else if (d->verdict == POLE_UNDECIDED)
+        banner_add(&l, "undecided");
+    else {
+        const bool word = d->name[strcspn(d->name, " (")] == '\0';
+        banner_add(&l, "proved free of zeros, |%s| >= %s", word ? d->name : "...", rounded(d->least, -1, number));
+        if (d->threshold > 0 && d->threshold <= 1 && d->threshold < d->least)
+            banner_add(&l, "(rounding error <= %s)", rounded(d->threshold, 1, number));
+    }
+    banner_end(&l);
+}
+
+static void print_poles(const struct genome_file *f, const struct program *p, const struct evidence *e, FILE *out)
+{
+    struct banner_line l;
+    size_t proved = 0;
+    for (size_t i = 0; i < e->denominators; i++) {
+        if (i < MOST_LISTED)
+            print_denominator(f, p, &e->denominator[i], out);
+        else
+            proved += e->denominator[i].verdict == POLE_FREE;
+    }
+    if (e->denominators > MOST_LISTED) {
+        l = banner_about_function("poles", out);
+        banner_add(&l, "of %zu more denominators, %zu are proved free of zeros", e->denominators - MOST_LISTED, proved);
+        banner_end(&l);
+    }
+    for (size_t i = 0; i < e->protecteds; i++) {
+        l = banner_about_function("poles", out);
+        banner_add(&l, "%s: protected, the quotient is 1 where it is 0", e->protected_name[i]);
+        banner_end(&l);
+    }
+    if (e->denominators + e->protecteds == 0) {
+        l = banner_about_function("poles", out);
+        banner_add(&l, "none, nothing is divided by");
+        banner_end(&l);
+    }
+}
+
+/* `end` follows the last word. */
+static void add_error(struct banner_line *l, const struct output_error *e, const char *name, double most,
+                      const char *end)
+{
+    char bound[NUMBER], sampled[NUMBER];
+    const bool bounded = e->bound < INFINITY && e->bound <= most;
+    banner_add(l, "%s", name);
+    if (bounded)
+        banner_add(l, "<= %s proved%s", rounded(e->bound, 1, bound), e->sampled >= 0 ? "," : end);
+    if (e->sampled >= 0)
+        banner_add(l, "%s sampled%s", rounded(e->sampled, 1, sampled), end);
+    else if (!bounded)
+        banner_add(l, "no bound found%s", end);
+}
+
+void banner_evidence(const struct genome_file *f, const struct function *function, FILE *out)
+{
+    const struct evidence *e = function->evidence;
+    print_poles(f, function->program, e, out);
+    struct banner_line l = banner_about_function("rounding", out);
+    for (size_t i = 0; e->region && i < e->outputs; i++)
+        add_error(&l, &e->error[i], function->genome->out[i].name, f->segment ? 1 : INFINITY,
+                  i + 1 < e->outputs ? ";" : "");
+    if (!e->region)
+        banner_add(&l, "no bound, as no ranges are given");
+    else if (e->samples > 0)
+        banner_add(&l, "(%ld points)", e->samples);
+    banner_end(&l);
+}

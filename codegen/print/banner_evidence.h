@@ -1,0 +1,13 @@
+/* The banner's lines on the region, poles and rounding errors. */
+#ifndef FOOTPOINT_BANNER_EVIDENCE_H
+#define FOOTPOINT_BANNER_EVIDENCE_H
+
+#include "../compile/compiled_file.h"
+
+/** The ranges of the file, if it has any. */
+void banner_region(const struct genome_file *f, FILE *out);
+
+/** The poles of a function, a line each, and bounds of its rounding errors. */
+void banner_evidence(const struct genome_file *f, const struct function *function, FILE *out);
+
+#endif

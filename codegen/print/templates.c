@@ -1,0 +1,145 @@
+/* Prints templates; see templates.h.  The Makefile makes templates.inc of them. */
+#include "templates.h"
+
+#include "../genome/text.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *text;
+} line[] = {
+#include "templates.inc"
+};
+
+static const struct {
+    const char *word, *text[2]; /* by precision */
+} real[] = {{"REAL", {"double", "float"}},
+            {"REAL_BITS", {"unsigned long long", "unsigned int"}}, /* an integer of its width */
+            {"REAL_TOP", {"63", "31"}},                            /* the number of its highest bit */
+            {"REAL_DIGITS", {"53", "24"}},                         /* of the mantissa */
+            {"REAL_MIN", {"2.2250738585072014e-308", "1.1754944e-38f"}},
+            {"REAL_MIDDLE", {"511", "31"}}, /* exponents, biased: about the half of them, from 2^-LOW to 2^HIGH */
+            {"REAL_LOW", {"512", "96"}},
+            {"REAL_HIGH", {"512", "32"}},
+            {"REAL_FLAT", {"1e-20", "1e-9f"}}, /* the square of the sine below which tangents are parallel */
+            {"fabs", {"fabs", "fabsf"}},
+            {"frexp", {"frexp", "frexpf"}},
+            {"ldexp", {"ldexp", "ldexpf"}},
+            {"sqrt", {"sqrt", "sqrtf"}}};
+
+static const char *find_text(const char *word, size_t n, enum precision precision, const struct placeholder *own)
+{
+    for (; own && own->word; own++)
+        if (strlen(own->word) == n && memcmp(own->word, word, n) == 0)
+            return own->text;
+    for (size_t i = 0; i < sizeof real / sizeof *real; i++)
+        if (strlen(real[i].word) == n && memcmp(real[i].word, word, n) == 0)
+            return real[i].text[precision == PRECISION_FLOAT];
+    return NULL;
+}
+
+/* An identifier that is no placeholder itself, part by part. */
+static void print_parts(const char *word, size_t n, enum precision precision, const struct placeholder *own, FILE *out)
+{
+    static const char detail[] = "footpoint_detail_";
+    const size_t beginning = strlen(detail);
+    if (precision == PRECISION_FLOAT && n > beginning && memcmp(word, detail, beginning) == 0) {
+        fprintf(out, "%sf_", detail);
+        word += beginning;
+        n -= beginning;
+    }
+    for (size_t i = 0, part; i < n; i += part + 1) {
+        part = strcspn(word + i, "_");
+        part = part < n - i ? part : n - i;
+        const char *text = own ? find_text(word + i, part, precision, own) : NULL;
+        fprintf(out, "%s%.*s", i ? "_" : "", text ? (int)strlen(text) : (int)part, text ? text : word + i);
+    }
+}
+
+/* Characters of the word or number at `text`. */
+static size_t token_length(const char *text)
+{
+    size_t n = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    if (!isdigit((unsigned char)*text))
+        return n ? n : 1;
+    n = strspn(text, "0123456789.");
+    if (text[n] == 'e') {
+        n += strspn(text + n, "e-+");
+        n += strspn(text + n, "0123456789");
+    }
+    return n;
+}
+
+static void print_text(const char *text, enum precision precision, const struct placeholder *own, FILE *out)
+{
+    for (size_t n; *text; text += n) {
+        n = token_length(text);
+        const bool number = isdigit((unsigned char)*text), name = isalpha((unsigned char)*text);
+        const char *instead = name ? find_text(text, n, precision, own) : NULL;
+        if (instead)
+            fputs(instead, out);
+        else if (name)
+            print_parts(text, n, precision, own, out);
+        else
+            fwrite(text, 1, n, out);
+        if (number && precision == PRECISION_FLOAT && strcspn(text, ".e") < n && text[n] != 'f')
+            fputc('f', out);
+    }
+}
+
+void c_print(const char *text, enum precision precision, FILE *out)
+{
+    print_text(text, precision, NULL, out);
+}
+
+/* The column behind the last parenthesis that the line leaves open; 0 if there is none. */
+static size_t open_column(const char *text)
+{
+    size_t column[20], depth = 0;
+    for (size_t i = 0; text[i] && depth < sizeof column / sizeof *column; i++)
+        if (text[i] == '(')
+            column[depth++] = i + 1;
+        else if (text[i] == ')' && depth > 0)
+            depth--;
+    return depth > 0 ? column[depth - 1] : 0;
+}
+
+/* What goes on behind a parenthesis is indented as that is now. */
+static void print_template(const char *name, enum precision precision, const struct placeholder *own, FILE *out)
+{
+    size_t before = 0, now = 0;
+    for (size_t i = 0; i < sizeof line / sizeof *line; i++) {
+        if (strcmp(line[i].name, name) != 0)
+            continue;
+        const size_t indent = strspn(line[i].text, " ");
+        const bool goes_on = before > 0 && indent == before;
+        struct memory *m = memory_open();
+        fprintf(m->stream, "%*s", (int)(goes_on ? now : indent), "");
+        print_text(line[i].text + indent, precision, own, m->stream);
+        char *text = memory_close(m);
+        fputs(text, out);
+        if (!goes_on || open_column(line[i].text)) {
+            before = open_column(line[i].text);
+            now = open_column(text);
+        }
+        free(text);
+    }
+}
+
+void templates_print(const char *guard, const char *const *name, enum precision precision,
+                     const struct placeholder *own, FILE *out)
+{
+    char *upper = new_format("%s%s", guard ? guard : "", precision == PRECISION_FLOAT ? "_F" : "");
+    for (char *c = upper; *c; c++)
+        *c = (char)toupper((unsigned char)*c);
+    if (guard)
+        fprintf(out, "\n#ifndef %s\n#define %s", upper, upper);
+    for (size_t i = 0; name[i]; i++) {
+        fputc('\n', out);
+        print_template(name[i], precision, own, out);
+    }
+    fputs(guard ? "#endif\n" : "", out);
+    free(upper);
+}

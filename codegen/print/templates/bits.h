@@ -1,0 +1,31 @@
+/* What every status rests on: the bits of numbers. */
+
+/* Statuses are told by the bits of numbers: -ffast-math leaves integers alone.  Those of infinity are above all
+ * others', those of NaN above these.  What the functions below find stands in the highest bit of a result. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_bits(REAL x)
+{
+    union {
+        REAL number;
+        REAL_BITS bits;
+    } both;
+    both.number = x;
+    return both.bits;
+}
+
+/* Unless 2^-REAL_LOW <= |x| < 2^REAL_HIGH: room for products of what x is made of, and half of all exponents. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_outside(REAL x)
+{
+    return 2 * footpoint_detail_bits(x) - ((REAL_BITS)REAL_MIDDLE << REAL_DIGITS);
+}
+
+/* If |x| < least. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_below(REAL x, REAL least)
+{
+    return (footpoint_detail_bits(x) & ~(REAL_BITS)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If x is infinite or NaN. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_infinite(REAL x)
+{
+    return (footpoint_detail_bits(x) & ~(REAL_BITS)0 >> 1) + ((REAL_BITS)1 << (REAL_DIGITS - 1));
+}

@@ -1,0 +1,8 @@
+/* What the functions over a segment do, said once for all genomes. */
+
+/* NAME_at:  xi and eta, dimensionless; nothing is checked.
+ * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+ *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
+ *           there, or no number.
+ * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, VECTORS;
+ *           xi and eta overlap nothing else. */

@@ -1,0 +1,44 @@
+/* What a header needs of its compiler, and the statuses. */
+
+#ifndef FOOTPOINT_FN
+#ifdef __CUDACC__
+#define FOOTPOINT_FN static __host__ __device__ __forceinline__
+#else
+#define FOOTPOINT_FN static inline
+#endif
+#endif
+#ifndef FOOTPOINT_PART /* before parts of functions: inlined, so that what nobody asks for is not computed */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_PART static inline __attribute__((always_inline))
+#else
+#define FOOTPOINT_PART FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_LOOP /* before loops over arrays: what they call is inlined, whatever its size */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_LOOP __attribute__((flatten)) FOOTPOINT_FN
+#else
+#define FOOTPOINT_LOOP FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_RESTRICT
+#if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
+#define FOOTPOINT_RESTRICT __restrict
+#else
+#define FOOTPOINT_RESTRICT
+#endif
+#endif
+#ifndef __CUDACC_RTC__
+#include <math.h>
+#include <stddef.h>
+#endif
+
+#ifndef FOOTPOINT_OK
+#define FOOTPOINT_OK 0
+#endif
+#ifndef FOOTPOINT_ERR_NOT_FINITE
+#define FOOTPOINT_ERR_NOT_FINITE 1
+#endif
+#ifndef FOOTPOINT_ERR_DEGENERATE
+#define FOOTPOINT_ERR_DEGENERATE 2
+#endif

@@ -1,0 +1,12 @@
+/* For thresholds that go with the size of a segment. */
+
+/* |AB| to the power n: what goes as that is compared with what it is for |AB| = 1. */
+FOOTPOINT_FN REAL footpoint_detail_power(const REAL a[3], const REAL b[3], int n)
+{
+    const REAL x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2], square = x * x + y * y + z * z;
+    REAL power = n & 1 ? sqrt(square) : 1.0;
+    int i;
+    for (i = n < 0 ? -n : n; i > 1; i -= 2)
+        power *= square;
+    return n < 0 ? 1.0 / power : power;
+}

@@ -1,0 +1,29 @@
+/* The bilinear segment. */
+
+/* See footpoint_detail_normal_gap(); size is the sum of the squares of the edges. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_gap(const REAL xA[3], const REAL xB[3], const REAL xC[3],
+                                              const REAL xD[3], const REAL xS[3], REAL xi, REAL eta,
+                                              REAL least, REAL *gap)
+{
+    REAL u[3], v[3], d[3], uu = 0.0, vv = 0.0, along = 0.0, across = 0.0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        const REAL ab = xB[i] - xA[i], dc = xC[i] - xD[i], ad = xD[i] - xA[i], bc = xC[i] - xB[i];
+        const REAL s = 0.5 * (1.0 + xi), t = 0.5 * (1.0 + eta);
+        u[i] = ab + t * (dc - ab);
+        v[i] = ad + s * (bc - ad);
+        d[i] = (xS[i] - xA[i]) - s * ab - t * v[i];
+        uu += u[i] * u[i];
+        vv += v[i] * v[i];
+        along += ab * ab + dc * dc;
+        across += ad * ad + bc * bc;
+    }
+    return footpoint_detail_normal_gap(u, v, d, uu + along, vv + across, along + across, least,
+                                       xi + eta, gap);
+}
+
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_gap(const REAL *const *x, REAL xi, REAL eta,
+                                                    REAL least, REAL *gap)
+{
+    return footpoint_detail_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
+}

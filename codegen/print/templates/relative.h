@@ -1,0 +1,12 @@
+/* The scale of coordinates that are relative to the segment. */
+
+/* 4 over the sum of the distances of the corners from A, component by component: coordinates relative to the segment
+ * are those less xA, times this. */
+FOOTPOINT_PART REAL footpoint_detail_relative(const REAL *const *x, int corners)
+{
+    REAL sum = 0.0;
+    int i;
+    for (i = 1; i < corners; i++)
+        sum += fabs(x[i][0] - x[0][0]) + fabs(x[i][1] - x[0][1]) + fabs(x[i][2] - x[0][2]);
+    return 4.0 / sum;
+}

@@ -1,0 +1,41 @@
+# The templates of headers are C as they stand, in double and in float, once the words for the type are defined.
+. tests/cli/expect.inc
+folder=codegen/print/templates
+strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
+{
+    echo '#include <math.h>'
+    echo '#ifdef SINGLE'
+    for function in fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
+    echo '#endif'
+    echo 'typedef REAL_BITS_TYPE REAL_BITS;'
+    for name in macros bits power scale weighted relative; do echo "#include \"$PWD/$folder/$name.h\""; done
+    for kind in quad4 tri3:3 tri6:6 quad8:8 quad9:9 bezier:4 gregory:4; do
+        echo "#include \"$PWD/$folder/${kind%:*}.h\""
+        [ "$kind" != "${kind#*:}" ] || continue
+        echo "#define footpoint_detail_KIND_surface footpoint_detail_${kind%:*}_surface"
+        echo "#define footpoint_detail_KIND_gap footpoint_detail_${kind%:*}_gap"
+        echo "#define NODES ${kind#*:}"
+        echo "#include \"$PWD/$folder/gap.h\""
+        echo '#undef footpoint_detail_KIND_surface'
+        echo '#undef footpoint_detail_KIND_gap'
+        echo '#undef NODES'
+    done
+    for name in corners quad4_sure contract; do echo "#include \"$PWD/$folder/$name.h\""; done
+} > "$work/all.c"
+cp "$work/all.c" "$work/all.cpp"
+expect 'all of them' 0 "$(ls $folder | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
+double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20'
+float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f'
+float="$float -fsingle-precision-constant -DSINGLE"
+for compiler in 'gcc -std=c99' 'clang -std=c99' 'g++ -std=c++11' 'clang++ -std=c++11'; do
+    case $compiler in *++*) source=all.cpp ;; *) source=all.c ;; esac
+    for type in double float; do
+        case $compiler$type in clang*float) continue ;; esac # which has no constants of single precision
+        eval "flags=\$$type"
+        # shellcheck disable=SC2086
+        $compiler $strict $flags '-Duint64=unsigned long long' '-Duint32=unsigned int' -fsyntax-only "$work/$source" > "$work/log" 2>&1
+        good=$?
+        [ $good = 0 ] || head -12 "$work/log" | sed 's/^/# /'
+        report $((!good)) "$compiler, $type"
+    done
+done
