@@ -58,6 +58,28 @@ static void print_inputs(const struct genome_file *f, FILE *stream)
     }
 }
 
+static void print_interval(const struct genome_file *f, size_t input, FILE *stream)
+{
+    const struct genome_range *r = &f->range[input];
+    fprintf(stream, " %s %s", f->constant[r->lo].text, f->constant[r->hi].text);
+}
+
+/* A line for each vector of a segment whose three ranges are given. */
+static void print_ranges(const struct genome_file *f, FILE *stream)
+{
+    const struct genome_range *r = f->range;
+    for (size_t i = 0, n; i < f->inputs; i += n) {
+        const bool vector = f->segment && f->format > 1 && i % 3 == 0 && r[i].given && r[i + 1].given && r[i + 2].given;
+        n = vector ? 3 : 1;
+        if (!r[i].given)
+            continue;
+        fprintf(stream, "range %s", f->input[i] + vector);
+        for (size_t c = 0; c < n; c++)
+            print_interval(f, i + c, stream);
+        fputc('\n', stream);
+    }
+}
+
 /* The lets of a function's body stand further in. */
 static void print_statement(const char *text, FILE *stream)
 {
@@ -137,10 +159,7 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
         print_inputs(f, stream);
     if (f->segment)
         fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
-    for (size_t i = 0; i < f->inputs; i++)
-        if (f->range[i].given)
-            fprintf(stream, "range %s %s %s\n", f->input[i], f->constant[f->range[i].lo].text,
-                    f->constant[f->range[i].hi].text);
+    print_ranges(f, stream);
     for (size_t i = 0; i < f->statements; i++)
         if (!needed || needed[i])
             print_statement(f->statement[i].text, stream);
