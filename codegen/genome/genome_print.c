@@ -80,7 +80,7 @@ static void print_ranges(const struct genome_file *f, FILE *stream)
     }
 }
 
-/* The lets of a function's body stand further in. */
+/* The lets of a function's body stand further in.  Names before "->" and "=" stay on one line: the reader wants it. */
 static void print_statement(const char *text, FILE *stream)
 {
     char *copy = new_text(text, strlen(text));
@@ -89,8 +89,10 @@ static void print_statement(const char *text, FILE *stream)
         if (next)
             *next++ = '\0';
         const bool inside = line > copy && next;
-        fputs(inside ? "    " : "", stream);
-        print_broken(line, inside ? 4 : 0, PRINT_WIDTH, inside ? "\n        " : "\n    ", NULL, stream);
+        const char *equals = strstr(line, " = ");
+        const size_t head = equals ? (size_t)(equals - line) + 2 : strlen(line);
+        const int column = fprintf(stream, "%s%.*s", inside ? "    " : "", (int)head, line);
+        print_broken(line + head, (size_t)column, PRINT_WIDTH, inside ? "\n        " : "\n    ", NULL, stream);
         fputc('\n', stream);
     }
     free(copy);
@@ -110,10 +112,11 @@ static void print_genome(const struct genome_file *f, const struct genome *g, FI
 
 /* ---- what is needed ---- */
 
-static void need_name(const struct genome_file *f, const char *name, bool *needed)
+/* A name that is only defined from statement `before` on means a value of a function's own. */
+static void need_name(const struct genome_file *f, const char *name, size_t before, bool *needed)
 {
     const struct name *n = names_find(&f->names, name);
-    if (n && n->statement != NO_STATEMENT)
+    if (n && n->statement < before)
         needed[n->statement] = true;
 }
 
@@ -121,16 +124,17 @@ static void need_symbols(const struct genome_file *f, const struct genome_expr *
 {
     for (size_t i = 0; i < e->length; i++)
         if (e->gene[i] >= GENE_SYMBOL)
-            need_name(f, genome_symbol_name(f, (size_t)(e->gene[i] - GENE_SYMBOL)), needed);
+            need_name(f, genome_symbol_name(f, (size_t)(e->gene[i] - GENE_SYMBOL)), f->statements, needed);
 }
 
-static void need_words(const struct genome_file *f, const char *text, bool *needed)
+static void need_words(const struct genome_file *f, size_t statement, bool *needed)
 {
     char name[NAME_ROOM];
+    const char *text = f->statement[statement].text;
     struct words w = words_of(text, strlen(text));
     while (words_next(&w, false))
         if (word_copy(&w, name, sizeof name))
-            need_name(f, name, needed);
+            need_name(f, name, statement, needed);
 }
 
 /* By statement: genomes and requires depend on it. */
@@ -144,7 +148,7 @@ static bool *needed_statements(const struct genome_file *f)
             need_symbols(f, &f->genome[i].out[k], needed);
     for (size_t i = f->statements; i-- > 0;)
         if (needed[i])
-            need_words(f, f->statement[i].text, needed);
+            need_words(f, i, needed);
     return needed;
 }
 
