@@ -8,6 +8,7 @@
  *                                          and the order of corners assumed: any | nearest | nearest-shorter
  *     input x y                            names of inputs, in order, where there is no segment; may be repeated
  *     range xC -0.5 2                      closed interval of an input; at most one for each
+ *     range D 0 1 0 1 -0.3 0.3             the same of a vector of inputs: of xD, yD and zD
  *     let c1 = - B A                       a value: one expression of inputs and earlier values; here a vector
  *     let c11 = dot c1 c1                  a number
  *     function step u v vector w -> un j   a function: from numbers and a vector to two values of its body
@@ -30,6 +31,7 @@
  *     segment    = "segment" KIND ORDER                        at most one, before the first let, function and genome;
  *                                                              ORDER other than "any" for quad4 alone
  *     range      = "range" INPUT NUMBER NUMBER                 lower limit <= upper limit
+ *                | "range" VECTOR NUMBER NUMBER NUMBER NUMBER NUMBER NUMBER
  *     let        = "let" NAME "=" expression                   before the first genome
  *                | "let" NAME { NAME } "=" FUNCTION { expression }
  *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let } "end"

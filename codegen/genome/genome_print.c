@@ -58,7 +58,29 @@ static void print_inputs(const struct genome_file *f, FILE *stream)
     }
 }
 
-/* The lets of a function's body stand further in. */
+static void print_interval(const struct genome_file *f, size_t input, FILE *stream)
+{
+    const struct genome_range *r = &f->range[input];
+    fprintf(stream, " %s %s", f->constant[r->lo].text, f->constant[r->hi].text);
+}
+
+/* A line for each vector of a segment whose three ranges are given. */
+static void print_ranges(const struct genome_file *f, FILE *stream)
+{
+    const struct genome_range *r = f->range;
+    for (size_t i = 0, n; i < f->inputs; i += n) {
+        const bool vector = f->segment && f->format > 1 && i % 3 == 0 && r[i].given && r[i + 1].given && r[i + 2].given;
+        n = vector ? 3 : 1;
+        if (!r[i].given)
+            continue;
+        fprintf(stream, "range %s", f->input[i] + vector);
+        for (size_t c = 0; c < n; c++)
+            print_interval(f, i + c, stream);
+        fputc('\n', stream);
+    }
+}
+
+/* The lets of a function's body stand further in.  Names before "->" and "=" stay on one line: the reader wants it. */
 static void print_statement(const char *text, FILE *stream)
 {
     char *copy = new_text(text, strlen(text));
@@ -67,8 +89,10 @@ static void print_statement(const char *text, FILE *stream)
         if (next)
             *next++ = '\0';
         const bool inside = line > copy && next;
-        fputs(inside ? "    " : "", stream);
-        print_broken(line, inside ? 4 : 0, PRINT_WIDTH, inside ? "\n        " : "\n    ", NULL, stream);
+        const char *equals = strstr(line, " = ");
+        const size_t head = equals ? (size_t)(equals - line) + 2 : strlen(line);
+        const int column = fprintf(stream, "%s%.*s", inside ? "    " : "", (int)head, line);
+        print_broken(line + head, (size_t)column, PRINT_WIDTH, inside ? "\n        " : "\n    ", NULL, stream);
         fputc('\n', stream);
     }
     free(copy);
@@ -88,10 +112,11 @@ static void print_genome(const struct genome_file *f, const struct genome *g, FI
 
 /* ---- what is needed ---- */
 
-static void need_name(const struct genome_file *f, const char *name, bool *needed)
+/* A name that is only defined from statement `before` on means a value of a function's own. */
+static void need_name(const struct genome_file *f, const char *name, size_t before, bool *needed)
 {
     const struct name *n = names_find(&f->names, name);
-    if (n && n->statement != NO_STATEMENT)
+    if (n && n->statement < before)
         needed[n->statement] = true;
 }
 
@@ -99,16 +124,17 @@ static void need_symbols(const struct genome_file *f, const struct genome_expr *
 {
     for (size_t i = 0; i < e->length; i++)
         if (e->gene[i] >= GENE_SYMBOL)
-            need_name(f, genome_symbol_name(f, (size_t)(e->gene[i] - GENE_SYMBOL)), needed);
+            need_name(f, genome_symbol_name(f, (size_t)(e->gene[i] - GENE_SYMBOL)), f->statements, needed);
 }
 
-static void need_words(const struct genome_file *f, const char *text, bool *needed)
+static void need_words(const struct genome_file *f, size_t statement, bool *needed)
 {
     char name[NAME_ROOM];
+    const char *text = f->statement[statement].text;
     struct words w = words_of(text, strlen(text));
     while (words_next(&w, false))
         if (word_copy(&w, name, sizeof name))
-            need_name(f, name, needed);
+            need_name(f, name, statement, needed);
 }
 
 /* By statement: genomes and requires depend on it. */
@@ -122,7 +148,7 @@ static bool *needed_statements(const struct genome_file *f)
             need_symbols(f, &f->genome[i].out[k], needed);
     for (size_t i = f->statements; i-- > 0;)
         if (needed[i])
-            need_words(f, f->statement[i].text, needed);
+            need_words(f, i, needed);
     return needed;
 }
 
@@ -137,10 +163,7 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
         print_inputs(f, stream);
     if (f->segment)
         fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
-    for (size_t i = 0; i < f->inputs; i++)
-        if (f->range[i].given)
-            fprintf(stream, "range %s %s %s\n", f->input[i], f->constant[f->range[i].lo].text,
-                    f->constant[f->range[i].hi].text);
+    print_ranges(f, stream);
     for (size_t i = 0; i < f->statements; i++)
         if (!needed || needed[i])
             print_statement(f->statement[i].text, stream);

@@ -146,23 +146,31 @@ static bool read_limit(struct reader *r, const char *input, int *gene)
     return read_number(r, gene);
 }
 
-static bool read_range(struct reader *r)
+static bool read_interval(struct reader *r, size_t input)
 {
     struct genome_file *f = r->file;
     int lo, hi;
-    if (!next_word(r, true))
-        return reader_fail(r, "range without an input");
-    char name[NAME_ROOM];
-    const long input = word_copy(&r->w, name, sizeof name) ? genome_find_symbol(f, name) : -1;
-    if (input < 0 || (size_t)input >= f->inputs)
-        return reader_fail(r, "'%s' is not an input");
     if (f->range[input].given)
-        return reader_fail(r, "the range of '%s' is given already");
+        return reader_fail_text(r, "the range of '%s' is given already", f->input[input], strlen(f->input[input]));
     if (!read_limit(r, f->input[input], &lo) || !read_limit(r, f->input[input], &hi))
         return false;
     if (!(f->constant[-1 - lo].value <= f->constant[-1 - hi].value))
         return reader_fail(r, "the upper limit '%s' is below the lower one");
     f->range[input] = (struct genome_range){true, (size_t)(-1 - lo), (size_t)(-1 - hi)};
+    return true;
+}
+
+static bool read_range(struct reader *r)
+{
+    char text[NAME_ROOM];
+    if (!next_word(r, true))
+        return reader_fail(r, "range without an input");
+    const struct name *n = word_copy(&r->w, text, sizeof text) ? names_find(&r->file->names, text) : NULL;
+    if (!n || n->statement != NO_STATEMENT)
+        return reader_fail(r, "'%s' is not an input");
+    for (int c = 0; c < (n->kind == NAME_VECTOR ? 3 : 1); c++)
+        if (!read_interval(r, (size_t)(n->gene - GENE_SYMBOL + c)))
+            return false;
     return end_of_line(r);
 }
 

@@ -1,5 +1,6 @@
 /* Words, names and numbers of genome text; see genome_reader.h. */
 #include "genome_reader.h"
+#include "text.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -120,4 +121,16 @@ bool read_number(struct reader *r, int *gene)
         return reader_fail(r, "number '%s' is out of range");
     *gene = -1 - (int)genome_add_constant(r->file, text);
     return true;
+}
+
+char *plain_text(const struct reader *r, const char *start)
+{
+    struct memory *m = memory_open();
+    struct words w = words_of(start, (size_t)(r->w.at - start));
+    for (bool first = true; words_next(&w, false); first = false) {
+        if (!first)
+            fputc(word_is(&w, "let") || word_is(&w, "end") ? '\n' : ' ', m->stream);
+        fwrite(w.word, 1, w.length, m->stream);
+    }
+    return memory_close(m);
 }

@@ -1,4 +1,5 @@
-/* The reader of genome text, in parts: words and names here, expressions, functions, and the lines of a file. */
+/* The reader of genome text, in parts: words and names here, expressions, lets, functions, and the lines of a file,
+ * each in its own file. */
 #ifndef FOOTPOINT_GENOME_READER_H
 #define FOOTPOINT_GENOME_READER_H
 
@@ -72,6 +73,16 @@ bool expand_number(struct reader *r, const char *name);
 
 /** Appends to the gene array. */
 void put_gene(struct reader *r, int gene);
+
+/** A name to be defined. */
+struct target {
+    char name[NAME_ROOM];
+    int line, column;
+};
+/** Says what the name, and the names of a vector's components, stand for from here on. */
+bool add_name(struct reader *r, const struct target *t, bool vector, int gene);
+/** The words from `start` to here, a line for each let of a function.  Caller frees. */
+char *plain_text(const struct reader *r, const char *start);
 
 /** Lines "let ..." and "function ...", at the keyword. */
 bool read_let(struct reader *r);

@@ -1,5 +1,6 @@
-/* Fuzzing of everything that reads a genome file: what is read prints to text that reads and prints the same; what is
- * small also goes through compiler and proof.  Built with clang -fsanitize=fuzzer by tests/long/fuzz.sh. */
+/* Fuzzing of everything that reads a genome file: what is read prints, all of it and what is needed, to text that reads
+ * and prints the same; what is small also goes through compiler and proof.  Built with clang -fsanitize=fuzzer by
+ * tests/long/fuzz.sh. */
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/prove/prove.h"
 
@@ -19,14 +20,30 @@ static void require(bool good, const char *what, const char *detail)
     abort();
 }
 
-static char *print(const struct genome_file *f, size_t *size)
+typedef void printer(const struct genome_file *f, FILE *stream);
+
+static char *print(const struct genome_file *f, printer *how, size_t *size)
 {
     char *text = NULL;
     FILE *stream = open_memstream(&text, size);
     require(stream != NULL, "open_memstream", "out of memory");
-    genome_print(f, stream);
+    how(f, stream);
     fclose(stream);
     return text;
+}
+
+static void print_and_read(const struct genome_file *f, printer *how)
+{
+    struct diag d = {0};
+    size_t size_once, size_twice;
+    char *once = print(f, how, &size_once);
+    struct genome_file *again = genome_parse("printed", once, size_once, &d);
+    require(again != NULL, "printed text is refused", d.text);
+    char *twice = print(again, how, &size_twice);
+    require(size_once == size_twice && memcmp(once, twice, size_once) == 0, "printed twice", once);
+    genome_file_free(again);
+    free(once);
+    free(twice);
 }
 
 static size_t count_genes(const struct genome_expr *e, size_t n)
@@ -68,17 +85,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         require(strncmp(d.text, "fuzz:", 5) == 0 && !strchr(d.text, '\n'), "diagnostic", d.text);
         return 0;
     }
-    size_t size_once, size_twice;
-    char *once = print(f, &size_once);
-    struct genome_file *again = genome_parse("printed", once, size_once, &d);
-    require(again != NULL, "printed text is refused", d.text);
-    char *twice = print(again, &size_twice);
-    require(size_once == size_twice && memcmp(once, twice, size_once) == 0, "printed twice", once);
+    print_and_read(f, genome_print);
+    print_and_read(f, genome_print_needed);
     for (size_t i = 0; i < f->genomes && is_small(f); i++)
         compile_and_prove(f, &f->genome[i]);
     genome_file_free(f);
-    genome_file_free(again);
-    free(once);
-    free(twice);
     return 0;
 }

@@ -1,0 +1,254 @@
+/* Lets of genome text; see genome_reader.h.  A let of a function gets a copy of the function's lets, with the arguments in
+ * the place of the parameters. */
+#include "genome_reader.h"
+#include "text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The names before the "=" of a let. */
+struct targets {
+    struct target *item; /* owned */
+    size_t n, room;
+};
+
+/* ---- values ---- */
+
+/* Appends the gene array as a let of the function or the file; its gene. */
+static bool add_number(struct reader *r, const char *name, int line, int *gene)
+{
+    struct genome_function *x = r->function;
+    struct genome_file *f = r->file;
+    r->total += r->genes;
+    if (f->format > 1 && r->total > GENOME_MOST)
+        return diag_at(r->d, f->path, r->w.word_line, r->w.word_column, "the file expands to more than %d genes",
+                       GENOME_MOST);
+    if (x)
+        genome_add_expr(&x->let, &x->lets, &x->let_room, name, r->gene, r->genes);
+    else
+        genome_add_expr(&f->let, &f->lets, &f->let_room, name, r->gene, r->genes);
+    struct genome_expr *let = x ? &x->let[x->lets - 1] : &f->let[f->lets - 1];
+    let->line = line;
+    *gene = x ? x->first_let + (int)x->lets - 1 : GENE_SYMBOL + (int)(f->inputs + f->lets - 1);
+    return true;
+}
+
+static void component_name(const char *vector, int component, char name[NAME_ROOM])
+{
+    snprintf(name, NAME_ROOM, "%.63s%c", vector, "xyz"[component]);
+}
+
+bool add_name(struct reader *r, const struct target *t, bool vector, int gene)
+{
+    void **names = r->function ? &r->function->names : &r->file->names;
+    for (int c = vector ? -1 : 0; c < (vector ? 3 : 1); c++) {
+        char name[NAME_ROOM];
+        snprintf(name, sizeof name, "%s", t->name);
+        if (vector && c >= 0)
+            component_name(t->name, c, name);
+        if (names_find(names, name))
+            return diag_at(r->d, r->file->path, t->line, t->column, "name '%s' is defined already", name);
+        names_add(names, name, c < 0 ? NAME_VECTOR : NAME_NUMBER, gene + (c > 0 ? c : 0), r->file->statements);
+    }
+    return true;
+}
+
+/* An expression as the value of a name. */
+static bool read_value(struct reader *r, const struct target *t)
+{
+    int gene = 0, first = 0;
+    const bool vector = r->node[0].vector;
+    for (int c = 0; c < (vector ? 3 : 1); c++) {
+        char name[NAME_ROOM];
+        component_name(t->name, c, name);
+        if (!expand(r, c) || !add_number(r, vector ? name : t->name, t->line, &gene))
+            return false;
+        first = c == 0 ? gene : first;
+    }
+    return add_name(r, t, vector, first);
+}
+
+/* ---- calls ---- */
+
+/* A call under construction.  By parameter and let of the function, component by component: */
+struct call {
+    const struct genome_function *function; /* not owned */
+    const struct targets *target;           /* not owned */
+    int *gene;                              /* owned: what stands for it here */
+    size_t *owner;                          /* owned: 1 + the result that it is, or 0 */
+    size_t genes;
+};
+
+static size_t components(const struct genome_value *v)
+{
+    return v->vector ? 3 : 1;
+}
+
+/* A let of the body is the first result that it could be. */
+static void find_owners(struct call *call)
+{
+    const struct genome_function *x = call->function;
+    for (size_t k = 0; k < x->results; k++) {
+        size_t *owner = call->owner + (x->result[k].gene - GENE_LOCAL);
+        bool taken = x->result[k].gene < x->first_let;
+        for (size_t c = 0; c < components(&x->result[k]); c++)
+            taken = taken || owner[c];
+        for (size_t c = 0; !taken && c < components(&x->result[k]); c++)
+            owner[c] = 1 + k;
+    }
+}
+
+/* The name of let i here: its result's, or "first-result.let". */
+static char *name_of_let(const struct call *call, size_t i)
+{
+    const struct genome_function *x = call->function;
+    const int gene = x->first_let + (int)i;
+    const size_t owner = call->owner[gene - GENE_LOCAL];
+    if (owner) {
+        const struct genome_value *v = &x->result[owner - 1];
+        const char letter[] = {"xyz"[gene - v->gene], '\0'};
+        return new_joined(call->target->item[owner - 1].name, v->vector ? letter : "", "");
+    }
+    const char *inner = strrchr(x->let[i].name, '.');
+    return new_joined(call->target->item[0].name, ".", inner ? inner + 1 : x->let[i].name);
+}
+
+static bool read_argument(struct reader *r, struct call *call, size_t k)
+{
+    const bool vector = call->function->parameter[k].vector;
+    if (!read_expression(r, call->function->name, true))
+        return false;
+    if (r->node[0].vector != vector)
+        return diag_at(r->d, r->file->path, r->node[0].line, r->node[0].column, "'%s' takes a %s here",
+                       call->function->name, vector ? "vector" : "number");
+    const int line = r->node[0].line;
+    for (int c = 0; c < (vector ? 3 : 1); c++) {
+        int gene;
+        if (!expand(r, c))
+            return false;
+        if (r->genes == 1)
+            gene = r->gene[0];
+        else if (!add_number(r, "argument", line, &gene))
+            return false;
+        call->gene[call->genes++] = gene;
+    }
+    return true;
+}
+
+static int gene_here(const struct call *call, int gene)
+{
+    return gene >= GENE_LOCAL ? call->gene[gene - GENE_LOCAL] : gene;
+}
+
+static bool copy_body(struct reader *r, struct call *call)
+{
+    for (size_t i = 0; i < call->function->lets; i++) {
+        const struct genome_expr *let = &call->function->let[i];
+        r->genes = 0;
+        for (size_t k = 0; k < let->length; k++)
+            put_gene(r, gene_here(call, let->gene[k]));
+        char *name = name_of_let(call, i);
+        const bool good = add_number(r, name, let->line, &call->gene[call->genes++]);
+        free(name);
+        if (!good)
+            return false;
+    }
+    return true;
+}
+
+/* A result that is no let of the body, or an earlier result, too, is a let of its own. */
+static bool name_result(struct reader *r, const struct call *call, size_t k)
+{
+    const struct genome_value *result = &call->function->result[k];
+    const struct target *t = &call->target->item[k];
+    const bool own = call->owner[result->gene - GENE_LOCAL] != 1 + k;
+    int first = gene_here(call, result->gene);
+    for (int c = 0; own && c < (int)components(result); c++) {
+        int gene = 0;
+        char name[NAME_ROOM];
+        component_name(t->name, c, name);
+        r->genes = 0;
+        put_gene(r, gene_here(call, result->gene + c));
+        if (!add_number(r, result->vector ? name : t->name, t->line, &gene))
+            return false;
+        first = c == 0 ? gene : first;
+    }
+    return add_name(r, t, result->vector, first);
+}
+
+static bool read_call(struct reader *r, const struct genome_function *x, const struct targets *target)
+{
+    const size_t locals = (size_t)(x->first_let - GENE_LOCAL) + x->lets;
+    struct call call = {x, target, new_array(locals, sizeof *call.gene), new_array(locals, sizeof *call.owner), 0};
+    find_owners(&call);
+    bool good = target->n == x->results || reader_fail(r, "'%s' has another number of values");
+    for (size_t k = 0; good && k < x->parameters; k++)
+        good = read_argument(r, &call, k);
+    good = good && end_of_line(r) && copy_body(r, &call);
+    for (size_t k = 0; good && k < x->results; k++)
+        good = name_result(r, &call, k);
+    free(call.gene);
+    free(call.owner);
+    return good;
+}
+
+/* ---- lets ---- */
+
+/* Names up to "=". */
+static bool read_targets(struct reader *r, struct targets *t)
+{
+    while (next_word(r, true) && !(t->n > 0 && word_is(&r->w, "="))) {
+        if (t->n > 0 && r->file->format == 1)
+            break;
+        grow_array(&t->item, t->n, &t->room, sizeof *t->item);
+        struct target *x = &t->item[t->n];
+        *x = (struct target){.line = r->w.word_line, .column = r->w.word_column};
+        if (!read_new_name(r, x->name))
+            return false;
+        t->n++;
+    }
+    if (t->n == 0)
+        return reader_fail(r, "let without a name");
+    const char *last = t->item[t->n - 1].name;
+    return word_is(&r->w, "=") || reader_fail_text(r, "expected '=' after '%s'", last, strlen(last));
+}
+
+/* The function that the next word names, or NULL; then the word is still to be read. */
+static const struct genome_function *next_function(struct reader *r)
+{
+    char text[NAME_ROOM];
+    const struct words before = r->w;
+    if (next_word(r, false) && word_copy(&r->w, text, sizeof text)) {
+        const struct name *n = find_name(r, text);
+        if (n && n->kind == NAME_FUNCTION)
+            return &r->file->function[n->gene];
+    }
+    r->w = before;
+    return NULL;
+}
+
+static bool read_definition(struct reader *r, struct targets *t)
+{
+    if (!read_targets(r, t))
+        return false;
+    const struct genome_function *x = r->file->format == 1 ? NULL : next_function(r);
+    if (x)
+        return read_call(r, x, t);
+    if (t->n > 1)
+        return reader_fail_text(r, "'%s' is one value too many", t->item[1].name, strlen(t->item[1].name));
+    return read_expression(r, t->item[0].name, false) && read_value(r, &t->item[0]);
+}
+
+bool read_let(struct reader *r)
+{
+    const char *start = r->w.word;
+    const int line = r->w.word_line;
+    struct targets t = {0};
+    if (r->file->genomes > 0)
+        return reader_fail(r, "'let' must stand before the genomes");
+    const bool good = read_definition(r, &t);
+    if (good && !r->function)
+        genome_add_statement(r->file, t.item[0].name, plain_text(r, start), line);
+    free(t.item);
+    return good;
+}
