@@ -1,5 +1,4 @@
-/* The evaluator against a plain interpreter, which copies every leaf to its stack and computes gene by gene, block by
- * block.  Both are built for every width of registers. */
+/* The evaluator's speed, for every width of registers. */
 #include "kernel_benchmark.h"
 
 #include "../common/stream.h"
@@ -11,7 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { SAMPLES = 28672, VARIABLES = 8, GENOMES = 64, LONGEST = 250, ROUNDS = 7, BLOCK = 256 };
+enum { SAMPLES = 28672, VARIABLES = 8, GENOMES = 64, LONGEST = 250, ROUNDS = 7 };
 
 static const struct kind {
     const char *name;
@@ -31,43 +30,6 @@ struct workload {
     size_t genes;
 };
 
-#define REAL double
-#define INTERPRETER interpret_double
-#include "kernel_benchmark_interpreter.h"
-#define REAL float
-#define INTERPRETER interpret_float
-#include "kernel_benchmark_interpreter.h"
-
-#define INTERPRET(name, target)                                                                                        \
-    target static double name(const struct workload *w, const struct tree *t, bool single)                             \
-    {                                                                                                                  \
-        return single ? interpret_float(t, w->single.data, w->single.room, w->program->constant)                       \
-                      : interpret_double(t, w->table.data, w->table.room, w->program->constant);                       \
-    }
-INTERPRET(interpret_plain, )
-#if defined __x86_64__
-INTERPRET(interpret_256, __attribute__((target("avx2,fma,bmi2"))))
-#if defined __clang__
-INTERPRET(interpret_512, __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))))
-#else
-INTERPRET(interpret_512, __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,prefer-vector-width=512"))))
-#endif
-#endif
-
-static double interpreter_sum(const struct workload *w, const struct tree *t, enum kernel_width width, bool single)
-{
-    switch (width) {
-#if defined __x86_64__
-    case KERNEL_512:
-        return interpret_512(w, t, single);
-    case KERNEL_256:
-        return interpret_256(w, t, single);
-#endif
-    default:
-        return interpret_plain(w, t, single);
-    }
-}
-
 static double kernel_sum(const struct workload *w, const struct tree *t, struct kernel *k, bool single)
 {
     const struct kernel_task task = {t->gene, t->length, w->program->constant, &w->table};
@@ -75,7 +37,7 @@ static double kernel_sum(const struct workload *w, const struct tree *t, struct 
                   : kernel_error_sum(k, &task, VARIABLES, INFINITY);
 }
 
-/* Random genomes whose values are finite, so that every engine evaluates them to the end. */
+/* Random genomes whose values are finite, so that they are evaluated to the end. */
 static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
 {
     static int symbol[VARIABLES], constant[4], operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
@@ -111,13 +73,13 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Seconds for all genomes, with the kernel, or the interpreter of that width if `k` is NULL. */
-static double lap(const struct workload *w, struct kernel *k, enum kernel_width width, bool single)
+/* Seconds for all genomes. */
+static double lap(const struct workload *w, struct kernel *k, bool single)
 {
     volatile double sink;
     const double start = now();
     for (size_t i = 0; i < GENOMES; i++)
-        sink = k ? kernel_sum(w, &w->tree[i], k, single) : interpreter_sum(w, &w->tree[i], width, single);
+        sink = kernel_sum(w, &w->tree[i], k, single);
     (void)sink;
     return now() - start;
 }
@@ -125,23 +87,16 @@ static double lap(const struct workload *w, struct kernel *k, enum kernel_width 
 static void race(struct kernel *const kernel[KERNEL_WIDTHS], const struct kind *kind, FILE *stream)
 {
     static struct workload w;
-    double best[2][2][KERNEL_WIDTHS]; /* by engine, precision and width */
+    double best[2 * KERNEL_WIDTHS]; /* by precision and width */
     fill(&w, kernel[KERNEL_PLAIN], kind);
     for (int round = 0; round < ROUNDS; round++)
-        for (int i = 0; i < 4 * KERNEL_WIDTHS; i++) {
-            const int engine = i / 2 % 2, single = i % 2, width = i / 4;
-            double *b = &best[engine][single][width];
-            if (kernel[width])
-                *b = fmin(round == 0 ? INFINITY : *b,
-                          lap(&w, engine == 0 ? NULL : kernel[width], (enum kernel_width)width, single == 1));
-        }
-    for (int i = 0; i < 4 * KERNEL_WIDTHS; i++) {
-        const int engine = i / (2 * KERNEL_WIDTHS), single = i / KERNEL_WIDTHS % 2, width = i % KERNEL_WIDTHS;
-        if (kernel[width])
-            fprintf(stream, "%s%s,%s,%d,%.3e\n", engine == 0 ? "interpreter" : "footpoint", kind->name,
-                    single ? "float" : "double", kernel_bits((enum kernel_width)width),
-                    (double)w.genes * SAMPLES / best[engine][single][width]);
-    }
+        for (int i = 0; i < 2 * KERNEL_WIDTHS; i++)
+            if (kernel[i % KERNEL_WIDTHS])
+                best[i] = fmin(round == 0 ? INFINITY : best[i], lap(&w, kernel[i % KERNEL_WIDTHS], i >= KERNEL_WIDTHS));
+    for (int i = 0; i < 2 * KERNEL_WIDTHS; i++)
+        if (kernel[i % KERNEL_WIDTHS])
+            fprintf(stream, "footpoint%s,%s,%d,%.3e\n", kind->name, i >= KERNEL_WIDTHS ? "float" : "double",
+                    kernel_bits((enum kernel_width)(i % KERNEL_WIDTHS)), (double)w.genes * SAMPLES / best[i]);
     genome_file_free(w.program);
     columns_float_free(&w.single);
     columns_free(&w.table);

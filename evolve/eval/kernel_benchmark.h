@@ -1,13 +1,13 @@
-/* Speed of the evaluator, beside a plain interpreter of the same genomes. */
+/* Speed of the evaluator. */
 #ifndef FOOTPOINT_KERNEL_BENCHMARK_H
 #define FOOTPOINT_KERNEL_BENCHMARK_H
 
 #include <stdio.h>
 
 /** CSV engine,precision,bits,genes_samples_per_s over 8 inputs and 28,672 samples, the best of several rounds in which
- *  the engines take turns.  Engines: "footpoint" and "interpreter", for random polynomials of 50..250 genes;
- *  "footpoint-rational" and "interpreter-rational", with protected division among their operators; "footpoint-short"
- *  and "interpreter-short", for polynomials of 15 genes.  Leaves count, as in all published figures. */
+ *  all take turns.  Engines: "footpoint", for random polynomials of 50..250 genes; "footpoint-rational", with protected
+ *  division among their operators; "footpoint-short", for polynomials of 15 genes.  Leaves count, as in all published
+ *  figures. */
 void evolve_benchmark(FILE *stream);
 
 #endif

@@ -24,17 +24,17 @@ static double shortest_edge(double x[4][3])
 }
 
 /* One draw; false: draw again, for another point of the patch is nearer, or it cannot be told. */
-static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct smooth *smooth, struct patch_sample *s)
+static bool draw(gsl_rng *stream, struct smooth_mesh *const *mesh, const struct smooth *smooth, struct sample *s)
 {
     const struct smooth_mesh *m = mesh[gsl_rng_uniform_int(stream, MESHES)];
     const double xi = gsl_ran_flat(stream, -1, 1), eta = gsl_ran_flat(stream, -1, 1);
     struct footpoint_gregory patch;
     struct stationary closest;
     double r[3], n[3];
-    smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->n);
+    smooth_segment(m, gsl_rng_uniform_int(stream, m->segments), m->mean, s->x, s->x + PATCH_NORMALS);
     const double height = smooth->gap * shortest_edge(s->x) * gsl_ran_flat(stream, -1, 1);
-    s->kind = smooth->kind;
-    if (patch_sample_points(s, &patch) != FOOTPOINT_OK || footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
+    if (patch_points(smooth->kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK ||
+        footpoint_gregory_normal(&patch, xi, eta, n) != FOOTPOINT_OK)
         return false;
     footpoint_gregory_position(&patch, xi, eta, r);
     for (int k = 0; k < 3; k++)
@@ -56,7 +56,7 @@ size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH])
     return 1;
 }
 
-void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set)
+void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct sample_set *set)
 {
     struct smooth_mesh *mesh[MESHES];
     gsl_rng *stream = stream_new();
@@ -64,11 +64,11 @@ void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t c
         mesh[k] = smooth_mesh_new((enum smooth_kind)(k / SIZES), size[k / SIZES][k % SIZES], jitter,
                                   smooth->seed + (uint64_t)k);
     for (size_t i = 0; i < count; i++) {
-        struct patch_sample s;
+        struct sample s = {0};
         stream_key(stream, smooth->seed, (uint64_t)part, i, 0);
         while (!draw(stream, mesh, smooth, &s))
             continue;
-        patch_set_add(set, &s);
+        sample_set_add(set, &s);
     }
     for (int k = 0; k < MESHES; k++)
         smooth_mesh_free(mesh[k]);

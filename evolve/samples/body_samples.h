@@ -16,7 +16,7 @@ struct smooth {
 /** Append `count` samples of the part: a body, one of its meshes, a segment and a slave node over it at random, with
  * the node normals of the mesh.  The foot point is the patch's certain closest point.  Deterministic in seed, gap, kind
  *  and part; different parts share no sample. */
-void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct patch_set *set);
+void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct sample_set *set);
 
 /** scene_drawn (samples.h) of these. */
 size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH]);

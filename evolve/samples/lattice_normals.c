@@ -39,19 +39,19 @@ static void corner_basis(double x[4][3], int c, double n[3], double e1[3], doubl
     cross(n, e1, e2);
 }
 
-static void draw_normals(gsl_rng *stream, double tangent, struct patch_sample *s)
+static void draw_normals(gsl_rng *stream, double tangent, struct sample *s)
 {
     for (int c = 0; c < 4; c++) {
-        double n[3], e1[3], e2[3];
+        double n[3], e1[3], e2[3], *normal = s->x[PATCH_NORMALS + c];
         const double tilt = tangent * sqrt(gsl_rng_uniform(stream)), turn = 2 * M_PI * gsl_rng_uniform(stream);
         corner_basis(s->x, c, n, e1, e2);
         for (int k = 0; k < 3; k++)
-            s->n[c][k] = n[k] + tilt * (cos(turn) * e1[k] + sin(turn) * e2[k]);
-        normalise(s->n[c]);
+            normal[k] = n[k] + tilt * (cos(turn) * e1[k] + sin(turn) * e2[k]);
+        normalise(normal);
     }
 }
 
-bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct patch_set *set,
+bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct sample_set *set,
                              struct lattice_gregory_count *count, struct diag *d)
 {
     struct sample_set facets = {0};
@@ -66,13 +66,11 @@ bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part p
     scene_box(l->scene, lo, hi);
     for (size_t i = 0; i < configurations; i++)
         for (size_t k = 0; k < sets; k++) {
-            struct patch_sample s = {.kind = l->kind};
-            memcpy(s.x, facets.s[i].x, sizeof s.x);
-            memcpy(s.xs, facets.s[i].xs, sizeof s.xs);
+            struct sample s = facets.s[i];
             stream_key(stream, l->scene->seed, (uint64_t)part, i, 1 + k);
             draw_normals(stream, l->tangent, &s);
-            if (foot_patch(&s, lo, hi))
-                patch_set_add(set, &s);
+            if (foot_patch(l->kind, &s, lo, hi))
+                sample_set_add(set, &s);
         }
     if (count)
         *count = (struct lattice_gregory_count){configurations, configurations * sets, set->n - before};

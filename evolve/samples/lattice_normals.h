@@ -21,7 +21,7 @@ struct lattice_gregory_count {
 
 /** Append the samples whose foot point on the patch lies, like that on the facet, in the scene's box: configuration by
  *  configuration, set by set.  A tilt's tangent is uniform in a disc.  *count may be NULL.  False with *d filled. */
-bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct patch_set *set,
+bool lattice_gregory_samples(const struct lattice_gregory *l, enum sample_part part, struct sample_set *set,
                              struct lattice_gregory_count *count, struct diag *d);
 
 #endif

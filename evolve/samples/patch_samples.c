@@ -5,8 +5,6 @@
 #include "lattice_normals.h"
 #include "samples.h"
 
-#include <string.h>
-
 /* Configurations that make `samples` samples. */
 static size_t configurations(const struct lattice *l, size_t samples)
 {
@@ -14,7 +12,7 @@ static size_t configurations(const struct lattice *l, size_t samples)
     return (samples + sets - 1) / sets;
 }
 
-static bool of_lattice(const struct scene *scene, enum sample_part part, struct patch_set *patches, struct diag *d)
+static bool of_lattice(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     struct scene facets = *scene;
     const struct lattice_gregory plan = {&facets, configurations(&scene->lattice, scene->heldout),
@@ -23,7 +21,7 @@ static bool of_lattice(const struct scene *scene, enum sample_part part, struct 
     const struct lattice_gregory all = {&facets, 0, scene->lattice.normal_sets, scene->lattice.tilt, plan.kind};
     facets.training = configurations(&scene->lattice, scene->training);
     facets.heldout = plan.configurations;
-    return lattice_gregory_samples(part == PART_TRAINING ? &all : &plan, part, patches, NULL, d);
+    return lattice_gregory_samples(part == PART_TRAINING ? &all : &plan, part, set, NULL, d);
 }
 
 size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
@@ -38,22 +36,12 @@ size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LEN
 
 bool patches_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
-    struct patch_set patches = {0};
+    const size_t before = set->n;
     bool done = true;
     if (scene->source == SOURCE_LATTICE)
-        done = of_lattice(scene, part, &patches, d);
+        done = of_lattice(scene, part, set, d);
     else
         smooth_samples(&(struct smooth){scene->seed, scene->shapes.gap, surface_find(scene->segment)->patch}, part,
-                       part == PART_TRAINING ? scene->training : scene->heldout, &patches);
-    for (size_t i = 0; i < patches.n; i++) {
-        const struct patch_sample *p = &patches.s[i];
-        struct sample s = {.xi = p->xi, .eta = p->eta, .gap = p->gap};
-        memcpy(s.x[0], p->x, sizeof p->x);
-        memcpy(s.x[4], p->n, sizeof p->n);
-        memcpy(s.xs, p->xs, sizeof p->xs);
-        sample_set_add(set, &s);
-    }
-    const bool empty = patches.n == 0;
-    patch_set_free(&patches);
-    return done && (!empty || diag_at(d, scene->path, 0, 0, "no sample's foot point lies in the box"));
+                       part == PART_TRAINING ? scene->training : scene->heldout, set);
+    return done && (set->n > before || diag_at(d, scene->path, 0, 0, "no sample's foot point lies in the box"));
 }

@@ -123,13 +123,13 @@ static bool gap_at(const struct patch_local *l, double xi, double eta, double *g
     return length > 0;
 }
 
-bool foot_patch(struct patch_sample *s, const double lo[2], const double hi[2])
+bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2])
 {
     const struct patch_box box = box_of(lo, hi);
     struct footpoint_gregory patch;
     struct stationary found[PATCH_STATIONARY_MAX];
     struct patch_local l;
-    if (patch_sample_points(s, &patch) != FOOTPOINT_OK || !patch_localise(&patch, s->xs, &l))
+    if (patch_points(kind, (const double(*)[3])s->x, &patch) != FOOTPOINT_OK || !patch_localise(&patch, s->xs, &l))
         return false;
     const int n = patch_boxes_search(&l, &box, found);
     for (int k = 0; k < n; k++)
@@ -145,11 +145,8 @@ bool foot_patch(struct patch_sample *s, const double lo[2], const double hi[2])
 void surface_point_patch(const struct surface *f, double (*x)[3], double xi, double eta, double r[3][3])
 {
     struct footpoint_gregory patch = {0};
-    struct patch_sample s = {.kind = f->patch};
     struct footpoint_jet jet;
-    memcpy(s.x, x[0], sizeof s.x);
-    memcpy(s.n, x[4], sizeof s.n);
-    patch_sample_points(&s, &patch);
+    patch_points(f->patch, (const double(*)[3])x, &patch);
     footpoint_gregory_jet(&patch, xi, eta, &jet);
     for (int k = 0; k < 3; k++) {
         r[0][k] = patch.net.origin[k] + jet.r[k];
@@ -160,14 +157,5 @@ void surface_point_patch(const struct surface *f, double (*x)[3], double xi, dou
 
 bool surface_foot_patch(const struct surface *f, struct sample *s, const double lo[2], const double hi[2])
 {
-    struct patch_sample p = {.kind = f->patch};
-    memcpy(p.x, s->x[0], sizeof p.x);
-    memcpy(p.n, s->x[4], sizeof p.n);
-    memcpy(p.xs, s->xs, sizeof p.xs);
-    if (!foot_patch(&p, lo, hi))
-        return false;
-    s->xi = p.xi;
-    s->eta = p.eta;
-    s->gap = p.gap;
-    return true;
+    return foot_patch(f->patch, s, lo, hi);
 }

@@ -4,6 +4,7 @@
 
 #include "foot_patch_boxes.h"
 #include "patch.h"
+#include "sample.h"
 
 /** All stationary points of the distance from xs to the patch in the box lo <= xi,eta <= hi, within -1..1, nearest
  *  first.  Returns how many, or PATCH_UNCERTAIN where they cannot be told apart: near a centre of curvature, or in the
@@ -17,6 +18,6 @@ bool foot_patch_closest(const struct footpoint_gregory *patch, const double xs[3
 
 /** Foot point of the scene's meaning: the local minimum nearest to xs with lo < xi,eta <= hi.  Fills xi, eta and gap of
  *  *s from its corners, normals and slave node.  False if there is none, or none that is certain. */
-bool foot_patch(struct patch_sample *s, const double lo[2], const double hi[2]);
+bool foot_patch(enum patch_kind kind, struct sample *s, const double lo[2], const double hi[2]);
 
 #endif

@@ -63,14 +63,14 @@ static void time_methods(enum rival_start start, double ns[METHODS][2])
             ns[m][ready] = median(time[m][ready], ROUNDS);
 }
 
-static void bench_set(const char *name, const struct patch_set *set, enum rival_start start)
+static void bench_set(const char *name, const struct sample_set *set, enum rival_start start)
 {
     static double error[2 * SAMPLES], ns[METHODS][2];
     const size_t count = set->n < SAMPLES ? set->n : SAMPLES;
     for (size_t i = 0; i < count; i++) {
         for (int k = 0; k < 12; k++) {
             inputs[i].x[k / 3][k % 3] = set->s[i].x[k / 3][k % 3];
-            inputs[i].n[k / 3][k % 3] = set->s[i].n[k / 3][k % 3];
+            inputs[i].n[k / 3][k % 3] = set->s[i].x[4 + k / 3][k % 3];
             inputs[i].xs[k % 3] = set->s[i].xs[k % 3];
         }
         rival_patch_of((const double(*)[3])inputs[i].x, (const double(*)[3])inputs[i].n, &patches[i]);
@@ -140,7 +140,7 @@ static void compare_surfaces(enum smooth_kind kind, int n, double jitter)
 int main(void)
 {
     static const int size[SMOOTH_KINDS] = {8, 16, 8, 16};
-    struct patch_set paper = {0}, bodies = {0};
+    struct sample_set paper = {0}, bodies = {0};
     struct diag d;
     puts("body,segments,jitter,surface,mean_distance,p99_distance,max_distance");
     for (int kind = 0; kind < SMOOTH_KINDS; kind++) {
@@ -158,8 +158,8 @@ int main(void)
     puts("set,samples,method,ns,ns_ready,mean,p99,max,failures");
     bench_set("paper", &paper, RIVAL_QUARTER);
     bench_set("bodies", &bodies, RIVAL_CENTRE);
-    patch_set_free(&paper);
-    patch_set_free(&bodies);
+    sample_set_free(&paper);
+    sample_set_free(&bodies);
     scene_free(scene);
     return EXIT_DONE;
 }

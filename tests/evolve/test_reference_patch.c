@@ -56,18 +56,18 @@ static bool settle(const struct footpoint_gregory *g, const double xs[3], double
 }
 
 /* Corners up to `distortion` off a square, normals with tilts up to `tilt`, a slave node up to `height` above. */
-static void draw(gsl_rng *rng, double distortion, double tilt, double height, struct patch_sample *s)
+static void draw(gsl_rng *rng, double distortion, double tilt, double height, struct sample *s)
 {
     static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     for (int c = 0; c < 4; c++) {
         double length = 0;
         for (int k = 0; k < 3; k++) {
             s->x[c][k] = (k < 2 ? corner[c][k] : 0) + gsl_ran_flat(rng, -distortion, distortion);
-            s->n[c][k] = gsl_ran_flat(rng, -tilt, tilt) + (k == 2);
-            length = hypot(length, s->n[c][k]);
+            s->x[4 + c][k] = gsl_ran_flat(rng, -tilt, tilt) + (k == 2);
+            length = hypot(length, s->x[4 + c][k]);
         }
         for (int k = 0; k < 3; k++)
-            s->n[c][k] /= length;
+            s->x[4 + c][k] /= length;
     }
     s->xs[0] = gsl_ran_flat(rng, -1.5, 1.5);
     s->xs[1] = gsl_ran_flat(rng, -1.5, 1.5);
@@ -84,11 +84,12 @@ static bool known(const struct stationary *found, int n, double xi, double eta)
 
 /* Every stationary point that Newton's iteration finds is known, and no sample is nearer than the closest point; if the
  * reference does not say that it cannot tell.  Returns whether it told. */
-static bool compare(const struct patch_sample *s, int *points)
+static bool compare(const struct sample *s, int *points)
 {
     struct footpoint_gregory g;
     struct stationary found[PATCH_STATIONARY_MAX], closest;
-    assert_int_equal(footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->n, &g), FOOTPOINT_OK);
+    assert_int_equal(footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->x + 4, &g),
+                     FOOTPOINT_OK);
     const int n = foot_patch_stationary(&g, s->xs, lowest, highest, found);
     const bool told = foot_patch_closest(&g, s->xs, &closest);
     double nearest = INFINITY;
@@ -132,7 +133,7 @@ static void test_against_sampling(void **state)
         int told = 0, points = 0;
         const int trials = 250;
         for (int k = 0; k < trials; k++) {
-            struct patch_sample s;
+            struct sample s;
             stream_key(rng, 21, i, (uint64_t)k, 0);
             draw(rng, kind[i].distortion, kind[i].tilt, kind[i].height, &s);
             told += compare(&s, &points);
@@ -147,29 +148,27 @@ static void test_against_sampling(void **state)
 static void test_uncertain(void **state)
 {
     (void)state;
-    struct patch_sample s = {.x = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {1.5, 0, 0}},
-                             .n = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
-                             .xs = {1.2, 0.3, 0.1}};
+    struct sample s = {.x = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {1.5, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+                       .xs = {1.2, 0.3, 0.1}};
     struct footpoint_gregory g;
     struct stationary found[PATCH_STATIONARY_MAX], closest;
-    assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.n, &g), FOOTPOINT_OK);
+    assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.x + 4, &g), FOOTPOINT_OK);
     assert_int_equal(foot_patch_stationary(&g, s.xs, lowest, highest, found), PATCH_UNCERTAIN);
     assert_false(foot_patch_closest(&g, s.xs, &closest));
-    assert_false(foot_patch(&s, lowest, highest));
+    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest));
     s.xs[1] = NAN;
     assert_false(foot_patch_closest(&g, s.xs, &closest));
-    assert_false(foot_patch(&s, lowest, highest));
+    assert_false(foot_patch(PATCH_GREGORY, &s, lowest, highest));
 }
 
 /* A corner is the closest point of all that lie beyond it, an edge of what lies beside it. */
 static void test_border(void **state)
 {
     (void)state;
-    struct patch_sample s = {.x = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
-                             .n = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+    struct sample s = {.x = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
     struct footpoint_gregory g;
     struct stationary closest;
-    assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.n, &g), FOOTPOINT_OK);
+    assert_int_equal(footpoint_gregory_points((const double(*)[3])s.x, (const double(*)[3])s.x + 4, &g), FOOTPOINT_OK);
     assert_true(foot_patch_closest(&g, (const double[]){2.3, 2.1, 0.5}, &closest));
     assert_true(closest.xi == 1 && closest.eta == 1 && !closest.minimum);
     assert_true(foot_patch_closest(&g, (const double[]){0.5, -3, 0.5}, &closest));
@@ -181,12 +180,13 @@ static void test_border(void **state)
 /* ---- samples --------------------------------------------------------------------------------------------------- */
 
 /* The label solves (7), (8) to rounding, and the gap is along the normal. */
-static void check_label(const struct patch_sample *s)
+static void check_label(const struct sample *s)
 {
     struct footpoint_gregory g;
     struct footpoint_jet jet;
     double n[3], gap, along_xi = 0, along_eta = 0, size = 0;
-    assert_int_equal(footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->n, &g), FOOTPOINT_OK);
+    assert_int_equal(footpoint_gregory_points((const double(*)[3])s->x, (const double(*)[3])s->x + 4, &g),
+                     FOOTPOINT_OK);
     footpoint_gregory_jet(&g, s->xi, s->eta, &jet);
     assert_int_equal(footpoint_jet_normal(g.net.origin, &jet, s->xs, n, &gap), FOOTPOINT_OK);
     for (int k = 0; k < 3; k++) {
@@ -199,35 +199,11 @@ static void check_label(const struct patch_sample *s)
     assert_true(fabs(gap - s->gap) < 1e-14 * (1 + size));
 }
 
-/* The paper's inputs are what the lattice is made of, and depend on neither place, size nor direction. */
-static void check_inputs(const struct patch_sample *s)
-{
-    static const double q[3][3] = {{0, 0.6, 0.8}, {1, 0, 0}, {0, 0.8, -0.6}}; /* a rotation */
-    double in[PATCH_INPUTS], moved_in[PATCH_INPUTS];
-    struct patch_sample moved = *s;
-    for (int k = 0; k < 3; k++) {
-        moved.xs[k] = 3 + 2 * (q[k][0] * s->xs[0] + q[k][1] * s->xs[1] + q[k][2] * s->xs[2]);
-        for (int c = 0; c < 4; c++) {
-            moved.x[c][k] = 3 + 2 * (q[k][0] * s->x[c][0] + q[k][1] * s->x[c][1] + q[k][2] * s->x[c][2]);
-            moved.n[c][k] = q[k][0] * s->n[c][0] + q[k][1] * s->n[c][1] + q[k][2] * s->n[c][2];
-        }
-    }
-    patch_inputs(s, in);
-    patch_inputs(&moved, moved_in);
-    const double coordinates[8] = {s->x[2][0], s->x[2][1], s->x[2][2], s->x[3][0],
-                                   s->x[3][1], s->xs[0],   s->xs[1],   s->xs[2]};
-    for (int k = 0; k < PATCH_INPUTS; k++) {
-        const double expected = k < 8 ? coordinates[k] : s->n[(k - 8) / 2][k % 2] / s->n[(k - 8) / 2][2];
-        assert_true(fabs(in[k] - expected) < 1e-15 && fabs(moved_in[k] - expected) < 1e-13);
-    }
-}
-
-/* All numbers; nothing is said of what pads a sample. */
-static void same_samples(const struct patch_set *a, const struct patch_set *b, size_t n)
+static void same_samples(const struct sample_set *a, const struct sample_set *b, size_t n)
 {
     assert_true(a->n >= n && b->n >= n);
     for (size_t i = 0; i < n; i++)
-        assert_memory_equal(&a->s[i], &b->s[i], offsetof(struct patch_sample, kind));
+        assert_memory_equal(&a->s[i], &b->s[i], sizeof *a->s);
 }
 
 static void test_lattice(void **state)
@@ -240,7 +216,7 @@ static void test_lattice(void **state)
     scene->training = 500;
     const struct lattice_gregory plan = {scene, 100, 20, 0.2, PATCH_GREGORY};
     struct lattice_gregory_count count;
-    struct patch_set set = {0}, again = {0};
+    struct sample_set set = {0}, again = {0};
     assert_true(lattice_gregory_samples(&plan, PART_TRAINING, &set, &count, &d));
     assert_true(lattice_gregory_samples(&plan, PART_TRAINING, &again, NULL, &d));
     assert_int_equal(count.configurations, 100);
@@ -249,9 +225,8 @@ static void test_lattice(void **state)
     same_samples(&set, &again, set.n);
     double steepest = 0;
     for (size_t i = 0; i < set.n; i++) {
-        const struct patch_sample *s = &set.s[i];
+        const struct sample *s = &set.s[i];
         check_label(s);
-        check_inputs(s);
         assert_true(s->xi > -1 && s->xi <= 0 && s->eta > -1 && s->eta <= 0);
         for (int c = 0; c < 4; c++) {
             static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -259,13 +234,13 @@ static void test_lattice(void **state)
             assert_int_equal(footpoint_quad4_normal(s->x[0], s->x[1], s->x[2], s->x[3], corner[c][0], corner[c][1], m),
                              FOOTPOINT_OK);
             for (int k = 0; k < 3; k++)
-                cosine += m[k] * s->n[c][k];
+                cosine += m[k] * s->x[4 + c][k];
             steepest = fmax(steepest, sqrt(1 / (cosine * cosine) - 1));
         }
     }
     assert_true(steepest > 0.19 && steepest < 0.2 + 1e-9);
-    patch_set_free(&set);
-    patch_set_free(&again);
+    sample_set_free(&set);
+    sample_set_free(&again);
     scene_free(scene);
 }
 
@@ -273,19 +248,19 @@ static void test_bodies(void **state)
 {
     (void)state;
     const struct smooth plan = {3, 0.2, PATCH_GREGORY};
-    struct patch_set training = {0}, again = {0}, heldout = {0};
+    struct sample_set training = {0}, again = {0}, heldout = {0};
     smooth_samples(&plan, PART_TRAINING, 2000, &training);
     smooth_samples(&plan, PART_TRAINING, 1000, &again);
     smooth_samples(&plan, PART_HELDOUT, 1000, &heldout);
     same_samples(&training, &again, 1000);
-    assert_memory_not_equal(training.s, heldout.s, offsetof(struct patch_sample, kind));
+    assert_memory_not_equal(training.s, heldout.s, sizeof *training.s);
     for (size_t i = 0; i < training.n; i++) {
         check_label(&training.s[i]);
         assert_true(fabs(training.s[i].xi) <= 1 && fabs(training.s[i].eta) <= 1);
     }
-    patch_set_free(&training);
-    patch_set_free(&again);
-    patch_set_free(&heldout);
+    sample_set_free(&training);
+    sample_set_free(&again);
+    sample_set_free(&heldout);
 }
 
 int main(void)

@@ -15,7 +15,7 @@
 
 #include <cmocka.h>
 
-static struct patch_set samples;
+static struct sample_set samples;
 
 static int setup(void **state)
 {
@@ -27,7 +27,7 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     (void)state;
-    patch_set_free(&samples);
+    sample_set_free(&samples);
     return 0;
 }
 
@@ -41,7 +41,7 @@ static void test_jet(void **state)
 {
     (void)state;
     for (size_t i = 0; i < samples.n; i++) {
-        const double(*x)[3] = (const double(*)[3])samples.s[i].x, (*n)[3] = (const double(*)[3])samples.s[i].n;
+        const double(*x)[3] = (const double(*)[3])samples.s[i].x, (*n)[3] = x + 4;
         /* Corners too, but for the second derivatives that are 0/0 there. */
         const int corner = i % 100 == 0;
         const double xi = corner ? -1 : samples.s[i].xi, eta = corner ? 1 : samples.s[i].eta;
@@ -68,13 +68,13 @@ static void test_jet(void **state)
 /* Bezier patches: their jets, and Newton's iteration ends at the certain foot point. */
 static void test_bezier(void **state)
 {
-    struct patch_set set = {0};
+    struct sample_set set = {0};
     size_t converged = 0;
     (void)state;
     smooth_samples(&(struct smooth){6, 0.2, PATCH_BEZIER}, PART_TRAINING, 1000, &set);
     for (size_t i = 0; i < set.n; i++) {
-        const struct patch_sample *s = &set.s[i];
-        const double(*x)[3] = (const double(*)[3])s->x, (*n)[3] = (const double(*)[3])s->n;
+        const struct sample *s = &set.s[i];
+        const double(*x)[3] = (const double(*)[3])s->x, (*n)[3] = x + 4;
         struct footpoint_bezier b;
         struct footpoint_jet jet;
         struct rival_patch patch;
@@ -95,7 +95,7 @@ static void test_bezier(void **state)
             converged++;
     }
     assert_true(converged >= set.n - 2);
-    patch_set_free(&set);
+    sample_set_free(&set);
 }
 
 static void test_searches(void **state)
@@ -104,13 +104,13 @@ static void test_searches(void **state)
     double miss[3] = {0}, along_normals = 0;
     size_t converged = 0, near = 0;
     for (size_t i = 0; i < samples.n; i++) {
-        const struct patch_sample *s = &samples.s[i];
+        const struct sample *s = &samples.s[i];
         const double u = 0.5 + 0.5 * s->xi, v = 0.5 + 0.5 * s->eta;
         struct rival_patch patch;
-        struct rival_point p = rival_facet_foot((const double(*)[3])s->x, (const double(*)[3])s->n, s->xs,
+        struct rival_point p = rival_facet_foot((const double(*)[3])s->x, (const double(*)[3])s->x + 4, s->xs,
                                                 RIVAL_CENTRE),
                            q;
-        rival_patch_of((const double(*)[3])s->x, (const double(*)[3])s->n, &patch);
+        rival_patch_of((const double(*)[3])s->x, (const double(*)[3])s->x + 4, &patch);
         miss[0] += fabs(p.u - u) + fabs(p.v - v);
         q = rival_patch_steps(&patch, s->xs, 1, 0, p);
         miss[1] += fabs(q.u - u) + fabs(q.v - v);
@@ -118,7 +118,7 @@ static void test_searches(void **state)
         miss[2] += fabs(q.u - u) + fabs(q.v - v);
         q = rival_patch_steps(&patch, s->xs, 0, 3, p);
         near += fabs(q.u - u) + fabs(q.v - v) < 1e-5;
-        q = rival_normal_foot((const double(*)[3])s->x, (const double(*)[3])s->n, s->xs, RIVAL_CENTRE);
+        q = rival_normal_foot((const double(*)[3])s->x, (const double(*)[3])s->x + 4, s->xs, RIVAL_CENTRE);
         along_normals += fabs(q.u - u) + fabs(q.v - v);
         if (rival_patch_converge(&patch, s->xs, 0, 50, 1e-10, &p) && fabs(p.u - u) + fabs(p.v - v) < 1e-12)
             converged++;
