@@ -89,6 +89,7 @@ void genome_file_free(struct genome_file *f)
     for (size_t i = 0; i < f->statements; i++) {
         free(f->statement[i].name);
         free(f->statement[i].text);
+        free(f->statement[i].need);
     }
     free(f->statement);
     free(f->exchange);
@@ -216,19 +217,29 @@ void genome_add_expr(struct genome_expr **e, size_t *n, size_t *room, const char
     x->length = length;
 }
 
+size_t genome_statement_of(const struct genome_file *f, size_t symbol)
+{
+    return names_find(&f->names, genome_symbol_name(f, symbol))->statement;
+}
+
 void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length)
 {
     char *head = new_joined("let ", name, " =");
+    struct genome_statement s = {.name = new_text(name, strlen(name)), .need = new_array(length, sizeof *s.need)};
+    for (size_t i = 0; i < length; i++)
+        if (gene[i] >= GENE_SYMBOL + (int)f->inputs)
+            s.need[s.needs++] = genome_statement_of(f, (size_t)(gene[i] - GENE_SYMBOL));
     genome_add_expr(&f->let, &f->lets, &f->let_room, name, gene, length);
     names_add(&f->names, name, NAME_NUMBER, GENE_SYMBOL + (int)(f->inputs + f->lets - 1), f->statements);
-    genome_add_statement(f, name, genome_expr_text(f, head, &f->let[f->lets - 1]), 0);
+    s.text = genome_expr_text(f, head, &f->let[f->lets - 1]);
+    genome_add_statement(f, s);
     free(head);
 }
 
-void genome_add_statement(struct genome_file *f, const char *name, char *text, int line)
+void genome_add_statement(struct genome_file *f, struct genome_statement s)
 {
     grow_array(&f->statement, f->statements, &f->statement_room, sizeof *f->statement);
-    f->statement[f->statements++] = (struct genome_statement){new_text(name, strlen(name)), text, line};
+    f->statement[f->statements++] = s;
 }
 
 void genome_add_range(struct genome_file *f, size_t input, const char *lo, const char *hi)

@@ -159,6 +159,8 @@ struct genome_function {
 /** A let or a function as it is written, its words parted by single blanks. */
 struct genome_statement {
     char *name, *text; /* owned; the first name that it defines */
+    size_t *need;      /* owned: the statements whose names it uses */
+    size_t needs;
     int line;
 };
 
@@ -234,8 +236,10 @@ void genome_add_range(struct genome_file *f, size_t input, const char *lo, const
 void genome_add_require(struct genome_file *f, const int *gene, size_t length);
 /** Append a named value; its name must be new. Copies `length` genes. */
 void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length);
-/** Append a let or a function as it is written; takes the text. */
-void genome_add_statement(struct genome_file *f, const char *name, char *text, int line);
+/** Append a let or a function as it is written; takes what the statement owns. */
+void genome_add_statement(struct genome_file *f, struct genome_statement s);
+/** The statement that defines a symbol that is no input. */
+size_t genome_statement_of(const struct genome_file *f, size_t symbol);
 /** `head` and an expression, words parted by single blanks.  Caller frees. */
 char *genome_expr_text(const struct genome_file *f, const char *head, const struct genome_expr *e);
 void genome_free_function(struct genome_function *x);

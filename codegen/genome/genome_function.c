@@ -143,6 +143,6 @@ bool read_function(struct reader *r)
     names_add(&f->names, name, NAME_FUNCTION, (int)f->functions, f->statements);
     grow_array(&f->function, f->functions, &f->function_room, sizeof *f->function);
     f->function[f->functions++] = x;
-    genome_add_statement(f, name, plain_text(r, start), line);
+    add_statement(r, name, start, line);
     return true;
 }

@@ -248,7 +248,7 @@ bool read_let(struct reader *r)
         return reader_fail(r, "'let' must stand before the genomes");
     const bool good = read_definition(r, &t);
     if (good && !r->function)
-        genome_add_statement(r->file, t.item[0].name, plain_text(r, start), line);
+        add_statement(r, t.item[0].name, start, line);
     free(t.item);
     return good;
 }

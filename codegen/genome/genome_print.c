@@ -1,8 +1,6 @@
 /* Printer of genome text (grammar: genome.h): statements as they were written, the rest from the data structure. */
 #include "genome.h"
-#include "names.h"
 #include "text.h"
-#include "words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -112,29 +110,11 @@ static void print_genome(const struct genome_file *f, const struct genome *g, FI
 
 /* ---- what is needed ---- */
 
-/* A name that is only defined from statement `before` on means a value of a function's own. */
-static void need_name(const struct genome_file *f, const char *name, size_t before, bool *needed)
-{
-    const struct name *n = names_find(&f->names, name);
-    if (n && n->statement < before)
-        needed[n->statement] = true;
-}
-
 static void need_symbols(const struct genome_file *f, const struct genome_expr *e, bool *needed)
 {
     for (size_t i = 0; i < e->length; i++)
-        if (e->gene[i] >= GENE_SYMBOL)
-            need_name(f, genome_symbol_name(f, (size_t)(e->gene[i] - GENE_SYMBOL)), f->statements, needed);
-}
-
-static void need_words(const struct genome_file *f, size_t statement, bool *needed)
-{
-    char name[NAME_ROOM];
-    const char *text = f->statement[statement].text;
-    struct words w = words_of(text, strlen(text));
-    while (words_next(&w, false))
-        if (word_copy(&w, name, sizeof name))
-            need_name(f, name, statement, needed);
+        if (e->gene[i] >= GENE_SYMBOL + (int)f->inputs)
+            needed[genome_statement_of(f, (size_t)(e->gene[i] - GENE_SYMBOL))] = true;
 }
 
 /* By statement: genomes and requires depend on it. */
@@ -147,8 +127,8 @@ static bool *needed_statements(const struct genome_file *f)
         for (size_t k = 0; k < f->genome[i].outs; k++)
             need_symbols(f, &f->genome[i].out[k], needed);
     for (size_t i = f->statements; i-- > 0;)
-        if (needed[i])
-            need_words(f, i, needed);
+        for (size_t k = 0; needed[i] && k < f->statement[i].needs; k++)
+            needed[f->statement[i].need[k]] = true;
     return needed;
 }
 

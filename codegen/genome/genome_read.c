@@ -198,6 +198,7 @@ static bool read_lines(struct reader *r)
 {
     struct genome_file *f = r->file;
     while (next_word(r, false)) {
+        r->needs = 0;
         const bool good = word_is(&r->w, "note")       ? read_note(r, &f->note, &f->notes, &f->note_room)
                           : word_is(&r->w, "input")    ? read_inputs(r)
                           : word_is(&r->w, "segment")  ? read_segment(r)
@@ -245,6 +246,7 @@ static void free_reader(struct reader *r)
     free(r->gene);
     free(r->node);
     free(r->task);
+    free(r->need);
 }
 
 bool genome_read_statement(struct genome_file *f, const char *text, struct diag *d)

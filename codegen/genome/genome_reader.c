@@ -65,10 +65,17 @@ bool read_name(struct reader *r, char name[NAME_ROOM])
     return word_copy(&r->w, name, NAME_ROOM);
 }
 
-const struct name *find_name(const struct reader *r, const char *text)
+const struct name *find_name(struct reader *r, const char *text)
 {
     const struct name *n = r->function ? names_find(&r->function->names, text) : NULL;
-    return n ? n : names_find(&r->file->names, text);
+    if (n)
+        return n;
+    n = names_find(&r->file->names, text);
+    if (n && n->statement != NO_STATEMENT) {
+        grow_array(&r->need, r->needs, &r->need_room, sizeof *r->need);
+        r->need[r->needs++] = n->statement;
+    }
+    return n;
 }
 
 bool read_new_name(struct reader *r, char name[NAME_ROOM])
@@ -123,7 +130,8 @@ bool read_number(struct reader *r, int *gene)
     return true;
 }
 
-char *plain_text(const struct reader *r, const char *start)
+/* A line for each let of a function. */
+static char *plain_text(const struct reader *r, const char *start)
 {
     struct memory *m = memory_open();
     struct words w = words_of(start, (size_t)(r->w.at - start));
@@ -133,4 +141,12 @@ char *plain_text(const struct reader *r, const char *start)
         fwrite(w.word, 1, w.length, m->stream);
     }
     return memory_close(m);
+}
+
+void add_statement(struct reader *r, const char *name, const char *start, int line)
+{
+    genome_add_statement(r->file, (struct genome_statement){new_text(name, strlen(name)), plain_text(r, start), r->need,
+                                                            r->needs, line});
+    r->need = NULL;
+    r->needs = r->need_room = 0;
 }

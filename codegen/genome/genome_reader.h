@@ -36,6 +36,8 @@ struct reader {
     size_t total;      /* genes of all lets */
     struct task *task; /* owned: what is still to be expanded */
     size_t tasks, task_room;
+    size_t *need; /* owned: the statements whose names this line uses */
+    size_t needs, need_room;
 };
 
 /** Fills the diagnostic; %s in the format is the current word. */
@@ -50,8 +52,8 @@ bool word_is_keyword(const struct reader *r);
 /** The current word as a name that is neither keyword nor operator, or one that is new, too. */
 bool read_name(struct reader *r, char name[NAME_ROOM]);
 bool read_new_name(struct reader *r, char name[NAME_ROOM]);
-/** What a name stands for: the function's first, then the file's; NULL if it is nothing. */
-const struct name *find_name(const struct reader *r, const char *text);
+/** What a name that is used stands for: the function's first, then the file's; NULL if it is nothing. */
+const struct name *find_name(struct reader *r, const char *text);
 /** Whether the current word is an operator, and the text of one. */
 bool read_operator(const struct reader *r, int *gene);
 const char *operator_name(int gene);
@@ -81,8 +83,8 @@ struct target {
 };
 /** Says what the name, and the names of a vector's components, stand for from here on. */
 bool add_name(struct reader *r, const struct target *t, bool vector, int gene);
-/** The words from `start` to here, a line for each let of a function.  Caller frees. */
-char *plain_text(const struct reader *r, const char *start);
+/** Appends the words from `start` to here as a statement. */
+void add_statement(struct reader *r, const char *name, const char *start, int line);
 
 /** Lines "let ..." and "function ...", at the keyword. */
 bool read_let(struct reader *r);

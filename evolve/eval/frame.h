@@ -10,7 +10,8 @@
 /** One program of all frames that the scene's tiers name: inputs, segment and corner order, and the lets of each
  *  frame, in the order of the tiers; the scene's reference point takes the place of the lets xi0 and eta0, and the
  *  bounds of its contact points that of xi_lo, xi_hi, eta_lo and eta_hi.  Returns NULL with *d filled if a frame cannot
- *  be read, two frames define one name differently, or a terminal of a tier is no value of its frame.
+ *  be read, two frames define one name differently or are of two versions of the format, or a terminal of a tier is no
+ *  value of its frame.
  *  @param[in] path  name of the program, as it will be written */
 struct genome_file *frame_program(const char *root, const struct scene *s, const char *path, struct diag *d);
 

@@ -15,7 +15,7 @@
 
 #include "tree.h"
 
-/** The exchange and function lines of a program. */
+/** The exchanges and functions of a program. */
 struct twins {
     const struct genome_file *program; /* not owned */
     size_t *partner;                   /* owned: by symbol; what exchanging xi and eta makes of it */
