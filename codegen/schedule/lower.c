@@ -1,8 +1,8 @@
 /* From a schedule to statements.  A value that is used once and short stands where it is used; any other gets a name.
- * Until then it is a tree of operations (tree.h): numerator and denominator apart, so that its user divides once. */
+ * Until then it is a tree of operations (operation_tree.h): numerator and denominator apart, so that its user divides once. */
 #include "lower.h"
 
-#include "tree.h"
+#include "operation_tree.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /* Operations that wait for their statement, as trees; and the program that statements become.  A tree knows how wide its
  * text is in C, since what is short stands where it is used. */
-#ifndef FOOTPOINT_TREE_H
-#define FOOTPOINT_TREE_H
+#ifndef FOOTPOINT_OPERATION_TREE_H
+#define FOOTPOINT_OPERATION_TREE_H
 
 #include "../graph/rational.h"
 #include "../program/dialect.h"

@@ -1,5 +1,5 @@
-/* Trees of operations, and how wide their text is; see tree.h. */
-#include "tree.h"
+/* Trees of operations, and how wide their text is; see operation_tree.h. */
+#include "operation_tree.h"
 
 #include "../genome/text.h"
 #include "../graph/constant_text.h"
