@@ -45,6 +45,11 @@ static bool refuse(const char *what, const char *argument, int *status)
     return false;
 }
 
+static const char *ending_of(enum language language)
+{
+    return language == LANGUAGE_FORTRAN ? ".f90" : ".h";
+}
+
 /* "path/Some-name.h" to "some-name" as a C identifier that begins with footpoint_. */
 static void prefix_from_path(const char *path, const char *ending, char prefix[160])
 {
@@ -149,14 +154,19 @@ static bool read_option(int option, const char *argument, struct codegen_options
     }
 }
 
-/* The call that a header names: files without their folders, which are others elsewhere. */
-static void write_command(int argc, char **argv, char *text, size_t room)
+/* The call that a header names, options first: files without their folders, which are others elsewhere, and the output
+ * by what its names begin with, so that the same text goes wherever it is written. */
+static void write_command(int argc, char **argv, struct codegen_options *o)
 {
-    size_t n = (size_t)snprintf(text, room, "footpoint-codegen");
+    const size_t room = sizeof o->command;
+    size_t n = (size_t)snprintf(o->command, room, "footpoint-codegen");
     for (int i = 1; i < argc && n < room; i++) {
         const char *slash = strrchr(argv[i], '/'), *value = strchr(argv[i], '=');
         const int option = argv[i][0] == '-' && value && slash ? (int)(value + 1 - argv[i]) : 0;
-        n += (size_t)snprintf(text + n, room - n, " %.*s%s", option, argv[i], slash ? slash + 1 : argv[i]);
+        if (argv[i] == o->output)
+            n += (size_t)snprintf(o->command + n, room - n, " %s%s", o->prefix, ending_of(o->language));
+        else
+            n += (size_t)snprintf(o->command + n, room - n, " %.*s%s", option, argv[i], slash ? slash + 1 : argv[i]);
     }
 }
 
@@ -166,7 +176,6 @@ bool codegen_options_read(int argc, char **argv, struct codegen_options *o, int 
     bool count = false;
     *o = (struct codegen_options){.unit = {.compile = defaults}};
     *status = EXIT_DONE;
-    write_command(argc, argv, o->command, sizeof o->command);
     opterr = 0;
     for (int c; (c = getopt_long(argc, argv, "o:h", long_options, NULL)) != -1;) {
         if (c == 'h') {
@@ -189,7 +198,8 @@ bool codegen_options_read(int argc, char **argv, struct codegen_options *o, int 
     if (count == (o->output != NULL))
         return refuse("either -o FILE or --count, please", "", status);
     if (o->output && !*o->prefix)
-        prefix_from_path(o->output, o->language == LANGUAGE_FORTRAN ? ".f90" : ".h", o->prefix);
+        prefix_from_path(o->output, ending_of(o->language), o->prefix);
+    write_command(argc, argv, o);
     o->genomes = argv[optind];
     o->unit.prefix = o->prefix;
     o->unit.command = o->command;
