@@ -91,6 +91,11 @@ const struct option_table codegen_option_table = {
     .lacking = "unknown option or missing value: %s (try --help)",
     .surplus = "one genome file, please (try --help)"};
 
+static const char *ending_of(enum language language)
+{
+    return language == LANGUAGE_FORTRAN ? ".f90" : ".h";
+}
+
 /* What options tell of each other. */
 static bool complete(struct codegen_options *o, const bool *given, struct diag *d)
 {
@@ -103,7 +108,7 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     if (o->cost && !cost_model_find(o->cost, &compile->cost, d))
         return false;
     if (o->output && !*o->prefix)
-        prefix_from_path(o->output, o->language == LANGUAGE_FORTRAN ? ".f90" : ".h", o->prefix);
+        prefix_from_path(o->output, ending_of(o->language), o->prefix);
     o->precision_given = given[option_find(t, "precision")];
     compile->effort = (long)o->effort;
     compile->seed = (unsigned long)o->seed;
@@ -113,14 +118,19 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     return true;
 }
 
-/* The call that a header names: files without their folders, which are others elsewhere. */
-static void write_command(int argc, char **argv, char *text, size_t room)
+/* The call that a header names: files without their folders, which are others elsewhere, and the output by what its names
+ * begin with, so that the same text goes wherever it is written. */
+static void write_command(int argc, char **argv, struct codegen_options *o)
 {
-    size_t n = (size_t)snprintf(text, room, "footpoint-codegen");
+    const size_t room = sizeof o->command;
+    size_t n = (size_t)snprintf(o->command, room, "footpoint-codegen");
     for (int i = 1; i < argc && n < room; i++) {
         const char *slash = strrchr(argv[i], '/'), *value = strchr(argv[i], '=');
         const int option = argv[i][0] == '-' && value && slash ? (int)(value + 1 - argv[i]) : 0;
-        n += (size_t)snprintf(text + n, room - n, " %.*s%s", option, argv[i], slash ? slash + 1 : argv[i]);
+        if (argv[i] == o->output)
+            n += (size_t)snprintf(o->command + n, room - n, " %s%s", o->prefix, ending_of(o->language));
+        else
+            n += (size_t)snprintf(o->command + n, room - n, " %.*s%s", option, argv[i], slash ? slash + 1 : argv[i]);
     }
 }
 
@@ -129,8 +139,10 @@ enum options_outcome codegen_options_read(int argc, char **argv, struct codegen_
     const struct compile_options compile = compile_defaults();
     bool given[sizeof rows / sizeof *rows] = {false};
     *o = (struct codegen_options){.effort = (size_t)compile.effort, .seed = compile.seed, .unit = {.compile = compile}};
-    write_command(argc, argv, o->command, sizeof o->command);
-    o->unit.command = o->command;
     const enum options_outcome outcome = options_read(&codegen_option_table, argc, argv, o, given, d);
-    return outcome == OPTIONS_READ && !complete(o, given, d) ? OPTIONS_WRONG : outcome;
+    if (outcome == OPTIONS_READ && !complete(o, given, d))
+        return OPTIONS_WRONG;
+    write_command(argc, argv, o);
+    o->unit.command = o->command;
+    return outcome;
 }
