@@ -324,11 +324,9 @@ static bool fits_messages(const struct evolve_options *o, const struct plan *pla
     for (size_t i = 0; i < islands_count(s); i++) {
         const struct island *is = s->island[i];
         if (is && (island_parcel_size(is, plan->migrants) > INT_MAX / sizeof(int) ||
-                   (o->checkpoint && island_state_size(is) > INT_MAX))) {
-            diag_at(d, "footpoint-evolve", 0, 0, "--population %zu is too large to be sent", o->population);
-            d->code = EXIT_USAGE;
-            return false;
-        }
+                   (o->checkpoint && island_state_size(is) > INT_MAX)))
+            return options_refuse(&evolve_option_table, d, "error: --population %zu is too large to be sent",
+                                  o->population);
     }
     return true;
 }

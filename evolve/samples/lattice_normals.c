@@ -2,6 +2,7 @@
 #include "lattice_normals.h"
 
 #include "../common/stream.h"
+#include "../common/vec3.h"
 #include "../surface/foot_patch.h"
 #include "samples.h"
 
@@ -10,16 +11,9 @@
 #include <math.h>
 #include <string.h>
 
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static void normalise(double v[3])
 {
-    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    const double length = sqrt(vector_dot(v, v));
     for (int k = 0; k < 3; k++)
         v[k] /= length;
 }
@@ -32,11 +26,11 @@ static void corner_basis(double x[4][3], int c, double n[3], double e1[3], doubl
         next[k] = x[(c + 1) % 4][k] - x[c][k];
         last[k] = x[(c + 3) % 4][k] - x[c][k];
     }
-    cross(next, last, n);
+    vector_cross(next, last, n);
     normalise(n);
     memcpy(e1, next, 3 * sizeof *e1);
     normalise(e1);
-    cross(n, e1, e2);
+    vector_cross(n, e1, e2);
 }
 
 static void draw_normals(gsl_rng *stream, double tangent, struct sample *s)

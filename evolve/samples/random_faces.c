@@ -5,6 +5,8 @@
  * than 60 degrees, are drawn again. */
 #include "samples.h"
 
+#include "../common/vec3.h"
+
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -85,13 +87,12 @@ static bool unfolded(const struct surface *f, const struct shapes *shapes, doubl
         if (f->triangle && xi + eta > reach * (1 + 1e-12))
             continue;
         f->point(f, x, xi, eta, r);
-        for (int k = 0; k < 3; k++)
-            n[k] = r[1][(k + 1) % 3] * r[2][(k + 2) % 3] - r[1][(k + 2) % 3] * r[2][(k + 1) % 3];
+        vector_cross(r[1], r[2], n);
         if (i < 0)
             memcpy(first, n, sizeof first);
-        const double along = n[0] * first[0] + n[1] * first[1] + n[2] * first[2];
-        const double nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-        const double ff = first[0] * first[0] + first[1] * first[1] + first[2] * first[2];
+        const double along = vector_dot(n, first);
+        const double nn = vector_dot(n, n);
+        const double ff = vector_dot(first, first);
         if (!(along > 0.5 * sqrt(nn * ff) && nn > 0.04 * ff))
             return false;
     }

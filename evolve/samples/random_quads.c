@@ -5,6 +5,7 @@
  * r(xi,eta) + gap n(xi,eta), the whole is rotated, scaled and moved at random, and labelled with the certain foot
  * point. */
 #include "../common/stream.h"
+#include "../common/vec3.h"
 #include "../surface/surface.h"
 #include "samples.h"
 
@@ -13,15 +14,10 @@
 #include <math.h>
 #include <string.h>
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double distance2(const double a[3], const double b[3])
 {
     const double v[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return dot(v, v);
+    return vector_dot(v, v);
 }
 
 static double uniform(gsl_rng *stream, double max)
@@ -36,7 +32,7 @@ static double warp_of(const struct surface *f, double (*x)[3])
     double n[4][3], r[3];
     for (int i = 0; i < 4; i++)
         surface_normal(f, x, corner[i][0], corner[i][1], r, n[i]);
-    return acos(fmax(-1, fmin(1, fmin(dot(n[0], n[1]), dot(n[2], n[3])))));
+    return acos(fmax(-1, fmin(1, fmin(vector_dot(n[0], n[1]), vector_dot(n[2], n[3])))));
 }
 
 static void set_corners(const double c1[3], const double c2[3], double a, double b, double g, double (*x)[3])
@@ -127,7 +123,7 @@ static void move(gsl_rng *stream, const struct segment_kind *kind, double (*x)[3
         const double v[3] = {x[i][0], x[i][1], x[i][2]};
         const bool node = i < strlen(kind->nodes);
         for (int k = 0; k < 3; k++)
-            x[i][k] = node ? scale * (dot(q[k], v) + shift[k]) : dot(q[k], v);
+            x[i][k] = node ? scale * (vector_dot(q[k], v) + shift[k]) : vector_dot(q[k], v);
     }
 }
 

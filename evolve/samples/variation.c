@@ -2,6 +2,8 @@
  * segment of size 1 at 1000 from the origin has corners that are rounded by 1e-13. */
 #include "variation.h"
 
+#include "../common/vec3.h"
+
 #include <float.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -14,17 +16,6 @@ const char *const variation_name[] = {[VARY_RECTANGLES] = "rectangles",
                                       [VARY_PARALLELOGRAMS] = "parallelograms",
                                       [VARY_PLANE] = "plane",
                                       [VARY_WARPED] = "warped"};
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    for (int k = 0; k < 3; k++)
-        c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
 
 /* c1, c2, c3 from differences of corners, which lose nothing far from the origin. */
 static void expand(double x[4][3], double c[3][3])
@@ -58,10 +49,10 @@ static double turn(double c[3][3], double eta)
             t1[k] = c[0][k] + at * eta * c[2][k];
             t2[k] = c[1][k] + at * c[2][k];
         }
-        cross(t1, t2, n[i]);
+        vector_cross(t1, t2, n[i]);
     }
-    cross(n[0], n[1], both);
-    return atan2(sqrt(dot(both, both)), dot(n[0], n[1]));
+    vector_cross(n[0], n[1], both);
+    return atan2(sqrt(vector_dot(both, both)), vector_dot(n[0], n[1]));
 }
 
 static struct variation measure(const struct sample *s)
@@ -69,15 +60,15 @@ static struct variation measure(const struct sample *s)
     double x[4][3], c[3][3], n[3], a[3], b[3];
     memcpy(x, s->x, sizeof x);
     expand(x, c);
-    cross(c[0], c[1], n);
-    cross(c[2], c[1], a);
-    cross(c[0], c[2], b);
-    const double nn = dot(n, n), size = sqrt(fmin(dot(c[0], c[0]), dot(c[1], c[1])));
+    vector_cross(c[0], c[1], n);
+    vector_cross(c[2], c[1], a);
+    vector_cross(c[0], c[2], b);
+    const double nn = vector_dot(n, n), size = sqrt(fmin(vector_dot(c[0], c[0]), vector_dot(c[1], c[1])));
     if (!(nn > 0))
         return (struct variation){VARY_WARPED, INFINITY, M_PI, M_PI_2, nothing};
-    struct variation v = {.taper = fmax(fabs(dot(a, n)), fabs(dot(b, n))) / nn,
+    struct variation v = {.taper = fmax(fabs(vector_dot(a, n)), fabs(vector_dot(b, n))) / nn,
                           .warp = fmax(turn(c, 1), turn(c, -1)),
-                          .skew = atan2(fabs(dot(c[0], c[1])), sqrt(nn)),
+                          .skew = atan2(fabs(vector_dot(c[0], c[1])), sqrt(nn)),
                           .tolerance = nothing + rounding * largest_coordinate(x) / size};
     v.kind = v.warp > v.tolerance    ? VARY_WARPED
              : v.taper > v.tolerance ? VARY_PLANE

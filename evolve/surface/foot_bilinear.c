@@ -11,6 +11,8 @@
  * iteration on (7), (8) in long double.  Coordinates are relative to the centre and divided by the size of the segment
  * before anything else. */
 #include "foot_bilinear.h"
+
+#include "../common/vec3.h"
 #include "surface.h"
 
 #include <float.h>
@@ -30,28 +32,11 @@ struct local {
     long double c1[3], c2[3], c3[3], d[3], size;
 };
 
-static long double dot(const long double a[3], const long double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static double dot_short(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const long double a[3], const long double b[3], long double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static long double square_of_cross(const long double a[3], const long double b[3])
 {
     long double c[3];
-    cross(a, b, c);
-    return dot(c, c);
+    long_cross(a, b, c);
+    return long_dot(c, c);
 }
 
 static bool localise(const double x[4][3], const double xs[3], struct local *l)
@@ -78,15 +63,15 @@ static bool localise(const double x[4][3], const double xs[3], struct local *l)
 
 static struct products multiply(const struct local *l)
 {
-    return (struct products){.c11 = dot(l->c1, l->c1),
-                             .c22 = dot(l->c2, l->c2),
-                             .c33 = dot(l->c3, l->c3),
-                             .c12 = dot(l->c1, l->c2),
-                             .c13 = dot(l->c1, l->c3),
-                             .c23 = dot(l->c2, l->c3),
-                             .d1 = dot(l->d, l->c1),
-                             .d2 = dot(l->d, l->c2),
-                             .d3 = dot(l->d, l->c3)};
+    return (struct products){.c11 = long_dot(l->c1, l->c1),
+                             .c22 = long_dot(l->c2, l->c2),
+                             .c33 = long_dot(l->c3, l->c3),
+                             .c12 = long_dot(l->c1, l->c2),
+                             .c13 = long_dot(l->c1, l->c3),
+                             .c23 = long_dot(l->c2, l->c3),
+                             .d1 = long_dot(l->d, l->c1),
+                             .d2 = long_dot(l->d, l->c2),
+                             .d3 = long_dot(l->d, l->c3)};
 }
 
 /* The same segment with xi and eta exchanged. */
@@ -112,8 +97,8 @@ static bool newton_step(const struct local *l, long double xi, long double eta, 
         t2[k] = l->c2[k] + l->c3[k] * xi;
         v[k] = l->d[k] - l->c1[k] * xi - t2[k] * eta;
     }
-    const long double f1 = dot(t1, v), f2 = dot(t2, v);
-    const long double h11 = dot(t1, t1), h22 = dot(t2, t2), h12 = dot(t1, t2) - dot(v, l->c3);
+    const long double f1 = long_dot(t1, v), f2 = long_dot(t2, v);
+    const long double h11 = long_dot(t1, t1), h22 = long_dot(t2, t2), h12 = long_dot(t1, t2) - long_dot(v, l->c3);
     const long double det = h11 * h22 - h12 * h12;
     *minimum = det > 0 && h11 > 0;
     if (det == 0)
@@ -191,7 +176,7 @@ static long double distance_at(const struct local *l, long double xi, long doubl
     long double v[3];
     for (int k = 0; k < 3; k++)
         v[k] = l->d[k] - l->c1[k] * xi - l->c2[k] * eta - l->c3[k] * xi * eta;
-    return sqrtl(dot(v, v));
+    return sqrtl(long_dot(v, v));
 }
 
 /* Insert in ascending distance; a point found twice is kept once. */
@@ -259,11 +244,11 @@ static bool gap_at(const struct local *l, long double xi, long double eta, doubl
         t2[k] = l->c2[k] + l->c3[k] * xi;
         v[k] = l->d[k] - l->c1[k] * xi - t2[k] * eta;
     }
-    cross(t1, t2, n);
-    const long double length = sqrtl(dot(n, n));
+    long_cross(t1, t2, n);
+    const long double length = sqrtl(long_dot(n, n));
     if (!(length > 0))
         return false;
-    *gap = (double)(l->size * dot(v, n) / length);
+    *gap = (double)(l->size * long_dot(v, n) / length);
     return true;
 }
 
@@ -278,8 +263,8 @@ static bool inside(double v, double lo, double hi)
 static bool one_sign(const double c1[3], const double c2[3], const double c3[3], const double d[3],
                      const double first[2], const double second[2])
 {
-    const double c11 = dot_short(c1, c1), c12 = dot_short(c1, c2), c13 = dot_short(c1, c3), c23 = dot_short(c2, c3);
-    const double c33 = dot_short(c3, c3), d1 = dot_short(d, c1), d3 = dot_short(d, c3);
+    const double c11 = vector_dot(c1, c1), c12 = vector_dot(c1, c2), c13 = vector_dot(c1, c3), c23 = vector_dot(c2, c3);
+    const double c33 = vector_dot(c3, c3), d1 = vector_dot(d, c1), d3 = vector_dot(d, c3);
     const double reach = 1 + fmax(fmax(-first[0], first[1]), fmax(-second[0], second[1]));
     const double margin = 1e-12 * reach * reach * reach * (c11 + c33 + fabs(c12) + fabs(c23) + fabs(d1) + fabs(d3));
     bool above = true, below = true;

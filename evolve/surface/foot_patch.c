@@ -116,10 +116,10 @@ static bool gap_at(const struct patch_local *l, double xi, double eta, double *g
 {
     struct patch_jet jet;
     patch_evaluate(l, (1 + (long double)xi) / 2, (1 + (long double)eta) / 2, &jet);
-    const long double n[3] = {jet.u[1] * jet.v[2] - jet.u[2] * jet.v[1], jet.u[2] * jet.v[0] - jet.u[0] * jet.v[2],
-                              jet.u[0] * jet.v[1] - jet.u[1] * jet.v[0]};
-    const long double length = sqrtl(patch_dot(n, n));
-    *gap = (double)(-l->size * patch_dot(jet.r, n) / length);
+    long double n[3];
+    long_cross(jet.u, jet.v, n);
+    const long double length = sqrtl(long_dot(n, n));
+    *gap = (double)(-l->size * long_dot(jet.r, n) / length);
     return length > 0;
 }
 

@@ -118,10 +118,10 @@ bool patch_polish(const struct patch_local *l, long double *u, long double *v, b
     for (int i = 0; i < 50; i++) {
         struct patch_jet jet;
         patch_evaluate(l, *u, *v, &jet);
-        const long double f1 = patch_dot(jet.u, jet.r), f2 = patch_dot(jet.v, jet.r);
-        const long double h11 = patch_dot(jet.u, jet.u) + patch_dot(jet.uu, jet.r),
-                          h22 = patch_dot(jet.v, jet.v) + patch_dot(jet.vv, jet.r);
-        const long double h12 = patch_dot(jet.u, jet.v) + patch_dot(jet.uv, jet.r), det = h11 * h22 - h12 * h12;
+        const long double f1 = long_dot(jet.u, jet.r), f2 = long_dot(jet.v, jet.r);
+        const long double h11 = long_dot(jet.u, jet.u) + long_dot(jet.uu, jet.r),
+                          h22 = long_dot(jet.v, jet.v) + long_dot(jet.vv, jet.r);
+        const long double h12 = long_dot(jet.u, jet.v) + long_dot(jet.uv, jet.r), det = h11 * h22 - h12 * h12;
         *minimum = det > 0 && h11 > 0;
         const long double du = (h12 * f2 - h22 * f1) / det, dv = (h12 * f1 - h11 * f2) / det;
         const long double step = fabsl(du) + fabsl(dv);
@@ -142,6 +142,6 @@ struct stationary patch_point_at(const struct patch_local *l, long double u, lon
     patch_evaluate(l, u, v, &jet);
     return (struct stationary){.xi = (double)(2 * u - 1),
                                .eta = (double)(2 * v - 1),
-                               .distance = (double)(l->size * sqrtl(patch_dot(jet.r, jet.r))),
+                               .distance = (double)(l->size * sqrtl(long_dot(jet.r, jet.r))),
                                .minimum = minimum};
 }

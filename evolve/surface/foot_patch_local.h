@@ -4,6 +4,7 @@
 #define FOOTPOINT_FOOT_PATCH_LOCAL_H
 
 #include "../../runtime/geometry/footpoint-gregory-geometry.h"
+#include "../common/vec3.h"
 #include "foot_bilinear.h"
 
 struct patch_local {
@@ -29,10 +30,5 @@ bool patch_polish(const struct patch_local *l, long double *u, long double *v, b
 
 /** The point at (u,v) with its distance, as the reference's callers see it. */
 struct stationary patch_point_at(const struct patch_local *l, long double u, long double v, bool minimum);
-
-static inline long double patch_dot(const long double a[3], const long double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 #endif

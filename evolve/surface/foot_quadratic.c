@@ -6,6 +6,7 @@
  * one.  Where boxes get as small as rounding and nothing is settled there is no answer.  (Lane and Riesenfeld, "Bounds
  * on a polynomial", BIT 21, 1981; bisection with convexity: Hansen, Global Optimization Using Interval Analysis, 1992.)
  * Coordinates are relative to node A and divided by the size of the segment before anything else. */
+#include "../common/vec3.h"
 #include "surface.h"
 
 #include <float.h>
@@ -108,11 +109,6 @@ static void evaluate(const struct local *l, long double xi, long double eta, lon
         v[4][k] = by_eta[1] + 2 * xi * by_eta[2];
         v[5][k] = 2 * (l->v[k][0][2] + xi * (l->v[k][1][2] + xi * l->v[k][2][2]));
     }
-}
-
-static long double dot(const long double a[3], const long double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* ---- boxes ---- */
@@ -248,9 +244,10 @@ static bool newton(const struct local *l, const struct box *b, long double at[2]
     for (int i = 0; i < 60; i++) {
         long double v[6][3];
         evaluate(l, at[0], at[1], v);
-        const long double f1 = dot(v[0], v[1]), f2 = dot(v[0], v[2]);
-        const long double h11 = dot(v[1], v[1]) + dot(v[0], v[3]), h22 = dot(v[2], v[2]) + dot(v[0], v[5]);
-        const long double h12 = dot(v[1], v[2]) + dot(v[0], v[4]), det = h11 * h22 - h12 * h12;
+        const long double f1 = long_dot(v[0], v[1]), f2 = long_dot(v[0], v[2]);
+        const long double h11 = long_dot(v[1], v[1]) + long_dot(v[0], v[3]),
+                          h22 = long_dot(v[2], v[2]) + long_dot(v[0], v[5]);
+        const long double h12 = long_dot(v[1], v[2]) + long_dot(v[0], v[4]), det = h11 * h22 - h12 * h12;
         if (!(det > 0 && h11 > 0))
             return false;
         const long double step[2] = {(f2 * h12 - f1 * h22) / det, (f1 * h12 - f2 * h11) / det};
@@ -284,7 +281,7 @@ static bool take_minimum(struct subdivision *s, const struct box *b)
     for (int k = 0; k < 2; k++)
         own = own && at[k] > b->lo[k] - CONVERGED && at[k] < b->hi[k] + CONVERGED;
     evaluate(s->local, at[0], at[1], v);
-    const long double d = dot(v[0], v[0]) / 2;
+    const long double d = long_dot(v[0], v[0]) / 2;
     if (own && inside(s, at) && d < s->least) {
         memcpy(s->at, at, sizeof s->at);
         s->least = d;
@@ -321,13 +318,12 @@ bool surface_foot_quadratic(const struct surface *f, struct sample *s, const dou
     if (sub.lost || !sub.found)
         return false;
     evaluate(&l, sub.at[0], sub.at[1], v);
-    for (int k = 0; k < 3; k++)
-        n[k] = v[1][(k + 1) % 3] * v[2][(k + 2) % 3] - v[1][(k + 2) % 3] * v[2][(k + 1) % 3];
-    const long double length = sqrtl(dot(n, n));
+    long_cross(v[1], v[2], n);
+    const long double length = sqrtl(long_dot(n, n));
     if (!(length > 0))
         return false;
     s->xi = (double)sub.at[0];
     s->eta = (double)sub.at[1];
-    s->gap = (double)(l.size * dot(v[0], n) / length);
+    s->gap = (double)(l.size * long_dot(v[0], n) / length);
     return true;
 }

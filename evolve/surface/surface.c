@@ -5,6 +5,7 @@
 #include "../../runtime/geometry/footpoint-quad9-geometry.h"
 #include "../../runtime/geometry/footpoint-tri3-geometry.h"
 #include "../../runtime/geometry/footpoint-tri6-geometry.h"
+#include "../common/vec3.h"
 
 #include <math.h>
 #include <string.h>
@@ -67,9 +68,8 @@ bool surface_normal(const struct surface *f, double (*x)[3], double xi, double e
     double at[3][3];
     f->point(f, x, xi, eta, at);
     memcpy(r, at[0], sizeof at[0]);
-    for (int k = 0; k < 3; k++)
-        n[k] = at[1][(k + 1) % 3] * at[2][(k + 2) % 3] - at[1][(k + 2) % 3] * at[2][(k + 1) % 3];
-    const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    vector_cross(at[1], at[2], n);
+    const double length = sqrt(vector_dot(n, n));
     for (int k = 0; k < 3 && length > 0; k++)
         n[k] /= length;
     return length > 0;
