@@ -13,6 +13,7 @@
 #include "foot_bilinear.h"
 
 #include "../common/vec3.h"
+#include "surface.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
