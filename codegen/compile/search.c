@@ -69,6 +69,7 @@ struct search {
     struct cost_model latency;             /* when operands are ready */
     double work, limit;
     bool differences; /* those of two inputs stay whole */
+    bool relative;    /* the first form takes differences of coordinates alone, and so do the others */
     bool starting;    /* the starting points are under way */
     bool explaining;  /* the passes print what they made */
 };
@@ -272,7 +273,10 @@ static void evaluate(struct search *s, struct candidate *c, struct record *recor
     rational_take_overflow();
     struct dag *g = run_passes(s, c, record);
     c->cost = c->estimate = HUGE_VAL;
-    if (rational_take_overflow() || s->degree > s->most_degree) {
+    const bool relative = s->file->segment && shape_is_relative(g, s->file->segment);
+    if (!s->best.program)
+        s->relative = relative;
+    if (rational_take_overflow() || s->degree > s->most_degree || (s->relative && !relative)) {
         dag_free(g);
         return;
     }

@@ -253,6 +253,8 @@ void options_tell(const struct option_table *t, enum options_outcome asked)
 {
     static const struct option_row help = {.name = "help", .letter = 'h', .help = "this text"},
                                    version = {.name = "version", .help = "version"};
+    static char buffer[1 << 16]; /* written at once, so that what stops it is known to who closes it */
+    setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     if (asked == OPTIONS_VERSION) {
         printf("%s " FOOTPOINT_VERSION "\n", t->program);
         return;

@@ -28,6 +28,10 @@ struct dag *shape_linear(const struct dag *g);
  *  seed may give another one. */
 struct dag *shape_differences(const struct dag *g, const struct segment_kind *k, uint64_t seed);
 
+/** True if coordinates occur as differences of two alone, which are exact, or nearly, wherever the segment lies: not in
+ *  sums of another kind, and not in products. */
+bool shape_is_relative(const struct dag *g, const struct segment_kind *k);
+
 /** True for a segment of so many nodes that the cheapest forms add coordinates, which loses digits far from the origin:
  *  there differences come first, whatever they cost. */
 bool shape_differs_first(const struct segment_kind *k);

@@ -206,6 +206,46 @@ static bool find_additions(const struct forms *x, uint64_t seed, struct addition
     return additions_along_tree(x->points, direction, n, seed, a);
 }
 
+/* A sum takes coordinates as one difference of two, or none. */
+static bool takes_differences(const struct dag *g, const struct segment_kind *k, const struct node *sum)
+{
+    const struct edge *first = NULL;
+    bool paired = true;
+    for (size_t i = 0; i < sum->edges; i++) {
+        const struct node *term = &g->node[sum->edge[i].node];
+        if (term->kind != NODE_INPUT || point_of(k, (size_t)term->input) < 0)
+            continue;
+        if (!first) {
+            first = &sum->edge[i];
+            paired = false;
+        } else if (paired || rational_add(first->coef, sum->edge[i].coef) != ZERO ||
+                   g->node[first->node].input % 3 != term->input % 3)
+            return false;
+        else
+            paired = true;
+    }
+    return paired;
+}
+
+bool shape_is_relative(const struct dag *g, const struct segment_kind *k)
+{
+    int *uses = dag_uses(g);
+    bool relative = true;
+    for (size_t n = 1; n < g->nodes && relative; n++) {
+        const struct node *node = &g->node[n];
+        if (uses[n] == 0 || node->kind == NODE_INPUT)
+            continue;
+        if (node->kind == NODE_SUM)
+            relative = takes_differences(g, k, node);
+        for (size_t i = 0; node->kind != NODE_SUM && i < node->edges && relative; i++) {
+            const struct node *of = &g->node[node->edge[i].node];
+            relative = of->kind != NODE_INPUT || point_of(k, (size_t)of->input) < 0;
+        }
+    }
+    free(uses);
+    return relative;
+}
+
 bool shape_differs_first(const struct segment_kind *k)
 {
     return !additions_few((int)strlen(k->nodes) + 1, 1);

@@ -171,7 +171,8 @@ later 'languages: paper-quad4, most functions of quad4'
 for scene in tri3 ${FOOTPOINT_LONG:+paper-quad4} quad4; do
     file=$work/$scene.gen
     some evolve/genomes/$scene.gen > "$file"
-    vectors=$(($(sed -n 's/^input //p' "$file" | wc -w) / 3)) pointers= arguments=
+    case $scene in tri3) vectors=4 ;; *) vectors=5 ;; esac
+    pointers= arguments=
     for k in $(seq 0 $((vectors - 1))); do
         pointers="$pointers@ *, " arguments="${arguments}x + $((3 * k)), "
     done

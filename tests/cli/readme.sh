@@ -34,7 +34,7 @@ expect 'the compile line' 0 "$(blocks README.md '' | grep '^xi ')" '' \
 
 awk '/^footpoint-genome/ { on = 1 } /^```$/ { on = 0 } on' codegen/README.md > "$work/example.gen"
 expect 'the genome' 0 'genome,mul,div,add,sqrt,compare
-example,1,1,2,0,1' '' "$BIN/footpoint-codegen" --count "$work/example.gen"
+example,2,1,2,0,1' '' "$BIN/footpoint-codegen" --count "$work/example.gen"
 tools=$(cd "$BIN" && pwd)
 blocks codegen/README.md sh | grep '^build/footpoint-codegen' | sed 's/#.*//' > "$work/lines"
 while read -r program options; do
