@@ -138,6 +138,37 @@ static void test_linear_forms(void **state)
     CHECK_GRAPHS(shape_linear, row);
 }
 
+/* Coordinates of a four-node segment as differences alone, or otherwise. */
+static void test_relative(void **state)
+{
+    static const struct {
+        const char *xi;
+        bool relative;
+    } row[] = {
+        {"- xA xB", true},         {"* - xA xS - yC yD", true},
+        {"- * 2 xA * 2 xB", true}, {"+ * - xA xB - xC xD 1", true},
+        {"+ xA xB", false},        {"- xA yB", false},
+        {"- xA * 0.5 xB", false},  {"- + xA xB + xC xD", false},
+        {"* xA - xB xC", false},   {"sqrt xA", false},
+        {"+ 1 - xA xB", true},     {"+ 1 xA", false},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        char text[300];
+        struct diag d = {0};
+        snprintf(text, sizeof text, "footpoint-genome 2\nsegment quad4 any\ngenome g\nxi = %s\neta = 1\nend\n",
+                 row[i].xi);
+        struct genome_file *f = genome_parse("test", text, strlen(text), &d);
+        if (!f)
+            fail_msg("%s", d.text);
+        struct dag *g = row_graph(f);
+        if (shape_is_relative(g, f->segment) != row[i].relative)
+            fail_msg("%s: expected %d", row[i].xi, row[i].relative);
+        dag_free(g);
+        genome_file_free(f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -147,6 +178,7 @@ int main(void)
         cmocka_unit_test(test_one_division),
         cmocka_unit_test(test_split_quotients),
         cmocka_unit_test(test_linear_forms),
+        cmocka_unit_test(test_relative),
     };
     return cmocka_run_group_tests_name("expand", tests, NULL, NULL);
 }
