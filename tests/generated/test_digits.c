@@ -17,7 +17,7 @@
 
 #include <cmocka.h>
 
-enum { SAMPLES = 6000, MOVES = 4 };
+enum { SAMPLES = 20000, MOVES = 4 };
 
 /* By how many edges; every coordinate goes far. */
 static const double far[MOVES] = {0, 1e2, 1e4, 1e6}, way[3] = {0.61, -0.53, 0.59};
