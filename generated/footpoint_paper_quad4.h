@@ -326,8 +326,8 @@ static const double footpoint_paper_quad4_gauss_points[][19] = {
  *   operations:     32 mul, 1 div, 44 add, 0 sqrt, 4 compare; 33 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ec60bb9fb96a093e57e16d837e2ce4c7f7d3683d11cf015115e944da8ca410db
- *   poles:          t16 * t16 - t17 * t20: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
- *   rounding:       xi <= 9.6e-05 proved, 1.1e-14 sampled; eta <= 0.00011 proved, 1.9e-14 sampled (10000 points)
+ *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.9e-06 (rounding error <= 6e-15)
+ *   rounding:       xi <= 9.6e-05 proved, 7.8e-15 sampled; eta <= 0.00011 proved, 1.9e-14 sampled (10000 points)
  *   found:          seed 1 generations 100 islands 2
  *   training:       xi genes 7 mean 1.687e-02; eta genes 7 mean 2.034e-02
  *   heldout:        xi 1.679e-02 1.221e-01 6.373e-01, eta 2.031e-02 1.476e-01 7.901e-01, samples 439697
@@ -338,15 +338,15 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_paper_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
-    const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.25 * t4, t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1, t9 = xA[2] - xS[2] - 0.25 * (t1 + t7), u2 = 0.25 * t5, t10 = xA[1] - xD[1] - u2;
-    const double t11 = t2 - u2, t12 = xA[1] - xS[1] - 0.25 * (t2 + t10), u3 = 0.25 * t6, t13 = xA[0] - xD[0] - u3;
-    const double t14 = t3 - u3, t15 = xA[0] - xS[0] - 0.25 * (t3 + t13), t16 = t7 * t8 + t10 * t11 + t13 * t14;
-    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t10 * t12 + t13 * t15 + t7 * t9;
-    const double t19 = t11 * t12 + t14 * t15 + t8 * t9, t20 = t8 * t8 + t11 * t11 + t14 * t14;
-    const double t21 = 1.0 / (t16 * t16 - t17 * t20), t22 = (t16 * t18 - t17 * t19) * t21;
-    const double t23 = (t16 * t19 - t20 * t18) * t21;
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.25 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
+    const double u2 = 0.25 * t4, t9 = xA[1] - xD[1] - u2, t10 = t2 - u2, t11 = xA[2] - xS[2] - 0.25 * (t1 + t7);
+    const double t12 = xA[1] - xS[1] - 0.25 * (t2 + t9), u3 = 0.25 * t6, t13 = xA[0] - xD[0] - u3, t14 = t5 - u3;
+    const double t15 = xA[0] - xS[0] - 0.25 * (t5 + t13), t16 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t17 = t7 * t8 + t9 * t10 + t13 * t14, t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t19 = t8 * t11 + t10 * t12 + t14 * t15, t20 = t7 * t11 + t9 * t12 + t13 * t15;
+    const double t21 = 1.0 / (t16 * t18 - t17 * t17), t22 = (t16 * t19 - t17 * t20) * t21;
+    const double t23 = (t18 * t20 - t17 * t19) * t21;
     double u4 = 0.25;
     const double t24 = (u4 < t22 ? u4 : t22);
     double u5 = -0.25;
@@ -354,7 +354,7 @@ footpoint_detail_footpoint_paper_quad4_fast(const double xA[3], const double xB[
     const double t28 = t27 * (t25 - (500000000.0 / 360758711.0)) + (125000000.0 / 360758711.0);
     *xi = -(t25 * (t27 - 2.0) + 0.5);
     *eta = -1.443034844 * t28;
-    return footpoint_detail_outside(t16 * t16 - t17 * t20);
+    return footpoint_detail_outside(t16 * t18 - t17 * t17);
 }
 
 FOOTPOINT_FN void footpoint_paper_quad4_fast_at(const double xA[3], const double xB[3], const double xC[3],
@@ -399,12 +399,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x
 static const double footpoint_paper_quad4_fast_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -1.0625, -1.09018967775, 2.9837243786802477e-16, 5.3769229091804807e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3513525327245735e-16, 2.8116086760184018e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.16495436079061557, -0.069068933101342045, 7.3514414058983425e-16, 2.81162699703075e-16},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.0625, -0.090189677750000002, 6.2450045135171033e-17, 1.577579888390067e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.0625, -0.90981032225000003, 7.6327832942987068e-17, 4.5274615568102511e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.9375, 0.090189677750000002, 2.5673907444457904e-16, 1.777841202033237e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.4580325123531844e-15, 6.8978737874160454e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.4797928365232742e-15, 4.2498583456827619e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.21648316967879294, -0.95454170388734028, 1.3701162091694334e-15, 6.7569112442495791e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.35371082943571985, -0.030157195774873625, 1.5269207566056937e-15, 4.347011532545873e-16},
 };
 #endif
 
@@ -412,8 +412,8 @@ static const double footpoint_paper_quad4_fast_points[][19] = {
  *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  7642a119f5c89b082a068e04fe40c1fc1218dc16e961280cd80712b7ba64b91b
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   rounding:       xi 5.4e-14 sampled; eta 9.1e-14 sampled (10000 points)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   rounding:       xi 1.4e-13 sampled; eta 1.1e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 9.627e-03; eta genes 1 mean 1.285e-02
  *   heldout:        xi 9.592e-03 9.288e-02 6.124e-01, eta 1.280e-02 1.332e-01 8.053e-01, samples 439697
@@ -424,28 +424,28 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_paper_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
                                              const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
-    const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.275 * t4, t7 = xA[2] - xD[2] - u1;
-    const double t8 = t1 - u1, t9 = xA[2] - xS[2] - 0.275 * (t1 + t7), u2 = 0.275 * t5, t10 = xA[1] - xD[1] - u2;
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
+    const double t8 = xA[2] - xS[2] - 0.275 * (t1 + t7), t9 = t1 - u1, u2 = 0.275 * t4, t10 = xA[1] - xD[1] - u2;
     const double t11 = xA[1] - xS[1] - 0.275 * (t2 + t10), t12 = t2 - u2, u3 = 0.275 * t6, t13 = xA[0] - xD[0] - u3;
-    const double t14 = xA[0] - xS[0] - 0.275 * (t3 + t13), t15 = t3 - u3, t16 = t7 * t8 + t10 * t12 + t13 * t15;
-    const double t17 = t10 * t10 + t13 * t13 + t7 * t7, t18 = t8 * t8 + t12 * t12 + t15 * t15;
-    const double t19 = t12 * t11 + t15 * t14 + t8 * t9, t20 = t10 * t11 + t13 * t14 + t7 * t9;
-    const double t21 = t4 * t8 + t5 * t12 + t6 * t15, t22 = t4 * t7 + t5 * t10 + t6 * t13;
-    const double t23 = 1.0 / (t16 * t16 - t17 * t18), t24 = (t16 * t20 - t17 * t19) * t23;
-    const double t25 = (t16 * t19 - t18 * t20) * t23, t26 = (t22 * t18 - t21 * t16) * t23 * t24;
-    const double t27 = (t22 * t16 - t17 * t21) * t23 * t25, t28 = t27 + 1.0 - t26;
+    const double t14 = t5 - u3, t15 = xA[0] - xS[0] - 0.275 * (t5 + t13), t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t9 * t8 + t12 * t11 + t14 * t15, t22 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14, t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19, t26 = t24 * (t22 * t18 - t23 * t16) * t19;
+    const double t27 = (t23 * t17 - t22 * t16) * t19 * t25, t28 = t26 + 1.0 + t27;
     double u4 = 0.6;
-    const double t29 = (u4 > t28 ? u4 : t28), t30 = t25 - 0.225 - t25 * t26 * t29;
-    const double t31 = t24 * (t27 * t29 + 1.0) - 0.225, u5 = 2.0 * t31;
+    const double t29 = (u4 > t28 ? u4 : t28), t30 = t24 - 0.225 + t24 * t27 * t29;
+    const double t31 = t25 - 0.225 + t25 * t26 * t29, u5 = 2.0 * t30;
     double u6 = 0.0;
     const double t32 = (u6 < u5 ? u6 : u5);
     double u7 = -1.0;
-    const double t33 = (!(t32 <= u7) ? t32 : u7), u8 = 2.0 * t30, t34 = (u6 < u8 ? u6 : u8);
+    const double t33 = (!(t32 <= u7) ? t32 : u7), u8 = 2.0 * t31, t34 = (u6 < u8 ? u6 : u8);
     const double t35 = (!(t34 <= u7) ? t34 : u7);
     *xi = t33;
     *eta = t35;
-    return footpoint_detail_outside(t16 * t16 - t17 * t18);
+    return footpoint_detail_outside(t17 * t18 - t16 * t16);
 }
 
 FOOTPOINT_FN void footpoint_paper_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
@@ -489,23 +489,23 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.99724850253418829, -1, 2.8773985908289745e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 7.7370962241438924e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.99724850253418829, -1, 3.0340844887451607e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.22288000133442648, 0, 7.6517735524339763e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.065370588081732725, -0.74083235128139702, 2.1545164075939291e-14, 4.9318571032121119e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.2064411374475772e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.435748207034659, 0, 1.0738970653352745e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -0.065370588081732725, -0.74083235128139702, 2.2294001582978203e-14, 4.7862429658787431e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.32219664805391196, -1, 1.1654607717208627e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.435748207034659, 0, 1.1663553477339234e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* footpoint_paper_quad4_gauss2
- *   operations:     60 mul, 2 div, 65 add, 0 sqrt, 0 compare; 36 temporaries
+ *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  847cac1256d71675197f7f14631907d52e04ca7cfb5576739807d1c04a19d7df
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09
- *   rounding:       xi 9.1e-07 sampled; eta 4.8e-07 sampled (10000 points)
+ *   rounding:       xi 5.2e-07 sampled; eta 3.3e-07 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 3.456e-03; eta genes 1 mean 3.985e-03
  *   heldout:        xi 3.655e-03 5.702e-02 2.370e+00, eta 4.161e-03 7.139e-02 2.686e+00, samples 439697
@@ -516,23 +516,23 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_paper_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.275 * (xD[2] - xC[2] - t1);
-    const double t5 = 0.275 * (xD[1] - xC[1] - t2), t6 = 0.275 * (xD[0] - xC[0] - t3), t7 = xA[2] - xD[2] + t4;
-    const double t8 = t1 + t4, t9 = xA[1] - xD[1] + t5, t10 = t2 + t5, t11 = xA[0] - xD[0] + t6;
-    const double t12 = t2 - (40.0 / 11.0) * (xA[1] - xS[1]) + t9, t13 = t1 - (40.0 / 11.0) * (xA[2] - xS[2]) + t7;
-    const double t14 = t3 + t6, t15 = t3 - (40.0 / 11.0) * (xA[0] - xS[0]) + t11;
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t14, t17 = t7 * t7 + (t9 * t9 + t11 * t11);
-    const double t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = 1.0 / (t16 * t16 - t17 * t18);
-    const double t20 = t10 * t12 + t8 * t13 + t14 * t15, t21 = t9 * t12 + t7 * t13 + t11 * t15;
-    const double t22 = t4 * t8 + t5 * t10 + t6 * t14, t23 = t4 * t7 + t5 * t9 + t6 * t11;
-    const double t24 = (t16 * t21 - t17 * t20) * t19, t25 = (t18 * t21 - t16 * t20) * t19;
-    const double t26 = t4 * t4 + t5 * t5 + t6 * t6, t27 = t5 * t12 + t4 * t13 + t6 * t15, t28 = t23 - t26 * t24;
-    const double t29 = t22 + t26 * t25, t30 = t25 * t28, t31 = t17 - t24 * (t23 + t28), t32 = t16 - (t22 * t24 - t30);
-    const double t33 = t18 + t25 * (t22 + t29), t34 = t21 - t24 * (t27 - t30), t35 = t20 + t25 * (t27 + t24 * t29);
-    const double t36 = 1.0 / (t31 * t33 - t32 * t32);
-    *xi = -0.55 * ((t31 * t35 - t32 * t34) * t36 + (9.0 / 11.0));
-    *eta = 0.55 * ((t32 * t35 - t33 * t34) * t36 - (9.0 / 11.0));
-    return footpoint_detail_outside(t16 * t16 - t17 * t18) | footpoint_detail_outside(t31 * t33 - t32 * t32);
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
+    const double t8 = xA[2] - xS[2] - 0.275 * (t1 + t7), t9 = t1 - u1, u2 = 0.275 * t4, t10 = xA[1] - xD[1] - u2;
+    const double t11 = xA[1] - xS[1] - 0.275 * (t2 + t10), t12 = t2 - u2, u3 = 0.275 * t6, t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3, t15 = xA[0] - xS[0] - 0.275 * (t5 + t13), t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t9 * t8 + t12 * t11 + t14 * t15, t22 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14, t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19, t26 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t27 = t3 * t8 + t4 * t11 + t6 * t15, t28 = t22 - t26 * t24, t29 = t23 - t26 * t25, t30 = t25 * t28;
+    const double t31 = t17 - t24 * (t22 + t28), t32 = t16 - t23 * t24 - t30, t33 = t18 - t25 * (t23 + t29);
+    const double t34 = t20 - t24 * (t27 + t30), t35 = t21 - t25 * (t27 + t24 * t29);
+    const double t36 = 2.0 / (t31 * t33 - t32 * t32);
+    *xi = (t31 * t35 - t32 * t34) * t36 - 0.45;
+    *eta = (t33 * t34 - t32 * t35) * t36 - 0.45;
+    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t31 * t33 - t32 * t32);
 }
 
 FOOTPOINT_FN void footpoint_paper_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
@@ -575,14 +575,14 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0794511133642109e-14, 2.6458649983721832e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 1.0675643279070758e-14, 5.0537303149539217e-13},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 1.0422879289364041e-15, 3.2534268995551486e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 1.3410452148265829e-13, 6.461982337363881e-13},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.11661905718921374, -4.2155952220439019, 1.3378610695748592e-14, 4.2553564291284903e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -2.2279570204741979, 4.1085750118801654, 1.6251641459380771e-14, 3.5450205008624696e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.3791078615133188e-15, 4.699153274444212e-15},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.5566091126264487e-15, 1.6752214463944907e-14},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1.9355261289997003, 0.37901097684784602, 3.0329208736503304e-14, 2.5996524791920184e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.71174580537058763, -9.0461092333170949, 9.2122855237989692e-15, 4.2890225720971587e-13},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2425916338328809, 0.85813603757344725, 9.3594811959942225e-16, 2.8760458603006481e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0.70272381849593879, 5.0525431158571203, 1.1629021610593277e-13, 5.6167702397565685e-13},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0.11661905718921374, -4.2155952220439019, 1.3107370147134864e-14, 4.0584235202714265e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -2.2279570204741979, 4.1085750118801654, 1.5383412997587661e-14, 3.3420458588628631e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25565440797412542, -2.2178800964750791, 1.2039790641033033e-15, 4.147497516139344e-15},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.45999093249298845, 4.2771828518643646, 1.2708601861833855e-15, 1.4749702258782965e-14},
 };
 #endif
 
@@ -612,7 +612,7 @@ footpoint_detail_footpoint_paper_quad4_coarse(const double xA[3], const double x
     const double t21 = t3 * t7 + t4 * t10 - t6 * t13, t22 = t9 * t8 + t12 * t11 + t14 * t15;
     const double t23 = t3 * t9 + t4 * t12 - t6 * t14, t24 = (t17 * t22 - t16 * t20) * t19;
     const double t25 = (t21 * t18 - t23 * t16) * t19, t26 = (t23 * t17 - t21 * t16) * t19;
-    const double t27 = (t18 * t20 - t16 * t22) * t19, t28 = t25 * t24, t29 = t27 * t26, t30 = t28 + 1.0 + t29;
+    const double t27 = (t18 * t20 - t16 * t22) * t19, t28 = t25 * t24, t29 = t26 * t27, t30 = t28 + 1.0 + t29;
     const double t31 = t19 * (t6 * t15 - t3 * t8 - t4 * t11 + t20 * t25 + t22 * t26);
     double u4 = 0.6;
     const double t32 = (u4 > t30 ? u4 : t30), t33 = t24 * (t29 * t32 + 1.0), t34 = t27 * (t28 * t32 + 1.0);
@@ -782,12 +782,12 @@ static const double footpoint_paper_quad4_newton_points[][19] = {
 #endif
 
 /* footpoint_paper_quad4_medium
- *   operations:     70 mul, 2 div, 73 add, 0 sqrt, 9 compare; 64 temporaries
+ *   operations:     70 mul, 2 div, 73 add, 0 sqrt, 9 compare; 63 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  985745acf2272aef73e28a6c4a54d4b2d0da6180e4f9ef31dbceceb70132ad72
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   poles:          t48: proved free of zeros, |t48| >= 8.7e-10
- *   rounding:       xi 1.7e-13 sampled; eta 1.6e-13 sampled (10000 points)
+ *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
+ *   poles:          t47: proved free of zeros, |t47| >= 8.7e-10
+ *   rounding:       xi 2.7e-13 sampled; eta 1.6e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 7.212e-04; eta genes 1 mean 8.951e-04
  *   heldout:        xi 7.225e-04 1.086e-02 9.945e-01, eta 8.976e-04 1.123e-02 9.688e-01, samples 439697
@@ -798,35 +798,35 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_paper_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1, t8 = t1 - u1;
-    const double u2 = 0.275 * t4, t9 = xA[1] - xD[1] - u2, t10 = xA[1] - xS[1] - 0.275 * (t2 + t9), t11 = t2 - u2;
-    const double t12 = xA[2] - xS[2] - 0.275 * (t1 + t7), u3 = 0.275 * t6, t13 = xA[0] - xD[0] - u3;
-    const double t14 = xA[0] - xS[0] - 0.275 * (t5 + t13), t15 = t5 - u3, t16 = t7 * t8 + t9 * t11 + t13 * t15;
-    const double t17 = t7 * t7 + t9 * t9 + t13 * t13, t18 = t8 * t8 + t11 * t11 + t15 * t15;
-    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t9 * t10 + t13 * t14 + t7 * t12;
-    const double t21 = t11 * t10 + t15 * t14 + t8 * t12, t22 = t3 * t8 + t4 * t11 + t6 * t15;
-    const double t23 = t3 * t7 + t4 * t9 + t6 * t13, t24 = (t17 * t21 - t16 * t20) * t19;
-    const double t25 = (t18 * t20 - t16 * t21) * t19, t26 = t22 * t17 - t23 * t16, t27 = t23 * t18 - t22 * t16;
-    const double t28 = t3 * t3 + t4 * t4 + t6 * t6, t29 = t4 * t10 + t6 * t14 + t3 * t12;
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xD[2] - xC[2] - t1, t4 = xD[1] - xC[1] - t2;
+    const double t5 = xA[0] - xB[0], t6 = xD[0] - xC[0] - t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] + u1;
+    const double t8 = xA[2] - xS[2] - 0.275 * (t1 + t7), t9 = t1 + u1, u2 = 0.275 * t4, t10 = xA[1] - xD[1] + u2;
+    const double t11 = xA[1] - xS[1] - 0.275 * (t2 + t10), t12 = t2 + u2, u3 = 0.275 * t6, t13 = xA[0] - xD[0] + u3;
+    const double t14 = t5 + u3, t15 = xA[0] - xS[0] - 0.275 * (t5 + t13), t16 = t9 * t7 + t12 * t10 + t14 * t13;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t18 * t17 - t16 * t16), t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t9 * t8 + t12 * t11 + t14 * t15, t22 = t3 * t9 + t4 * t12 + t6 * t14;
+    const double t23 = t3 * t7 + t4 * t10 + t6 * t13, t24 = (t18 * t20 - t16 * t21) * t19;
+    const double t25 = (t17 * t21 - t16 * t20) * t19, t26 = t22 * t17 - t23 * t16, t27 = t23 * t18 - t22 * t16;
+    const double t28 = t3 * t3 + t4 * t4 + t6 * t6;
     double u4 = 0.225;
-    const double t30 = (u4 < t25 ? u4 : t25);
+    const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
-    const double t31 = (u5 > t30 ? u5 : t30), t32 = (u4 < t24 ? u4 : t24), t33 = (u5 > t32 ? u5 : t32);
-    const double t34 = t31 * t19 * t33, t35 = t24 + t26 * t34, t36 = t25 + t27 * t34, t37 = t23 - t28 * t35;
-    const double t38 = t22 - t28 * t36, t39 = t36 * t37, t40 = t17 - t35 * (t23 + t37), t41 = t22 * t35 + t39;
-    const double t42 = t16 + t29 - 2.0 * t41, t43 = t18 - t36 * (t22 + t38), t44 = t20 - t35 * (t39 + t41);
-    const double t45 = t21 - t36 * (t35 * t38 + t41), t46 = t40 * t43, t47 = t46 - t42 * t42, u6 = 0.02 * t46;
-    const double t48 = (t47 > u6 ? t47 : u6), t49 = t47 - t48, t50 = 2.0 / t48;
-    const double t51 = (t40 * t45 - t42 * t44 - t35 * t49) * t50 - 0.45;
-    const double t52 = (t43 * t44 - t42 * t45 - t36 * t49) * t50 - 0.45;
+    const double t30 = (u5 > t29 ? u5 : t29), t31 = (u4 < t24 ? u4 : t24), t32 = (u5 > t31 ? u5 : t31);
+    const double t33 = t30 * t19 * t32, t34 = t25 - t26 * t33, t35 = t24 - t27 * t33, t36 = t23 + t28 * t34;
+    const double t37 = t22 + t28 * t35, t38 = t35 * t36, t39 = t17 + t34 * (t23 + t36), t40 = t22 * t34 + t38;
+    const double t41 = t16 - t3 * t8 - t4 * t11 - t6 * t15 + 2.0 * t40, t42 = t18 + t35 * (t22 + t37);
+    const double t43 = t20 + t34 * (t38 + t40), t44 = t21 + t35 * (t34 * t37 + t40), t45 = t42 * t39;
+    const double t46 = t45 - t41 * t41, u6 = 0.02 * t45, t47 = (t46 > u6 ? t46 : u6), t48 = t46 - t47;
+    const double t49 = 2.0 / t47, t50 = (t39 * t44 - t41 * t43 - t34 * t48) * t49 - 0.45;
+    const double t51 = (t42 * t43 - t41 * t44 - t35 * t48) * t49 - 0.45;
     double u7 = 0.0;
-    const double t53 = (u7 < t51 ? u7 : t51);
+    const double t52 = (u7 < t50 ? u7 : t50);
     double u8 = -1.0;
-    const double t54 = (!(t53 <= u8) ? t53 : u8), t55 = (u7 < t52 ? u7 : t52), t56 = (!(t55 <= u8) ? t55 : u8);
-    *xi = t54;
-    *eta = t56;
-    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t48);
+    const double t53 = (!(t52 <= u8) ? t52 : u8), t54 = (u7 < t51 ? u7 : t51), t55 = (!(t54 <= u8) ? t54 : u8);
+    *xi = t53;
+    *eta = t55;
+    return footpoint_detail_outside(t18 * t17 - t16 * t16) | footpoint_detail_outside(t47);
 }
 
 FOOTPOINT_FN void footpoint_paper_quad4_medium_at(const double xA[3], const double xB[3], const double xC[3],
@@ -871,12 +871,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const
 static const double footpoint_paper_quad4_medium_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24315494811501914, 0, 9.2810824414163643e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.24315494811501914, 0, 9.2261800664424443e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25394573519921826, -1, 1.1562577077858096e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46003731494321881, 0, 1.2556831229186936e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25394573519921826, -1, 1.1603855058826057e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46003731494321881, 0, 1.2376202899510255e-15, 9.8813129168249309e-324},
 };
 #endif
 
@@ -884,9 +884,9 @@ static const double footpoint_paper_quad4_medium_points[][19] = {
  *   operations:     88 mul, 2 div, 83 add, 0 sqrt, 14 compare; 84 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d787f5cb9c19ff1c05ceebee9d5f94eca2ddfae34b07e76a2b1f35f7079d5588
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 8.1e-15)
+ *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 8.1e-15)
  *   poles:          t49: proved free of zeros, |t49| >= 9e-10
- *   rounding:       xi 1.9e-13 sampled; eta 6.9e-13 sampled (10000 points)
+ *   rounding:       xi 2.7e-13 sampled; eta 6.8e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.390e-04; eta genes 1 mean 3.453e-04
  *   heldout:        xi 2.447e-04 1.690e-03 3.470e-01, eta 3.593e-04 2.270e-03 8.949e-01, samples 439697
@@ -897,17 +897,18 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_paper_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[1] - xB[1], t2 = xA[0] - xB[0], t3 = xA[2] - xB[2], t4 = xD[1] - xC[1] - t1;
-    const double t5 = xD[0] - xC[0] - t2, t6 = xD[2] - xC[2] - t3, u1 = 0.275 * t4, t7 = xD[1] - xA[1] - u1;
-    const double t8 = xA[1] - xS[1] - 0.275 * (t1 - t7), t9 = t1 + u1, u2 = 0.275 * t5, t10 = xA[0] - xD[0] + u2;
-    const double u3 = 0.275 * t6, t11 = xA[2] - xD[2] + u3, t12 = xA[2] - xS[2] - 0.275 * (t3 + t11), t13 = t3 + u3;
-    const double t14 = t2 + u2, t15 = xA[0] - xS[0] - 0.275 * (t2 + t10), t16 = t11 * t13 - t7 * t9 + t10 * t14;
-    const double t17 = t13 * t13 + (t9 * t9 + t14 * t14), t18 = t11 * t11 + (t7 * t7 + t10 * t10);
-    const double t19 = 1.0 / (t16 * t16 - t17 * t18), t20 = t11 * t12 + (t10 * t15 - t7 * t8);
-    const double t21 = t6 * t11 - t4 * t7 + t5 * t10, t22 = t13 * t12 + t9 * t8 + t14 * t15;
-    const double t23 = t6 * t13 + (t4 * t9 + t5 * t14), t24 = t19 * (t16 * t20 - t18 * t22);
-    const double t25 = t19 * (t16 * t22 - t17 * t20), t26 = (t17 * t21 - t23 * t16) * t19;
-    const double t27 = (t23 * t18 - t21 * t16) * t19, t28 = t6 * t6 + t4 * t4 + t5 * t5;
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
+    const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.275 * t4, t7 = xA[2] - xD[2] - u1;
+    const double t8 = xA[2] - xS[2] - 0.275 * (t1 + t7), t9 = t1 - u1, u2 = 0.275 * t5, t10 = xA[1] - xD[1] - u2;
+    const double t11 = xA[1] - xS[1] - 0.275 * (t2 + t10), t12 = t2 - u2, u3 = 0.275 * t6, t13 = t3 - u3;
+    const double t14 = xA[0] - xD[0] - u3, t15 = xA[0] - xS[0] - 0.275 * (t3 + t14);
+    const double t16 = t7 * t9 + t10 * t12 + t14 * t13, t17 = t7 * t7 + t10 * t10 + t14 * t14;
+    const double t18 = t9 * t9 + (t12 * t12 + t13 * t13), t19 = 1.0 / (t16 * t16 - t18 * t17);
+    const double t20 = t7 * t8 + t10 * t11 + t14 * t15, t21 = t4 * t7 + (t5 * t10 + t6 * t14);
+    const double t22 = t9 * t8 + t12 * t11 + t13 * t15, t23 = t4 * t9 + t5 * t12 + t6 * t13;
+    const double t24 = (t16 * t20 - t17 * t22) * t19, t25 = (t16 * t22 - t18 * t20) * t19;
+    const double t26 = (t23 * t16 - t21 * t18) * t19, t27 = (t21 * t16 - t23 * t17) * t19;
+    const double t28 = t4 * t4 + t5 * t5 + t6 * t6;
     double u4 = 0.225;
     const double t29 = (u4 < t25 ? u4 : t25);
     double u5 = -0.275;
@@ -915,15 +916,15 @@ footpoint_detail_footpoint_paper_quad4_balanced(const double xA[3], const double
     const double t33 = t26 * t32 + 1.0 + t27 * t30;
     double u6 = 0.5;
     const double t34 = (u6 > t33 ? u6 : t33), t35 = t30 * t32 * t34, t36 = t24 + t27 * t35, t37 = t25 + t26 * t35;
-    const double t38 = t21 + t28 * t36, t39 = t23 + t28 * t37, t40 = t18 + t36 * (t21 + t38);
-    const double t41 = t17 + t37 * (t23 + t39), t42 = t37 * t38, t43 = t23 * t36 + t42;
-    const double t44 = t6 * t12 + t4 * t8 + t5 * t15 - t16 - 2.0 * t43, t45 = t20 + t36 * (t42 + t43);
-    const double t46 = t22 + t37 * (t36 * t39 + t43), t47 = t40 * t41, t48 = t47 - t44 * t44, u7 = 0.02 * t47;
+    const double t38 = t21 - t28 * t36, t39 = t23 - t28 * t37, t40 = t17 - t36 * (t21 + t38);
+    const double t41 = t18 - t37 * (t23 + t39), t42 = t37 * t38, t43 = t23 * t36 + t42;
+    const double t44 = t4 * t8 + t5 * t11 + t6 * t15 + t16 - 2.0 * t43, t45 = t20 - t36 * (t42 + t43);
+    const double t46 = t22 - t37 * (t36 * t39 + t43), t47 = t40 * t41, t48 = t47 - t44 * t44, u7 = 0.02 * t47;
     const double t49 = (t48 > u7 ? t48 : u7), t50 = t48 - t49, t51 = 1.0 / t49;
-    const double t52 = (t44 * t46 + t41 * t45 - t37 * t50) * t51, t53 = (t44 * t45 + t40 * t46 - t36 * t50) * t51;
-    const double t54 = 2.0 * (t37 - t52), t55 = t36 - t53, t56 = t38 * t54, t57 = t39 * t55;
-    const double t58 = t54 * (t57 + 0.25 * t56), t59 = t55 * (t57 + t56), t60 = t51 * (t40 * t58 + t44 * t59);
-    const double t61 = t51 * (t41 * t59 + t44 * t58);
+    const double t52 = (t41 * t45 - t44 * t46 - t37 * t50) * t51, t53 = (t40 * t46 - t44 * t45 - t36 * t50) * t51;
+    const double t54 = t37 - t52, t55 = 2.0 * (t53 - t36), t56 = t38 * t54, t57 = t39 * t55;
+    const double t58 = t55 * (t56 - 0.25 * t57), t59 = t54 * (t57 - t56), t60 = t51 * (t40 * t59 - t44 * t58);
+    const double t61 = t51 * (t41 * t58 - t44 * t59);
     double u8 = 0.05;
     const double t62 = (u8 < t60 ? u8 : t60);
     double u9 = -0.05;
@@ -936,7 +937,7 @@ footpoint_detail_footpoint_paper_quad4_balanced(const double xA[3], const double
     const double t71 = (!(t70 <= u12) ? t70 : u12);
     *xi = t69;
     *eta = t71;
-    return footpoint_detail_outside(t16 * t16 - t17 * t18) | footpoint_detail_outside(t49);
+    return footpoint_detail_outside(t16 * t16 - t18 * t17) | footpoint_detail_outside(t49);
 }
 
 FOOTPOINT_FN void footpoint_paper_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
@@ -981,23 +982,23 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *con
 static const double footpoint_paper_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2427426433252034, 0, 9.4927838270774278e-16, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.2427426433252034, 0, 9.4917919768795668e-16, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25446103237644768, -1, 1.1531117431708769e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46008202036866408, 0, 1.3427753791532528e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.25446103237644768, -1, 1.1402671499461875e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, -0.46008202036866408, 0, 1.3241757201354612e-15, 9.8813129168249309e-324},
 };
 #endif
 
 /* footpoint_paper_quad4_fine
- *   operations:     95 mul, 3 div, 93 add, 0 sqrt, 15 compare; 88 temporaries
+ *   operations:     103 mul, 3 div, 93 add, 0 sqrt, 15 compare; 91 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e9c7cfa1e2f60eb2c47c726fd45273c9e48f14d5e3cd385ec6afbf6593409cc9
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   poles:          t50: proved free of zeros, |t50| >= 9e-10
- *   poles:          t70: proved free of zeros, |t70| >= 1.2e-09
- *   rounding:       xi 2.4e-12 sampled; eta 2.4e-14 sampled (10000 points)
+ *   poles:          t52: proved free of zeros, |t52| >= 9e-10
+ *   poles:          t74: proved free of zeros, |t74| >= 1.2e-09
+ *   rounding:       xi 8e-13 sampled; eta 3.2e-14 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.098e-04; eta genes 1 mean 1.706e-04
  *   heldout:        xi 1.145e-04 2.015e-04 9.956e-01, eta 1.726e-04 2.506e-04 9.688e-01, samples 439697
@@ -1008,46 +1009,49 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_paper_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.275 * t3, t7 = xA[2] - xD[2] - u1;
-    const double t8 = xA[2] - xS[2] - 0.275 * (t1 + t7), t9 = t1 - u1, u2 = 0.275 * t4, t10 = xA[1] - xD[1] - u2;
-    const double t11 = xA[1] - xS[1] - 0.275 * (t2 + t10), t12 = t2 - u2, u3 = 0.275 * t6, t13 = xA[0] - xD[0] - u3;
-    const double t14 = t5 - u3, t15 = xA[0] - xS[0] - 0.275 * (t5 + t13), t16 = t7 * t9 + t10 * t12 + t13 * t14;
-    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t14 * t14;
-    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t7 * t8 + t10 * t11 + t13 * t15;
-    const double t21 = t3 * t7 + t4 * t10 + t6 * t13, t22 = t9 * t8 + t12 * t11 + t14 * t15;
-    const double t23 = t3 * t9 + t4 * t12 + t6 * t14, t24 = (t17 * t22 - t16 * t20) * t19;
-    const double t25 = (t18 * t20 - t16 * t22) * t19, t26 = (t21 * t18 - t23 * t16) * t19;
-    const double t27 = (t23 * t17 - t21 * t16) * t19, t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t16 + (t3 * t8 + t4 * t11 + t6 * t15);
-    double u4 = 0.225;
-    const double t30 = (u4 < t25 ? u4 : t25);
-    double u5 = -0.275;
-    const double t31 = (u5 > t30 ? u5 : t30), t32 = (u4 < t24 ? u4 : t24), t33 = (u5 > t32 ? u5 : t32);
-    const double t34 = t26 * t33 + 1.0 + t27 * t31;
-    double u6 = 0.5;
-    const double t35 = (u6 > t34 ? u6 : t34), t36 = t31 * t33 * t35, t37 = t24 + t27 * t36, t38 = t25 + t26 * t36;
-    const double t39 = t21 - t28 * t37, t40 = t23 - t28 * t38, t41 = t38 * t39, t42 = t23 * t37 + t41;
-    const double t43 = t17 - t37 * (t21 + t39), t44 = t18 - t38 * (t23 + t40), t45 = t29 - 2.0 * t42;
-    const double t46 = t20 - t37 * (t41 + t42), t47 = t22 - t38 * (t37 * t40 + t42), t48 = t43 * t44;
-    const double t49 = t48 - t45 * t45, u7 = 0.02 * t48, t50 = (t49 > u7 ? t49 : u7), t51 = t49 - t50;
-    const double t52 = 1.0 / t50, t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
-    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52, t55 = (u4 < t53 ? u4 : t53);
-    const double t56 = (u5 > t55 ? u5 : t55), t57 = (u4 < t54 ? u4 : t54), t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t21 - t28 * t56, t60 = t23 - t28 * t58, t61 = t58 * t59, t62 = t17 - t56 * (t21 + t59);
-    const double t63 = t23 * t56 + t61, t64 = t18 - t58 * (t23 + t60), t65 = t29 - 2.0 * t63;
-    const double t66 = t20 - t56 * (t61 + t63), t67 = t22 - t58 * (t56 * t60 + t63), t68 = t62 * t64;
-    const double t69 = t68 - t65 * t65, u8 = 0.02 * t68, t70 = (t69 > u8 ? t69 : u8), t71 = t69 - t70;
-    const double t72 = 2.0 / t70, t73 = (t62 * t67 - t65 * t66 - t56 * t71) * t72 - 0.45;
-    const double t74 = (t64 * t66 - t65 * t67 - t58 * t71) * t72 - 0.45;
-    double u9 = 0.0;
-    const double t75 = (u9 < t73 ? u9 : t73);
-    double u10 = -1.0;
-    const double t76 = (!(t75 <= u10) ? t75 : u10), t77 = (u9 < t74 ? u9 : t74), t78 = (!(t77 <= u10) ? t77 : u10);
-    *xi = t76;
-    *eta = t78;
-    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t50) |
-        footpoint_detail_outside(t70);
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.275 * (xD[2] - xC[2] - t1);
+    const double t5 = 0.275 * (xD[1] - xC[1] - t2), t6 = xA[2] - xD[2] + t4, t7 = t1 + t4;
+    const double t8 = xA[2] - xS[2] - 0.275 * (t1 + t6), t9 = xA[1] - xD[1] + t5, t10 = t2 + t5;
+    const double t11 = 0.275 * (xD[0] - xC[0] - t3), t12 = xA[0] - xD[0] + t11, t13 = t3 + t11;
+    const double t14 = xA[1] - xS[1] - 0.275 * (t2 + t9), t15 = xA[0] - xS[0] - 0.275 * (t3 + t12);
+    const double t16 = t6 * t7 + t9 * t10 + t12 * t13, t17 = t6 * t6 + t9 * t9 + t12 * t12;
+    const double t18 = t7 * t7 + t10 * t10 + t13 * t13, t19 = 1.0 / (t17 * t18 - t16 * t16);
+    const double t20 = t9 * t14 + t12 * t15 + t6 * t8, t21 = t4 * t6 + t5 * t9 + t11 * t12;
+    const double t22 = t10 * t14 + (t13 * t15 + t7 * t8), t23 = t4 * t7 + t5 * t10 + t11 * t13;
+    const double t24 = (t17 * t22 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t22) * t19;
+    const double t26 = (t21 * t18 - t23 * t16) * t19, t27 = (t23 * t17 - t21 * t16) * t19;
+    const double t28 = (40.0 / 11.0) * (t4 * t4 + t5 * t5 + t11 * t11);
+    const double t29 = t16 - (40.0 / 11.0) * (t5 * t14 + t11 * t15 + t4 * t8);
+    double u1 = 0.225;
+    const double t30 = (u1 < t25 ? u1 : t25);
+    double u2 = -0.275;
+    const double t31 = (u2 > t30 ? u2 : t30), t32 = (u1 < t24 ? u1 : t24), t33 = (u2 > t32 ? u2 : t32);
+    const double t34 = t26 * t33 - 0.275 + t27 * t31, u3 = -(40.0 / 11.0) * t34;
+    double u4 = 0.5;
+    const double t35 = (u4 > u3 ? u4 : u3), t36 = (40.0 / 11.0) * t31 * t33 * t35, t37 = t24 - t27 * t36;
+    const double t38 = t25 - t26 * t36, t39 = t21 + t28 * t37, t40 = t23 + t28 * t38, t41 = t38 * t39;
+    const double t42 = t23 * t37 + t41, t43 = (40.0 / 11.0) * t37, t44 = t17 + (t21 + t39) * t43;
+    const double t45 = (40.0 / 11.0) * t38, t46 = t18 + (t23 + t40) * t45, t47 = t29 + (80.0 / 11.0) * t42;
+    const double t48 = t22 + (t37 * t40 + t42) * t45, t49 = t20 + (t41 + t42) * t43, t50 = t44 * t46;
+    const double t51 = t50 - t47 * t47, u5 = 0.02 * t50, t52 = (t51 > u5 ? t51 : u5), t53 = t51 - t52;
+    const double t54 = 1.0 / t52, t55 = (t44 * t48 - t47 * t49 - t37 * t53) * t54;
+    const double t56 = (t46 * t49 - t47 * t48 - t38 * t53) * t54, t57 = (u1 < t55 ? u1 : t55);
+    const double t58 = (u2 > t57 ? u2 : t57), t59 = (u1 < t56 ? u1 : t56), t60 = (u2 > t59 ? u2 : t59);
+    const double t61 = t21 + t28 * t58, t62 = t23 + t28 * t60, t63 = t60 * t61, t64 = t23 * t58 + t63;
+    const double t65 = t29 + (80.0 / 11.0) * t64, t66 = (40.0 / 11.0) * t58, t67 = t17 + (t21 + t61) * t66;
+    const double t68 = (40.0 / 11.0) * t60, t69 = t18 + (t23 + t62) * t68, t70 = t20 + (t63 + t64) * t66;
+    const double t71 = t22 + (t58 * t62 + t64) * t68, t72 = t69 * t67, t73 = t72 - t65 * t65, u6 = 0.02 * t72;
+    const double t74 = (t73 > u6 ? t73 : u6), t75 = t73 - t74, t76 = 2.0 / t74;
+    const double t77 = (t65 * t70 - t67 * t71 + t58 * t75) * t76 + 0.45;
+    const double t78 = (t69 * t70 - t65 * t71 - t60 * t75) * t76 - 0.45, u7 = -t77;
+    double u8 = 0.0;
+    const double t79 = (u8 < u7 ? u8 : u7);
+    double u9 = -1.0;
+    const double t80 = (!(t79 <= u9) ? t79 : u9), t81 = (u8 < t78 ? u8 : t78), t82 = (!(t81 <= u9) ? t81 : u9);
+    *xi = t80;
+    *eta = t82;
+    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t52) |
+        footpoint_detail_outside(t74);
 }
 
 FOOTPOINT_FN void footpoint_paper_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
@@ -1091,12 +1095,12 @@ FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_paper_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.75, 0.2890625, 0, -0.09375, 0.359375, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 8.3447965858257016e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23031147688074693, 0, 1.0147594439024965e-15, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.3487947892354103e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.015625, -0.84375, 0.05859375, -0.20094879852889763, -1, 1.0357082302130896e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.4609375, 0.578125, 0.15234375, -0.23031147688074693, 0, 1.1119343653273405e-15, 9.8813129168249309e-324},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.671875, 0.9765625, 0, 0.0625, 0.859375, 0.18359375, -0.53831981912139315, 0, 2.7920930835807751e-15, 9.8813129168249309e-324},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.5, 0.1796875, 0, 0.28125, -0.6875, 0.05859375, 0, -1, 9.8813129168249309e-324, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.328125, 0.4609375, 0, 0.140625, 1.515625, -0.06640625, -1, 0, 1.110223024625157e-16, 9.8813129168249309e-324},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30972710140302029, -1, 1.5939857391520807e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.046875, 0.6953125, 0, 0.46875, -0.328125, -0.2421875, -0.30972710140302029, -1, 1.7424232797865684e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.515625, 0.21875, 0, -0.265625, 1.625, -0.203125, 0, 0, 9.8813129168249309e-324, 9.8813129168249309e-324},
 };
 #endif

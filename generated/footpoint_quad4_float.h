@@ -395,9 +395,8 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[
  *   operations:     45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  fbaf34e877fab3d0069a86a3e7727014abc913db56640ff58e27b1b2e9993d20
- *   cancelled:      1 division: the genome is singular where the code is not
  *   poles:          t29: proved free of zeros, |t29| >= 1e-08
- *   rounding:       xi 8.9e-13 sampled; eta 5.8e-13 sampled (10000 points)
+ *   rounding:       xi 1.4e-12 sampled; eta 5.8e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 4.812e-03; eta genes 1 mean 4.829e-03
  *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, samples 200000
@@ -415,19 +414,19 @@ footpoint_detail_footpoint_quad4_float_coarse(const float xA[3], const float xB[
     const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
     const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
     const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5), t7 = t1 + t3;
-    const float t8 = yA[2] - yD[2] + t3, t9 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t10 = t2 + t4;
-    const float t11 = yA[1] - yD[1] + t4, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t11, t13 = t5 + t6;
-    const float t14 = yA[0] - yD[0] + t6, t15 = t5 - 2.0f * (yA[0] - yS[0]) + t14;
-    const float t16 = t7 * t8 + t10 * t11 + t13 * t14, t17 = t8 * t8 + t11 * t11 + t14 * t14;
-    const float t18 = t7 * t7 + t10 * t10 + t13 * t13, t19 = t8 * t9 + t11 * t12 + t14 * t15;
-    const float t20 = t7 * t9 + t10 * t12 + t13 * t15, t21 = t3 * t7 + t4 * t10 + t6 * t13;
-    const float t22 = t3 * t8 + t4 * t11 + t6 * t14, t23 = t18 * t17 - t16 * t16, t24 = t16 * t19 - t17 * t20;
-    const float t25 = t16 * t20 - t18 * t19, t26 = (t21 * t17 - t22 * t16) * t25, t27 = t23 * t23;
-    const float t28 = t27 + (t22 * t18 - t21 * t16) * t24, t29 = t23 * (t26 + t28), t30 = 1.0f / t29;
-    *xi = t24 * t28 * t30;
-    *eta = t25 * (t27 + t26) * t30;
+    const float t1 = yA[0] - yB[0], t2 = yA[2] - yB[2], t3 = yA[1] - yB[1], t4 = 0.5f * (yD[0] - yC[0] - t1);
+    const float t5 = 0.5f * (yD[2] - yC[2] - t2), t6 = 0.5f * (yD[1] - yC[1] - t3), t7 = t2 + t5;
+    const float t8 = yA[0] - yD[0] + t4, t9 = yA[2] - yD[2] + t5, t10 = t2 - 2.0f * (yA[2] - yS[2]) + t9;
+    const float t11 = yA[1] - yD[1] + t6, t12 = t3 - 2.0f * (yA[1] - yS[1]) + t11, t13 = t3 + t6, t14 = t1 + t4;
+    const float t15 = 2.0f * (yA[0] - yS[0]) - t1 - t8, t16 = t9 * t7 + t11 * t13 + t8 * t14;
+    const float t17 = t9 * t10 + t11 * t12 - t8 * t15, t18 = t7 * t10 + t13 * t12 - t14 * t15;
+    const float t19 = t9 * t9 + t11 * t11 + t8 * t8, t20 = t5 * t9 + t6 * t11 + t4 * t8;
+    const float t21 = t5 * t7 + t6 * t13 + t4 * t14, t22 = t7 * t7 + t13 * t13 + t14 * t14;
+    const float t23 = t19 * t22 - t16 * t16, t24 = t16 * t17 - t19 * t18, t25 = t16 * t18 - t22 * t17;
+    const float t26 = (t20 * t22 - t21 * t16) * t24, t27 = t23 * t23, t28 = t27 + (t21 * t19 - t20 * t16) * t25;
+    const float t29 = t23 * (t26 + t28), t30 = 1.0f / t29;
+    *xi = t24 * (t27 + t26) * t30;
+    *eta = t25 * t28 * t30;
     return footpoint_detail_f_outside(t29);
 }
 
@@ -481,9 +480,9 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const 
  *   operations:     58 mul, 2 div, 63 add, 0 sqrt, 0 compare; 36 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c01511a434b354df4367defe3621276548e9cd2ece32049878ffa50e535713c6
- *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 0.0034 (rounding error <= 7e-12)
- *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 0.00051
- *   rounding:       xi 2.2e-12 sampled; eta 1.7e-12 sampled (10000 points)
+ *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
+ *   poles:          t33 * t31 - t32 * t32: proved free of zeros, |...| >= 0.00051
+ *   rounding:       xi 4.6e-12 sampled; eta 1.8e-12 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.260e-03; eta genes 1 mean 1.272e-03
  *   heldout:        xi 1.257e-03 1.604e-02 1.483e-01, eta 1.254e-03 1.613e-02 1.093e-01, samples 200000
@@ -501,23 +500,23 @@ footpoint_detail_footpoint_quad4_float_gauss2(const float xA[3], const float xB[
     const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
     const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
     const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = yA[0] - yB[0], t4 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t5 = 0.5f * (yD[1] - yC[1] - t2), t6 = 0.5f * (yD[0] - yC[0] - t3), t7 = yA[2] - yD[2] + t4;
-    const float t8 = t1 + t4, t9 = yA[1] - yD[1] + t5, t10 = t2 + t5, t11 = t3 + t6;
-    const float t12 = t2 - 2.0f * (yA[1] - yS[1]) + t9, t13 = t1 - 2.0f * (yA[2] - yS[2]) + t7;
-    const float t14 = yA[0] - yD[0] + t6, t15 = t3 - 2.0f * (yA[0] - yS[0]) + t14;
-    const float t16 = t7 * t8 + t9 * t10 + t14 * t11, t17 = t7 * t7 + t9 * t9 + t14 * t14;
-    const float t18 = t8 * t8 + (t10 * t10 + t11 * t11), t19 = 1.0f / (t16 * t16 - t18 * t17);
-    const float t20 = t9 * t12 + t7 * t13 + t14 * t15, t21 = t10 * t12 + t8 * t13 + t11 * t15;
-    const float t22 = t4 * t8 + t5 * t10 + t6 * t11, t23 = t4 * t7 + t5 * t9 + t6 * t14;
-    const float t24 = (t17 * t21 - t16 * t20) * t19, t25 = (t16 * t21 - t18 * t20) * t19;
-    const float t26 = t4 * t4 + t5 * t5 + t6 * t6, t27 = t5 * t12 + t4 * t13 + t6 * t15, t28 = t23 + t26 * t24;
-    const float t29 = t22 - t26 * t25, t30 = t25 * t28, t31 = t17 + t24 * (t23 + t28), t32 = t16 + (t22 * t24 - t30);
-    const float t33 = t18 - t25 * (t22 + t29), t34 = t20 + t24 * (t27 + t30), t35 = t21 - t25 * (t27 - t24 * t29);
-    const float t36 = 1.0f / (t31 * t33 - t32 * t32);
+    const float t1 = yA[1] - yB[1], t2 = yA[0] - yB[0], t3 = yA[2] - yB[2], t4 = 0.5f * (yD[1] - yC[1] - t1);
+    const float t5 = 0.5f * (yD[0] - yC[0] - t2), t6 = 0.5f * (yD[2] - yC[2] - t3), t7 = t1 + t4;
+    const float t8 = yA[1] - yD[1] + t4, t9 = t2 + t5, t10 = yA[0] - yD[0] + t5, t11 = t3 + t6;
+    const float t12 = yA[2] - yD[2] + t6, t13 = t1 - 2.0f * (yA[1] - yS[1]) + t8;
+    const float t14 = t2 - 2.0f * (yA[0] - yS[0]) + t10, t15 = t3 - 2.0f * (yA[2] - yS[2]) + t12;
+    const float t16 = t7 * t8 + t9 * t10 + t11 * t12, t17 = t12 * t12 + t8 * t8 + t10 * t10;
+    const float t18 = t11 * t11 + t7 * t7 + t9 * t9, t19 = 1.0f / (t18 * t17 - t16 * t16);
+    const float t20 = t8 * t13 + (t10 * t14 + t12 * t15), t21 = t11 * t15 + t7 * t13 + t9 * t14;
+    const float t22 = t6 * t11 + t4 * t7 + t5 * t9, t23 = t6 * t12 + t4 * t8 + t5 * t10;
+    const float t24 = (t17 * t21 - t16 * t20) * t19, t25 = (t18 * t20 - t16 * t21) * t19;
+    const float t26 = t6 * t6 + t4 * t4 + t5 * t5, t27 = t6 * t15 + t4 * t13 + t5 * t14, t28 = t23 - t26 * t24;
+    const float t29 = t22 - t26 * t25, t30 = t25 * t28, t31 = t17 - t24 * (t23 + t28), t32 = t16 - (t22 * t24 + t30);
+    const float t33 = t18 - t25 * (t22 + t29), t34 = t20 - t24 * (t27 + t30), t35 = t21 - t25 * (t27 + t24 * t29);
+    const float t36 = 1.0f / (t33 * t31 - t32 * t32);
     *xi = (t32 * t34 - t31 * t35) * t36;
     *eta = (t32 * t35 - t33 * t34) * t36;
-    return footpoint_detail_f_outside(t16 * t16 - t18 * t17) | footpoint_detail_f_outside(t31 * t33 - t32 * t32);
+    return footpoint_detail_f_outside(t18 * t17 - t16 * t16) | footpoint_detail_f_outside(t33 * t31 - t32 * t32);
 }
 
 FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float xB[3], const float xC[3],
@@ -570,12 +569,12 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const 
  *   operations:     66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e57938235e4a045b787a3309af9177d613283f5edc244e6f494b745fc75a0ca2
- *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
- *   poles:          t35 * t35 - t33 * t36: proved free of zeros, |...| >= 0.00033
- *   rounding:       xi 1.4e-12 sampled; eta 1.3e-12 sampled (10000 points)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 0.0034 (rounding error <= 6.6e-12)
+ *   poles:          t34 * t36 - t35 * t35: proved free of zeros, |...| >= 0.00033
+ *   rounding:       xi 1.4e-12 sampled; eta 1.2e-12 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.907e-04; eta genes 1 mean 1.920e-04
- *   heldout:        xi 1.919e-04 2.962e-03 9.525e-02, eta 1.913e-04 3.013e-03 6.392e-02, samples 200000
+ *   heldout:        xi 1.919e-04 2.961e-03 9.525e-02, eta 1.913e-04 3.014e-03 6.393e-02, samples 200000
  *   heldout_random: xi 1.938e-04 3.022e-03 7.520e-02, eta 1.946e-04 3.060e-03 6.525e-02, samples 200000
  *   vectorises:     -O3
  */
@@ -590,24 +589,24 @@ footpoint_detail_footpoint_quad4_float_medium(const float xA[3], const float xB[
     const float yC[3] = {(xC[0] - xA[0]) * scale, (xC[1] - xA[1]) * scale, (xC[2] - xA[2]) * scale};
     const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
     const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
-    const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t4 = 0.5f * (yD[1] - yC[1] - t2), t5 = yA[0] - yB[0], t6 = 0.5f * (yD[0] - yC[0] - t5);
-    const float t7 = yA[2] - yD[2] + t3, t8 = yA[1] - yD[1] + t4, t9 = t1 + t3;
-    const float t10 = 2.0f * (yA[2] - yS[2]) - t1 - t7, t11 = t2 + t4, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t8;
-    const float t13 = yA[0] - yD[0] + t6, t14 = t5 - 2.0f * (yA[0] - yS[0]) + t13, t15 = t5 + t6;
-    const float t16 = t7 * t7 + t8 * t8 + t13 * t13, t17 = t7 * t9 + t8 * t11 + t13 * t15;
-    const float t18 = t9 * t9 + t11 * t11 + t15 * t15, t19 = 1.0f / (t16 * t18 - t17 * t17);
-    const float t20 = t8 * t12 + t13 * t14 - t7 * t10, t21 = t11 * t12 + t15 * t14 - t9 * t10;
-    const float t22 = t3 * t7 + t4 * t8 + t6 * t13, t23 = t3 * t9 + (t4 * t11 + t6 * t15);
-    const float t24 = (t16 * t21 - t17 * t20) * t19, t25 = (t18 * t20 - t17 * t21) * t19, t26 = t25 * t19 * t24;
-    const float t27 = t24 - (t22 * t17 - t23 * t16) * t26, t28 = t25 + (t22 * t18 - t23 * t17) * t26;
-    const float t29 = t3 * t3 + t4 * t4 + t6 * t6, t30 = t4 * t12 + t6 * t14 - t3 * t10, t31 = t22 - t29 * t27;
-    const float t32 = t23 - t29 * t28, t33 = t16 - t27 * (t22 + t31), t34 = t28 * t31, t35 = t23 * t27 - t17 + t34;
-    const float t36 = t18 - t28 * (t23 + t32), t37 = t21 - t28 * (t30 + t27 * t32), t38 = t20 - t27 * (t30 + t34);
-    const float t39 = 1.0f / (t35 * t35 - t33 * t36);
-    *xi = (t33 * t37 + t35 * t38) * t39;
-    *eta = (t35 * t37 + t36 * t38) * t39;
-    return footpoint_detail_f_outside(t16 * t18 - t17 * t17) | footpoint_detail_f_outside(t35 * t35 - t33 * t36);
+    const float t1 = yB[2] - yA[2], t2 = yB[1] - yA[1], t3 = 0.5f * (yD[2] - yC[2] + t1);
+    const float t4 = 0.5f * (yD[1] - yC[1] + t2), t5 = yB[0] - yA[0], t6 = 0.5f * (yD[0] - yC[0] + t5);
+    const float t7 = yA[2] - yD[2] + t3, t8 = t1 - t3, t9 = yA[1] - yD[1] + t4, t10 = t4 - t2;
+    const float t11 = t1 - 2.0f * (yS[2] - yA[2]) - t7, t12 = t2 - 2.0f * (yS[1] - yA[1]) - t9;
+    const float t13 = yA[0] - yD[0] + t6, t14 = t5 - 2.0f * (yS[0] - yA[0]) - t13, t15 = t6 - t5;
+    const float t16 = t7 * t8 - t9 * t10 - t13 * t15, t17 = t7 * t7 + t9 * t9 + t13 * t13;
+    const float t18 = t8 * t8 + t10 * t10 + t15 * t15, t19 = 1.0f / (t17 * t18 - t16 * t16);
+    const float t20 = t10 * t12 + t15 * t14 - t8 * t11, t21 = t3 * t8 - t4 * t10 - t6 * t15;
+    const float t22 = t7 * t11 + t9 * t12 + t13 * t14, t23 = t3 * t7 + t4 * t9 + t6 * t13;
+    const float t24 = (t17 * t20 + t16 * t22) * t19, t25 = (t18 * t22 + t16 * t20) * t19, t26 = t25 * t19 * t24;
+    const float t27 = t24 + (t21 * t17 - t23 * t16) * t26, t28 = t25 - (t23 * t18 - t21 * t16) * t26;
+    const float t29 = t3 * t3 + t4 * t4 + t6 * t6, t30 = t3 * t11 + t4 * t12 + t6 * t14, t31 = t23 + t29 * t27;
+    const float t32 = t21 - t29 * t28, t33 = t28 * t31, t34 = t17 + t27 * (t23 + t31), t35 = t16 - (t33 - t21 * t27);
+    const float t36 = t18 - t28 * (t21 + t32), t37 = t22 + t27 * (t30 + t33), t38 = t20 - t28 * (t27 * t32 - t30);
+    const float t39 = 1.0f / (t34 * t36 - t35 * t35);
+    *xi = (t35 * t37 + t34 * t38) * t39;
+    *eta = (t36 * t37 + t35 * t38) * t39;
+    return footpoint_detail_f_outside(t17 * t18 - t16 * t16) | footpoint_detail_f_outside(t34 * t36 - t35 * t35);
 }
 
 FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float xB[3], const float xC[3],
@@ -848,12 +847,12 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[
  *   genome_sha256:  341b09d431e48696ee693bd7d4055e469f4577d92d73ba969b01ed1dcf46f8f1
  *   poles:          t32: proved free of zeros, |t32| >= 5.7e-14
  *   poles:          t43 * t44 - t46 * t46: proved free of zeros, |...| >= 0.00021
- *   poles:          t54 * t56 - t58 * t58: proved free of zeros, |...| >= 0.00021
+ *   poles:          t58 * t58 - t56 * t55: proved free of zeros, |...| >= 0.00021
  *   rounding:       xi 1.1e-13 sampled; eta 1.6e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 6.538e-08; eta genes 1 mean 7.560e-08
- *   heldout:        xi 2.623e-07 1.052e-06 3.045e-03, eta 2.475e-07 1.037e-06 2.584e-03, samples 200000
- *   heldout_random: xi 2.387e-07 1.070e-06 2.015e-03, eta 2.409e-07 1.038e-06 1.260e-03, samples 200000
+ *   heldout:        xi 2.622e-07 1.049e-06 3.045e-03, eta 2.476e-07 1.035e-06 2.584e-03, samples 200000
+ *   heldout_random: xi 2.389e-07 1.084e-06 2.015e-03, eta 2.410e-07 1.052e-06 1.260e-03, samples 200000
  *   vectorises:     -O3
  */
 FOOTPOINT_PART unsigned int
@@ -868,30 +867,30 @@ footpoint_detail_footpoint_quad4_float_precise(const float xA[3], const float xB
     const float yD[3] = {(xD[0] - xA[0]) * scale, (xD[1] - xA[1]) * scale, (xD[2] - xA[2]) * scale};
     const float yS[3] = {(xS[0] - xA[0]) * scale, (xS[1] - xA[1]) * scale, (xS[2] - xA[2]) * scale};
     const float t1 = yA[2] - yB[2], t2 = yA[1] - yB[1], t3 = yA[0] - yB[0], t4 = 0.5f * (yD[2] - yC[2] - t1);
-    const float t5 = 0.5f * (yD[1] - yC[1] - t2), t6 = 0.5f * (yD[0] - yC[0] - t3), t7 = t2 + t5;
-    const float t8 = yA[2] - yD[2] + t4, t9 = t1 - 2.0f * (yA[2] - yS[2]) + t8, t10 = t1 + t4;
-    const float t11 = yA[1] - yD[1] + t5, t12 = t2 - 2.0f * (yA[1] - yS[1]) + t11, t13 = yA[0] - yD[0] + t6;
-    const float t14 = t3 - 2.0f * (yA[0] - yS[0]) + t13, t15 = t3 + t6, t16 = t8 * t8 + t11 * t11 + t13 * t13;
-    const float t17 = t8 * t10 + t11 * t7 + t13 * t15, t18 = t10 * t10 + t7 * t7 + t15 * t15;
-    const float t19 = t10 * t9 + (t7 * t12 + t15 * t14), t20 = t4 * t10 + t5 * t7 + t6 * t15;
-    const float t21 = t4 * t8 + t5 * t11 + t6 * t13, t22 = t11 * t12 + t8 * t9 + t13 * t14;
-    const float t23 = t16 * t18 - t17 * t17, t24 = t21 * t18 - t20 * t17, t25 = t16 * t19 - t17 * t22;
-    const float t26 = t20 * t16 - t21 * t17, t27 = t18 * t22 - t17 * t19, t28 = t24 * t25, t29 = t26 * t27;
-    const float t30 = t28 - t23 * t23 + t29, t31 = t30 * t30 - t28 * t29, t32 = t23 * t31, t33 = 1.0f / t32;
+    const float t5 = 0.5f * (yD[1] - yC[1] - t2), t6 = 0.5f * (yD[0] - yC[0] - t3), t7 = yA[2] - yD[2] + t4;
+    const float t8 = t1 - 2.0f * (yA[2] - yS[2]) + t7, t9 = t1 + t4, t10 = yA[1] - yD[1] + t5;
+    const float t11 = t2 - 2.0f * (yA[1] - yS[1]) + t10, t12 = t2 + t5, t13 = yA[0] - yD[0] + t6;
+    const float t14 = t3 - 2.0f * (yA[0] - yS[0]) + t13, t15 = t3 + t6, t16 = t7 * t9 + t10 * t12 + t13 * t15;
+    const float t17 = t9 * t9 + t12 * t12 + t15 * t15, t18 = t4 * t7 + (t5 * t10 + t6 * t13);
+    const float t19 = t7 * t7 + t10 * t10 + t13 * t13, t20 = t7 * t8 + t10 * t11 + t13 * t14;
+    const float t21 = t9 * t8 + (t12 * t11 + t15 * t14), t22 = t4 * t9 + t5 * t12 + t6 * t15;
+    const float t23 = t19 * t17 - t16 * t16, t24 = t22 * t16 - t18 * t17, t25 = t19 * t21 - t16 * t20;
+    const float t26 = t22 * t19 - t18 * t16, t27 = t17 * t20 - t16 * t21, t28 = t24 * t25, t29 = t26 * t27;
+    const float t30 = t29 - t28 - t23 * t23, t31 = t28 * t29 + t30 * t30, t32 = t23 * t31, t33 = 1.0f / t32;
     const float t34 = t23 * t25 * t27 * t30 * t33, t35 = t31 * t33, t36 = t35 * (t25 - t26 * t34);
-    const float t37 = t35 * (t27 - t24 * t34), t38 = t4 * t4 + t5 * t5 + t6 * t6, t39 = t21 - t38 * t36;
-    const float t40 = t17 + (t5 * t12 + t4 * t9 + t6 * t14), t41 = t20 - t38 * t37, t42 = t37 * t39;
-    const float t43 = t16 - t36 * (t21 + t39), t44 = t18 - t37 * (t20 + t41), t45 = t20 * t36 + t42;
-    const float t46 = t40 - 2.0f * t45, t47 = t22 - t36 * (t42 + t45), t48 = t19 - t37 * (t36 * t41 + t45);
+    const float t37 = t35 * (t27 + t24 * t34), t38 = t4 * t4 + t5 * t5 + t6 * t6, t39 = t18 - t38 * t36;
+    const float t40 = t16 + (t4 * t8 + t5 * t11 + t6 * t14), t41 = t22 - t38 * t37, t42 = t37 * t39;
+    const float t43 = t19 - t36 * (t18 + t39), t44 = t17 - t37 * (t22 + t41), t45 = t22 * t36 + t42;
+    const float t46 = t40 - 2.0f * t45, t47 = t20 - t36 * (t42 + t45), t48 = t21 - t37 * (t36 * t41 + t45);
     const float t49 = 1.0f / (t43 * t44 - t46 * t46), t50 = (t43 * t48 - t46 * t47) * t49;
-    const float t51 = (t46 * t48 - t44 * t47) * t49, t52 = t21 - t38 * t50, t53 = t20 + t38 * t51;
-    const float t54 = t16 - t50 * (t21 + t52), t55 = t51 * t52, t56 = t18 + t51 * (t20 + t53), t57 = t20 * t50 - t55;
-    const float t58 = t40 - 2.0f * t57, t59 = t19 + t51 * (t50 * t53 + t57), t60 = t22 + t50 * (t55 - t57);
-    const float t61 = 1.0f / (t54 * t56 - t58 * t58);
-    *xi = (t58 * t60 - t54 * t59) * t61;
-    *eta = (t58 * t59 - t56 * t60) * t61;
+    const float t51 = (t46 * t48 - t44 * t47) * t49, t52 = t18 - t38 * t50, t53 = t22 + t38 * t51, t54 = t51 * t52;
+    const float t55 = t19 - t50 * (t18 + t52), t56 = t17 + t51 * (t22 + t53), t57 = t22 * t50 - t54;
+    const float t58 = t40 - 2.0f * t57, t59 = t20 + t50 * (t54 - t57), t60 = t21 + t51 * (t50 * t53 + t57);
+    const float t61 = 1.0f / (t58 * t58 - t56 * t55);
+    *xi = (t55 * t60 - t58 * t59) * t61;
+    *eta = (t56 * t59 - t58 * t60) * t61;
     return footpoint_detail_f_outside(t32) | footpoint_detail_f_outside(t43 * t44 - t46 * t46) |
-        footpoint_detail_f_outside(t54 * t56 - t58 * t58);
+        footpoint_detail_f_outside(t58 * t58 - t56 * t55);
 }
 
 FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const float xB[3], const float xC[3],

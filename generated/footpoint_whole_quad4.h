@@ -408,11 +408,11 @@ static const double footpoint_whole_quad4_fast_points[][19] = {
 #endif
 
 /* footpoint_whole_quad4_taper
- *   operations:     48 mul, 1 div, 52 add, 0 sqrt, 5 compare; 42 temporaries
+ *   operations:     49 mul, 1 div, 52 add, 0 sqrt, 5 compare; 43 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  55ecd7a627405a2e715d69903f96e9552ad365a7c62ebf3496e7de83ea3f6795
- *   poles:          t17 * t17 - t18 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   rounding:       xi 2.4e-13 sampled; eta 2.5e-12 sampled (10000 points)
+ *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   rounding:       xi 9e-13 sampled; eta 2.5e-12 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.222e-02; eta genes 1 mean 1.578e-02
  *   heldout:        xi 1.248e-02 1.428e-01 1.189e+00, eta 1.627e-02 2.002e-01 1.447e+00, samples 857751
@@ -423,27 +423,28 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_whole_quad4_taper(const double xA[3], const double xB[3], const double xC[3],
                                              const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[1] - xB[1], t2 = xA[0] - xB[0], t3 = xA[2] - xB[2], t4 = xC[1] - xD[1] + t1;
-    const double t5 = xC[0] - xD[0] + t2, t6 = xC[2] - xD[2] + t3, u1 = 0.425 * t4, t7 = xA[1] - xD[1] - u1;
-    const double u2 = 0.425 * t5, t8 = xA[0] - xD[0] - u2, u3 = 0.425 * t6, t9 = xA[2] - xD[2] - u3, t10 = t3 - u3;
-    const double t11 = xA[2] - xS[2] - 0.425 * (t3 + t9), t12 = t1 - u1, t13 = xA[1] - xS[1] - 0.425 * (t1 + t7);
-    const double t14 = t2 - u2, t15 = xA[0] - xS[0] - 0.425 * (t2 + t8), t16 = t7 * t7 + t8 * t8 + t9 * t9;
-    const double t17 = t9 * t10 + t7 * t12 + t8 * t14, t18 = t14 * t14 + (t10 * t10 + t12 * t12);
-    const double t19 = 1.0 / (t17 * t17 - t18 * t16), t20 = t10 * t11 + t12 * t13 + t14 * t15;
-    const double t21 = t9 * t11 + t7 * t13 + t8 * t15, t22 = t6 * t10 + t4 * t12 + t5 * t14;
-    const double t23 = t6 * t9 + t4 * t7 + t5 * t8, t24 = (t17 * t21 - t16 * t20) * t19;
-    const double t25 = (t17 * t20 - t18 * t21) * t19, t26 = (t23 * t17 - t16 * t22) * t25;
-    const double t27 = (t22 * t17 - t18 * t23) * t24, t28 = t19 * (t27 + t26) + 1.0;
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xC[2] - xD[2] + t1;
+    const double t5 = xC[1] - xD[1] + t2, t6 = xC[0] - xD[0] + t3, u1 = 0.425 * t4, t7 = xA[2] - xD[2] - u1;
+    const double t8 = t1 - u1, t9 = xA[2] - xS[2] - 0.425 * (t1 + t7), u2 = 0.425 * t5, t10 = xA[1] - xD[1] - u2;
+    const double t11 = xA[1] - xS[1] - 0.425 * (t2 + t10), t12 = t2 - u2, u3 = 0.425 * t6, t13 = xA[0] - xD[0] - u3;
+    const double t14 = xA[0] - xS[0] - 0.425 * (t3 + t13), t15 = t3 - u3, t16 = t7 * t8 + t10 * t12 + t13 * t15;
+    const double t17 = t10 * t10 + t13 * t13 + t7 * t7, t18 = t8 * t8 + t12 * t12 + t15 * t15;
+    const double t19 = t12 * t11 + t15 * t14 + t8 * t9, t20 = t10 * t11 + t13 * t14 + t7 * t9;
+    const double t21 = t4 * t8 + t5 * t12 + t6 * t15, t22 = t4 * t7 + t5 * t10 + t6 * t13;
+    const double t23 = 1.0 / (t16 * t16 - t17 * t18), t24 = (t16 * t20 - t17 * t19) * t23;
+    const double t25 = (t16 * t19 - t18 * t20) * t23, t26 = (t22 * t18 - t21 * t16) * t23 * t24;
+    const double t27 = (t22 * t16 - t17 * t21) * t23 * t25, t28 = t27 + 1.0 - t26;
     double u4 = 0.6;
-    const double t29 = (u4 > t28 ? u4 : t28), t30 = 2.0 * t19 * t29, t31 = t24 * (t26 * t30 + 2.0) - 0.15;
-    const double t32 = t25 * (t27 * t30 + 2.0) - 0.15;
-    double u5 = 1.0;
-    const double t33 = (u5 < t31 ? u5 : t31);
-    double u6 = -1.0;
-    const double t34 = (!(t33 <= u6) ? t33 : u6), t35 = (u5 < t32 ? u5 : t32), t36 = (!(t35 <= u6) ? t35 : u6);
-    *xi = t34;
-    *eta = t36;
-    return footpoint_detail_outside(t17 * t17 - t18 * t16);
+    const double t29 = (u4 > t28 ? u4 : t28), t30 = t25 - 0.075 - t25 * t26 * t29;
+    const double t31 = t24 * (t27 * t29 + 1.0) - 0.075, u5 = 2.0 * t31;
+    double u6 = 1.0;
+    const double t32 = (u6 < u5 ? u6 : u5);
+    double u7 = -1.0;
+    const double t33 = (!(t32 <= u7) ? t32 : u7), u8 = 2.0 * t30, t34 = (u6 < u8 ? u6 : u8);
+    const double t35 = (!(t34 <= u7) ? t34 : u7);
+    *xi = t33;
+    *eta = t35;
+    return footpoint_detail_outside(t16 * t16 - t17 * t18);
 }
 
 FOOTPOINT_FN void footpoint_whole_quad4_taper_at(const double xA[3], const double xB[3], const double xC[3],
@@ -487,23 +488,23 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_taper_n(size_t n, const double *const 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_taper_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.88456849649386438, -1, 1.0130181446575925e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14577917117847874, -0.57423097882806806, 3.8753498228741101e-16, 9.8967911448559081e-16},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.028990111474139681, 0.99605724054515032, 3.4257005056896939e-15, 1.0468072701112759e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.88456849649386438, -1, 1.0115215574570449e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14577917117847874, -0.57423097882806806, 3.8723927764633615e-16, 9.5575159125741165e-16},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, -0.028990111474139681, 0.99605724054515032, 3.5539740653814289e-15, 1.0667017454455239e-14},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 0.52218646729687312, -1, 2.9595258479436453e-14, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.37389848517212632, -1, 2.9943378160473608e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.31011607937323188, 1, 2.7650782818011642e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 0.52218646729687312, -1, 2.9585481672954395e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.37389848517212632, -1, 3.0020873091190458e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.31011607937323188, 1, 2.7653689660306128e-15, 1.110223024625157e-16},
 };
 #endif
 
 /* footpoint_whole_quad4_gauss2
- *   operations:     60 mul, 2 div, 65 add, 0 sqrt, 0 compare; 36 temporaries
+ *   operations:     58 mul, 2 div, 65 add, 0 sqrt, 0 compare; 39 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c8655ad328ee342d953627c5578f2883ec1740c453205bf7faa72688542e4f24
- *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
+ *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08
- *   rounding:       xi 1.7e-08 sampled; eta 8.5e-09 sampled (10000 points)
+ *   rounding:       xi 1.1e-08 sampled; eta 7.8e-09 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 5.372e-03; eta genes 1 mean 6.157e-03
  *   heldout:        xi 5.925e-03 8.599e-02 5.221e+00, eta 6.386e-03 1.039e-01 3.872e+00, samples 857751
@@ -514,23 +515,23 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_whole_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.425 * (xD[2] - xC[2] - t1);
-    const double t5 = 0.425 * (xD[1] - xC[1] - t2), t6 = 0.425 * (xD[0] - xC[0] - t3), t7 = xA[2] - xD[2] + t4;
-    const double t8 = t1 + t4, t9 = xA[1] - xD[1] + t5, t10 = t2 + t5, t11 = xA[0] - xD[0] + t6;
-    const double t12 = t2 - (40.0 / 17.0) * (xA[1] - xS[1]) + t9, t13 = t1 - (40.0 / 17.0) * (xA[2] - xS[2]) + t7;
-    const double t14 = t3 + t6, t15 = t3 - (40.0 / 17.0) * (xA[0] - xS[0]) + t11;
-    const double t16 = t7 * t8 + t9 * t10 + t11 * t14, t17 = t7 * t7 + (t9 * t9 + t11 * t11);
-    const double t18 = t8 * t8 + t10 * t10 + t14 * t14, t19 = 1.0 / (t16 * t16 - t17 * t18);
-    const double t20 = t10 * t12 + t8 * t13 + t14 * t15, t21 = t9 * t12 + t7 * t13 + t11 * t15;
-    const double t22 = t4 * t8 + t5 * t10 + t6 * t14, t23 = t4 * t7 + t5 * t9 + t6 * t11;
-    const double t24 = (t16 * t21 - t17 * t20) * t19, t25 = (t18 * t21 - t16 * t20) * t19;
-    const double t26 = t4 * t4 + t5 * t5 + t6 * t6, t27 = t5 * t12 + t4 * t13 + t6 * t15, t28 = t23 - t26 * t24;
-    const double t29 = t22 + t26 * t25, t30 = t25 * t28, t31 = t17 - t24 * (t23 + t28), t32 = t16 - t22 * t24 + t30;
-    const double t33 = t18 + t25 * (t22 + t29), t34 = t21 - t24 * (t27 - t30), t35 = t20 + t25 * (t27 + t24 * t29);
-    const double t36 = 1.0 / (t31 * t33 - t32 * t32);
-    *xi = -0.85 * ((t31 * t35 - t32 * t34) * t36 + (3.0 / 17.0));
-    *eta = 0.85 * ((t32 * t35 - t33 * t34) * t36 - (3.0 / 17.0));
-    return footpoint_detail_outside(t16 * t16 - t17 * t18) | footpoint_detail_outside(t31 * t33 - t32 * t32);
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
+    const double t8 = xA[2] - xS[2] - 0.425 * (t1 + t7), t9 = t1 - u1, u2 = 0.425 * t4, t10 = xA[1] - xD[1] - u2;
+    const double t11 = xA[1] - xS[1] - 0.425 * (t2 + t10), t12 = t2 - u2, u3 = 0.425 * t6, t13 = xA[0] - xD[0] - u3;
+    const double t14 = t5 - u3, t15 = xA[0] - xS[0] - 0.425 * (t5 + t13), t16 = t7 * t9 + t10 * t12 + t13 * t14;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t7 * t8 + t10 * t11 + t13 * t15;
+    const double t21 = t9 * t8 + t12 * t11 + t14 * t15, t22 = t3 * t7 + t4 * t10 + t6 * t13;
+    const double t23 = t3 * t9 + t4 * t12 + t6 * t14, t24 = (t17 * t21 - t16 * t20) * t19;
+    const double t25 = (t18 * t20 - t16 * t21) * t19, t26 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t27 = t3 * t8 + t4 * t11 + t6 * t15, t28 = t22 - t26 * t24, t29 = t23 - t26 * t25, t30 = t25 * t28;
+    const double t31 = t17 - t24 * (t22 + t28), t32 = t16 - t23 * t24 - t30, t33 = t18 - t25 * (t23 + t29);
+    const double t34 = t20 - t24 * (t27 + t30), t35 = t21 - t25 * (t27 + t24 * t29);
+    const double t36 = 2.0 / (t31 * t33 - t32 * t32);
+    *xi = (t31 * t35 - t32 * t34) * t36 - 0.15;
+    *eta = (t33 * t34 - t32 * t35) * t36 - 0.15;
+    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t31 * t33 - t32 * t32);
 }
 
 FOOTPOINT_FN void footpoint_whole_quad4_gauss2_at(const double xA[3], const double xB[3], const double xC[3],
@@ -573,23 +574,23 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_gauss2_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_gauss2_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -2.5436340308553431, 0.11787527917909428, 3.491548164644034e-14, 2.5726390454012414e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.07154876882522225, -6.8440930000149622, 2.4658335350850849e-13, 2.6096359770812513e-12},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 3.748459295247477e-16, 1.055041333247006e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0026996191333835749, 1.0750324336826758, 8.8779522753559666e-15, 2.5025016017083865e-14},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.020603794126347639, -7.240792749722555, 8.232188020906935e-15, 5.0849936055691615e-14},
-    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -2.1933491924771098, 4.0263553194868624, 1.731411382356459e-14, 3.8037464142767684e-14},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.55925974807039247, -4.4610661377474754, 3.8097363222735572e-15, 1.2860828118794386e-14},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.38291642204398046, 4.25193604668915, 2.1905746570707713e-15, 3.2505547012132219e-14},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -2.5436340308553431, 0.11787527917909428, 3.4618234732389128e-14, 2.557736575237791e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -0.07154876882522225, -6.8440930000149622, 2.2117544971994314e-13, 2.3414444144491189e-12},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14161801221772352, -0.57580218516628101, 4.369661203451433e-16, 1.0182717219155775e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0026996191333835749, 1.0750324336826758, 8.317575394255607e-15, 2.332889036030695e-14},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.020603794126347639, -7.240792749722555, 8.1054745779967622e-15, 4.8947334284069099e-14},
+    {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -2.1933491924771098, 4.0263553194868624, 1.6743539873133278e-14, 3.6212953169948946e-14},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.55925974807039247, -4.4610661377474754, 3.5016114364658115e-15, 1.1620419135984187e-14},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.38291642204398046, 4.25193604668915, 2.0789103352892532e-15, 2.8679435150360875e-14},
 };
 #endif
 
 /* footpoint_whole_quad4_coarse
- *   operations:     60 mul, 1 div, 57 add, 0 sqrt, 13 compare; 58 temporaries
+ *   operations:     62 mul, 1 div, 57 add, 0 sqrt, 13 compare; 57 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  1888ceba5077226c4ef1291b6a566b7903c8982155e1a12ede490fd596140e48
- *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   rounding:       xi 8.6e-12 sampled; eta 9.6e-12 sampled (10000 points)
+ *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
+ *   rounding:       xi 8.3e-12 sampled; eta 9.3e-12 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 9.355e-03; eta genes 1 mean 1.069e-02
  *   heldout:        xi 9.476e-03 1.153e-01 1.005e+00, eta 1.096e-02 1.287e-01 1.492e+00, samples 857751
@@ -600,34 +601,36 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_whole_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
                                               const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
-    const double t5 = xB[0] - xA[0], t6 = xD[0] - xC[0] + t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] - u1;
-    const double t8 = xA[2] - xS[2] - 0.5 * (t1 + t7), t9 = t1 - u1, u2 = 0.5 * t4, t10 = xA[1] - xD[1] - u2;
-    const double t11 = xA[1] - xS[1] - 0.5 * (t2 + t10), t12 = t2 - u2, u3 = 0.5 * t6, t13 = xA[0] - xD[0] + u3;
-    const double t14 = t5 - u3, t15 = xA[0] - xS[0] + 0.5 * (t5 - t13), t16 = t7 * t9 + t10 * t12 - t13 * t14;
-    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t14 * t14;
-    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t7 * t8 + t10 * t11 + t13 * t15;
-    const double t21 = t3 * t7 + t4 * t10 - t6 * t13, t22 = t14 * t15 - t9 * t8 - t12 * t11;
-    const double t23 = t3 * t9 + t4 * t12 + t6 * t14, t24 = (t16 * t20 + t17 * t22) * t19;
-    const double t25 = (t21 * t18 - t23 * t16) * t19, t26 = (t21 * t16 - t23 * t17) * t19;
-    const double t27 = (t16 * t22 + t18 * t20) * t19, t28 = t24 * t25, t29 = t26 * t27, t30 = 1.0 - t28 - t29;
-    const double t31 = t19 * (t6 * t15 - t3 * t8 - t4 * t11 + t20 * t25 + t22 * t26);
-    double u4 = 0.6;
-    const double t32 = (u4 > t30 ? u4 : t30), t33 = t24 * (t29 * t32 - 1.0), t34 = t27 * (1.0 - t28 * t32);
-    double u5 = 0.5;
-    const double t35 = (u5 < t33 ? u5 : t33);
-    double u6 = -0.5;
-    const double t36 = (u6 > t35 ? u6 : t35), t37 = (u5 < t34 ? u5 : t34), t38 = (u6 > t37 ? u6 : t37);
-    const double t39 = t17 * t31 * t38, t40 = t31 * (t18 * t36 - t16 * t38);
-    double u7 = 0.075;
-    const double t41 = (u7 < t39 ? u7 : t39);
-    double u8 = -0.075;
-    const double t42 = (u8 > t41 ? u8 : t41), t43 = (u7 < t40 ? u7 : t40), t44 = (u8 > t43 ? u8 : t43);
-    const double t45 = t36 + t42, t46 = t38 + t44, t47 = (u5 < t45 ? u5 : t45), t48 = (!(t47 <= u6) ? t47 : u6);
-    const double t49 = (u5 < t46 ? u5 : t46), t50 = (!(t49 <= u6) ? t49 : u6);
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xC[2] - xD[2] + t1);
+    const double t4 = 0.5 * (xC[1] - xD[1] + t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xC[0] - xD[0] + t5);
+    const double t7 = xA[2] - xD[2] - t3, t8 = xA[1] - xD[1] - t4, t9 = t1 - t3, t10 = t2 - t4;
+    const double t11 = t1 - 2.0 * (xA[2] - xS[2]) + t7, t12 = t2 - 2.0 * (xA[1] - xS[1]) + t8;
+    const double t13 = xA[0] - xD[0] - t6, t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 - t6;
+    const double t16 = t7 * t7 + t8 * t8 + t13 * t13, t17 = t7 * t9 + t8 * t10 + t13 * t15;
+    const double t18 = t9 * t9 + t10 * t10 + t15 * t15, t19 = 1.0 / (t16 * t18 - t17 * t17);
+    const double t20 = t3 * t7 + t4 * t8 + t6 * t13, t21 = t8 * t12 + t13 * t14 + t7 * t11;
+    const double t22 = t9 * t11 + t10 * t12 + t15 * t14, t23 = t3 * t9 + t4 * t10 + t6 * t15;
+    const double t24 = (t17 * t21 - t16 * t22) * t19, t25 = (t23 * t17 - t20 * t18) * t19;
+    const double t26 = (t20 * t17 - t23 * t16) * t19, t27 = (t18 * t21 - t17 * t22) * t19, t28 = t25 * t24;
+    const double t29 = t26 * t27, t30 = t29 + 1.0 - t28;
+    const double t31 = t19 * (t4 * t12 + t6 * t14 + t3 * t11 + t21 * t25 + t22 * t26);
+    double u1 = 0.6;
+    const double t32 = (u1 > t30 ? u1 : t30), t33 = t24 * (t29 * t32 + 1.0), t34 = t27 * (t28 * t32 - 1.0);
+    const double u2 = 0.5 * t33;
+    double u3 = 0.5;
+    const double t35 = (u3 < u2 ? u3 : u2);
+    double u4 = -0.5;
+    const double t36 = (u4 > t35 ? u4 : t35), u5 = 0.5 * t34, t37 = (u3 < u5 ? u3 : u5), t38 = (u4 > t37 ? u4 : t37);
+    const double t39 = t16 * t31 * t38, t40 = t31 * (t18 * t36 - t17 * t38);
+    double u6 = 0.075;
+    const double t41 = (u6 < t39 ? u6 : t39);
+    double u7 = -0.075;
+    const double t42 = (u7 > t41 ? u7 : t41), t43 = (u6 < t40 ? u6 : t40), t44 = (u7 > t43 ? u7 : t43);
+    const double t45 = t36 + t42, t46 = t38 + t44, t47 = (u3 < t45 ? u3 : t45), t48 = (!(t47 <= u4) ? t47 : u4);
+    const double t49 = (u3 < t46 ? u3 : t46), t50 = (!(t49 <= u4) ? t49 : u4);
     *xi = 2.0 * t48;
     *eta = 2.0 * t50;
-    return footpoint_detail_outside(t17 * t18 - t16 * t16);
+    return footpoint_detail_outside(t16 * t18 - t17 * t17);
 }
 
 FOOTPOINT_FN void footpoint_whole_quad4_coarse_at(const double xA[3], const double xB[3], const double xC[3],
@@ -670,14 +673,14 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_coarse_n(size_t n, const double *const
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
 static const double footpoint_whole_quad4_coarse_points[][19] = {
-    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.97349492056234888, 0.96422751691154251, 3.6607184325739398e-13, 4.9397152891899154e-13},
+    {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -0.97349492056234888, 0.96422751691154251, 3.6900235989162831e-13, 4.9792668992823108e-13},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14194193749828848, -0.57633687572510106, 6.7874314730788839e-16, 1.2788585303339691e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0054552253835257686, 1, 5.4403230500028615e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.78804578109844137, -0.87484612985154109, 4.0245895871744147e-14, 3.8970729114555962e-14},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14194193749828848, -0.57633687572510106, 5.7684378837420947e-16, 1.2828835008935958e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0054552253835257686, 1, 5.5410103534409541e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 0.78804578109844137, -0.87484612985154109, 4.1578352955173324e-14, 4.0227819211284375e-14},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.41969923529257086, -1, 4.4856077046479073e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.41195191667481634, 1, 3.861305985258813e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.41969923529257086, -1, 4.4709658126100947e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.41195191667481634, 1, 3.8434032599716486e-15, 1.110223024625157e-16},
 };
 #endif
 
@@ -879,12 +882,12 @@ static const double footpoint_whole_quad4_medium_points[][19] = {
 #endif
 
 /* footpoint_whole_quad4_balanced
- *   operations:     89 mul, 2 div, 83 add, 0 sqrt, 14 compare; 83 temporaries
+ *   operations:     88 mul, 2 div, 83 add, 0 sqrt, 14 compare; 85 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  1df832239697955a04d33d68ad1d060b8906c3f740728684de8f9a9f0f8e8cc6
- *   poles:          t16 * t17 - t15 * t15: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
+ *   poles:          t16 * t16 - t18 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.4e-14)
  *   poles:          t49: proved free of zeros, |t49| >= 5.9e-09
- *   rounding:       xi 9.7e-13 sampled; eta 1.7e-12 sampled (10000 points)
+ *   rounding:       xi 1.3e-12 sampled; eta 2.7e-12 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 5.812e-04; eta genes 1 mean 7.197e-04
  *   heldout:        xi 5.380e-04 3.358e-03 1.970e+00, eta 7.117e-04 4.065e-03 1.433e+00, samples 857751
@@ -895,46 +898,46 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_whole_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
                                                 const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[1] - xB[1], t2 = xA[0] - xB[0], t3 = xC[1] - xD[1] + t1, t4 = xC[0] - xD[0] + t2;
-    const double t5 = xC[2] - xD[2] - xB[2] + xA[2], u1 = 0.425 * t3, t6 = xA[1] - xD[1] - u1, u2 = 0.425 * t4;
-    const double t7 = xA[0] - xD[0] - u2, t8 = t1 - u1, t9 = t2 - u2, t10 = xA[2] - 0.425 * t5;
-    const double t11 = xA[1] - xS[1] - 0.425 * (t1 + t6), t12 = xA[0] - xS[0] - 0.425 * (t2 + t7), t13 = t10 - xD[2];
-    const double t14 = t10 - xB[2], t15 = t6 * t8 + t7 * t9 + t13 * t14, t16 = t6 * t6 + t7 * t7 + t13 * t13;
-    const double t17 = t8 * t8 + t9 * t9 + t14 * t14, t18 = xS[2] - 0.575 * xA[2] - 0.425 * (xB[2] - t13);
-    const double t19 = 1.0 / (t16 * t17 - t15 * t15), t20 = t6 * t11 + t7 * t12 - t13 * t18;
-    const double t21 = t3 * t6 + t4 * t7 + t5 * t13, t22 = t8 * t11 + t9 * t12 - t14 * t18;
-    const double t23 = t3 * t8 + t4 * t9 + t5 * t14, t24 = (t16 * t22 - t15 * t20) * t19;
-    const double t25 = (t17 * t20 - t15 * t22) * t19, t26 = (t21 * t17 - t23 * t15) * t19;
-    const double t27 = (t23 * t16 - t21 * t15) * t19, t28 = t3 * t3 + t4 * t4 + t5 * t5;
-    double u3 = 0.575;
-    const double t29 = (u3 < t25 ? u3 : t25);
-    double u4 = -0.425;
-    const double t30 = (u4 > t29 ? u4 : t29), t31 = (u3 < t24 ? u3 : t24), t32 = (u4 > t31 ? u4 : t31);
-    const double t33 = t26 * t32 + 1.0 + t27 * t30;
-    double u5 = 0.5;
-    const double t34 = (u5 > t33 ? u5 : t33), t35 = t30 * t32 * t34, t36 = t24 + t27 * t35, t37 = t25 + t26 * t35;
-    const double t38 = t21 - t28 * t36, t39 = t23 - t28 * t37, t40 = t36 * (t21 + t38) - t16;
-    const double t41 = t37 * (t23 + t39) - t17, t42 = t37 * t38, t43 = t23 * t36 + t42;
-    const double t44 = t3 * t11 + t4 * t12 + t15 - t5 * t18 - 2.0 * t43, t45 = t20 - t36 * (t42 + t43);
-    const double t46 = t22 - t37 * (t36 * t39 + t43), t47 = t40 * t41, t48 = t47 - t44 * t44, u6 = 0.02 * t47;
-    const double t49 = (t48 > u6 ? t48 : u6), t50 = t48 - t49, t51 = 1.0 / t49;
-    const double t52 = (t44 * t46 + t41 * t45 + t37 * t50) * t51, t53 = (t44 * t45 + t40 * t46 + t36 * t50) * t51;
-    const double t54 = 2.0 * (t37 + t52), t55 = t36 + t53, t56 = t38 * t54, t57 = t39 * t55;
-    const double t58 = t54 * (t57 + 0.25 * t56), t59 = t55 * (t57 + t56), t60 = t51 * (t40 * t58 + t44 * t59);
-    const double t61 = t51 * (t41 * t59 + t44 * t58);
-    double u7 = 0.05;
-    const double t62 = (u7 < t60 ? u7 : t60);
-    double u8 = -0.05;
-    const double t63 = (u8 > t62 ? u8 : t62), t64 = (u7 < t61 ? u7 : t61), t65 = (u8 > t64 ? u8 : t64);
-    const double t66 = t53 + 0.075 + t63, t67 = t52 + 0.075 + t65, u9 = -2.0 * t66;
-    double u10 = 1.0;
-    const double t68 = (u10 < u9 ? u10 : u9);
-    double u11 = -1.0;
-    const double t69 = (!(t68 <= u11) ? t68 : u11), u12 = -2.0 * t67, t70 = (u10 < u12 ? u10 : u12);
-    const double t71 = (!(t70 <= u11) ? t70 : u11);
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = xD[2] - xC[2] - t1;
+    const double t5 = xD[1] - xC[1] - t2, t6 = xD[0] - xC[0] - t3, u1 = 0.425 * t4, t7 = xA[2] - xD[2] + u1;
+    const double t8 = xA[2] - xS[2] - 0.425 * (t1 + t7), t9 = t1 + u1, u2 = 0.425 * t5, t10 = xA[1] - xD[1] + u2;
+    const double t11 = xA[1] - xS[1] - 0.425 * (t2 + t10), t12 = t2 + u2, u3 = 0.425 * t6, t13 = t3 + u3;
+    const double t14 = xA[0] - xD[0] + u3, t15 = xA[0] - xS[0] - 0.425 * (t3 + t14);
+    const double t16 = t7 * t9 + t10 * t12 + t14 * t13, t17 = t7 * t7 + t10 * t10 + t14 * t14;
+    const double t18 = t9 * t9 + (t12 * t12 + t13 * t13), t19 = 1.0 / (t16 * t16 - t18 * t17);
+    const double t20 = t7 * t8 + t10 * t11 + t14 * t15, t21 = t4 * t7 + (t5 * t10 + t6 * t14);
+    const double t22 = t9 * t8 + t12 * t11 + t13 * t15, t23 = t4 * t9 + t5 * t12 + t6 * t13;
+    const double t24 = (t16 * t20 - t17 * t22) * t19, t25 = (t16 * t22 - t18 * t20) * t19;
+    const double t26 = t23 * t17 - t21 * t16, t27 = t4 * t4 + t5 * t5 + t6 * t6;
+    double u4 = 0.575;
+    const double t28 = (u4 < t24 ? u4 : t24);
+    double u5 = -0.425;
+    const double t29 = (u5 > t28 ? u5 : t28), t30 = (u4 < t25 ? u4 : t25), t31 = (u5 > t30 ? u5 : t30);
+    const double t32 = t26 * t19 * t31, t33 = (t21 * t18 - t23 * t16) * t19 * t29, t34 = t33 + 1.0 + t32;
+    double u6 = 0.5;
+    const double t35 = (u6 > t34 ? u6 : t34), t36 = t24 + t29 * t32 * t35, t37 = t25 + t31 * t33 * t35;
+    const double t38 = t21 + t27 * t36, t39 = t23 + t27 * t37, t40 = t17 + t36 * (t21 + t38);
+    const double t41 = t18 + t37 * (t23 + t39), t42 = t37 * t38, t43 = t23 * t36 + t42;
+    const double t44 = t16 - t4 * t8 - t5 * t11 - t6 * t15 + 2.0 * t43, t45 = t20 + t36 * (t42 + t43);
+    const double t46 = t22 + t37 * (t36 * t39 + t43), t47 = t40 * t41, t48 = t47 - t44 * t44, u7 = 0.02 * t47;
+    const double t49 = (t48 > u7 ? t48 : u7), t50 = t48 - t49, t51 = 1.0 / t49;
+    const double t52 = (t41 * t45 - t44 * t46 - t37 * t50) * t51, t53 = (t40 * t46 - t44 * t45 - t36 * t50) * t51;
+    const double t54 = 2.0 * (t37 - t52), t55 = t53 - t36, t56 = t38 * t54, t57 = t39 * t55;
+    const double t58 = t54 * (t57 - 0.25 * t56), t59 = t55 * (t57 - t56), t60 = t51 * (t40 * t58 + t44 * t59);
+    const double t61 = t51 * (t41 * t59 + t44 * t58), u8 = -t60;
+    double u9 = 0.05;
+    const double t62 = (u9 < u8 ? u9 : u8);
+    double u10 = -0.05;
+    const double t63 = (u10 > t62 ? u10 : t62), t64 = (u9 < t61 ? u9 : t61), t65 = (u10 > t64 ? u10 : t64);
+    const double t66 = t53 - 0.075 - t63, t67 = t52 - 0.075 - t65, u11 = 2.0 * t66;
+    double u12 = 1.0;
+    const double t68 = (u12 < u11 ? u12 : u11);
+    double u13 = -1.0;
+    const double t69 = (!(t68 <= u13) ? t68 : u13), u14 = 2.0 * t67, t70 = (u12 < u14 ? u12 : u14);
+    const double t71 = (!(t70 <= u13) ? t70 : u13);
     *xi = t69;
     *eta = t71;
-    return footpoint_detail_outside(t16 * t17 - t15 * t15) | footpoint_detail_outside(t49);
+    return footpoint_detail_outside(t16 * t16 - t18 * t17) | footpoint_detail_outside(t49);
 }
 
 FOOTPOINT_FN void footpoint_whole_quad4_balanced_at(const double xA[3], const double xB[3], const double xC[3],
@@ -979,23 +982,23 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_balanced_n(size_t n, const double *con
 static const double footpoint_whole_quad4_balanced_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157735974754845, -0.57599428165362232, 4.5790284074712601e-16, 1.1336753123402109e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013320262838995173, 1, 1.198212882280285e-14, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157735974754845, -0.57599428165362232, 4.5929781505228835e-16, 1.1368599684274887e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.013320262838995173, 1, 1.1526982660018516e-14, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.57106841121336227, -1, 4.6906640728311836e-15, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.49205497091848666, 1, 3.3507187132036722e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -0.57106841121336227, -1, 4.5234868350924555e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.49205497091848666, 1, 3.3428934222790017e-15, 1.110223024625157e-16},
 };
 #endif
 
 /* footpoint_whole_quad4_fine
- *   operations:     95 mul, 3 div, 93 add, 0 sqrt, 15 compare; 88 temporaries
+ *   operations:     95 mul, 3 div, 93 add, 0 sqrt, 15 compare; 89 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d660a3f0066532dcac1fdeb032a84d88505e54f17fc531017d1514cbf8032eba
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
- *   poles:          t50: proved free of zeros, |t50| >= 5.9e-09
- *   poles:          t70: proved free of zeros, |t70| >= 5.3e-09
- *   rounding:       xi 7.8e-12 sampled; eta 5.1e-13 sampled (10000 points)
+ *   poles:          t51: proved free of zeros, |t51| >= 5.9e-09
+ *   poles:          t71: proved free of zeros, |t71| >= 5.3e-09
+ *   rounding:       xi 8.2e-12 sampled; eta 1.1e-12 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 5.602e-04; eta genes 1 mean 4.352e-04
  *   heldout:        xi 3.038e-04 5.379e-04 1.994e+00, eta 3.736e-04 6.152e-04 1.433e+00, samples 857751
@@ -1006,46 +1009,45 @@ FOOTPOINT_PART unsigned long long
 footpoint_detail_footpoint_whole_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
                                             const double xD[3], const double xS[3], double *xi, double *eta)
 {
-    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
-    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.425 * t3, t7 = xA[2] - xD[2] - u1;
-    const double t8 = xA[2] - xS[2] - 0.425 * (t1 + t7), t9 = t1 - u1, u2 = 0.425 * t4, t10 = xA[1] - xD[1] - u2;
-    const double t11 = xA[1] - xS[1] - 0.425 * (t2 + t10), t12 = t2 - u2, u3 = 0.425 * t6, t13 = xA[0] - xD[0] - u3;
-    const double t14 = t5 - u3, t15 = xA[0] - xS[0] - 0.425 * (t5 + t13), t16 = t7 * t9 + t10 * t12 + t13 * t14;
-    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t14 * t14;
-    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t7 * t8 + t10 * t11 + t13 * t15;
-    const double t21 = t3 * t7 + t4 * t10 + t6 * t13, t22 = t9 * t8 + t12 * t11 + t14 * t15;
-    const double t23 = t3 * t9 + t4 * t12 + t6 * t14, t24 = (t17 * t22 - t16 * t20) * t19;
-    const double t25 = (t18 * t20 - t16 * t22) * t19, t26 = (t21 * t18 - t23 * t16) * t19;
-    const double t27 = (t23 * t17 - t21 * t16) * t19, t28 = t3 * t3 + t4 * t4 + t6 * t6;
-    const double t29 = t16 + (t3 * t8 + t4 * t11 + t6 * t15);
+    const double t1 = xB[1] - xA[1], t2 = xB[0] - xA[0], t3 = xA[2] - xB[2], t4 = xD[1] - xC[1] + t1;
+    const double t5 = xD[0] - xC[0] + t2, t6 = xD[2] - xC[2] - t3, u1 = 0.425 * t4, t7 = xA[1] - xD[1] + u1;
+    const double t8 = xS[1] - xA[1] - 0.425 * (t1 - t7), t9 = t1 - u1, u2 = 0.425 * t5, t10 = xA[0] - xD[0] + u2;
+    const double u3 = 0.425 * t6, t11 = xD[2] - xA[2] - u3, t12 = t3 + u3, t13 = 0.425 * (t3 - t11) + (xS[2] - xA[2]);
+    const double t14 = t2 - u2, t15 = xA[0] - xS[0] + 0.425 * (t2 - t10), t16 = t11 * t12 + t7 * t9 + t10 * t14;
+    const double t17 = t11 * t11 + t7 * t7 + t10 * t10, t18 = t12 * t12 + t9 * t9 + t14 * t14;
+    const double t19 = 1.0 / (t17 * t18 - t16 * t16), t20 = t9 * t8 - t14 * t15 - t12 * t13;
+    const double t21 = t6 * t12 - t4 * t9 - t5 * t14, t22 = t11 * t13 + (t10 * t15 - t7 * t8);
+    const double t23 = t4 * t7 - t6 * t11 + t5 * t10, t24 = t19 * (t17 * t20 + t16 * t22);
+    const double t25 = t19 * (t16 * t20 + t18 * t22), t26 = t23 * t16 + t21 * t17, t27 = t21 * t16 + t23 * t18;
+    const double t28 = t6 * t6 + t4 * t4 + t5 * t5, t29 = t6 * t13 + t4 * t8 - t5 * t15 - t16;
     double u4 = 0.575;
     const double t30 = (u4 < t25 ? u4 : t25);
     double u5 = -0.425;
     const double t31 = (u5 > t30 ? u5 : t30), t32 = (u4 < t24 ? u4 : t24), t33 = (u5 > t32 ? u5 : t32);
-    const double t34 = t26 * t33 + 1.0 + t27 * t31;
+    const double t34 = t26 * t31, t35 = 1.0 - t19 * (t34 + t27 * t33);
     double u6 = 0.5;
-    const double t35 = (u6 > t34 ? u6 : t34), t36 = t31 * t33 * t35, t37 = t24 + t27 * t36, t38 = t25 + t26 * t36;
-    const double t39 = t21 - t28 * t37, t40 = t23 - t28 * t38, t41 = t38 * t39, t42 = t23 * t37 + t41;
-    const double t43 = t17 - t37 * (t21 + t39), t44 = t18 - t38 * (t23 + t40), t45 = t29 - 2.0 * t42;
-    const double t46 = t20 - t37 * (t41 + t42), t47 = t22 - t38 * (t37 * t40 + t42), t48 = t43 * t44;
-    const double t49 = t48 - t45 * t45, u7 = 0.02 * t48, t50 = (t49 > u7 ? t49 : u7), t51 = t49 - t50;
-    const double t52 = 1.0 / t50, t53 = (t43 * t47 - t45 * t46 - t37 * t51) * t52;
-    const double t54 = (t44 * t46 - t45 * t47 - t38 * t51) * t52, t55 = (u4 < t53 ? u4 : t53);
-    const double t56 = (u5 > t55 ? u5 : t55), t57 = (u4 < t54 ? u4 : t54), t58 = (u5 > t57 ? u5 : t57);
-    const double t59 = t21 - t28 * t56, t60 = t23 - t28 * t58, t61 = t58 * t59, t62 = t17 - t56 * (t21 + t59);
-    const double t63 = t23 * t56 + t61, t64 = t18 - t58 * (t23 + t60), t65 = t29 - 2.0 * t63;
-    const double t66 = t20 - t56 * (t61 + t63), t67 = t22 - t58 * (t56 * t60 + t63), t68 = t62 * t64;
-    const double t69 = t68 - t65 * t65, u8 = 0.02 * t68, t70 = (t69 > u8 ? t69 : u8), t71 = t69 - t70;
-    const double t72 = 2.0 / t70, t73 = (t62 * t67 - t65 * t66 - t56 * t71) * t72 - 0.15;
-    const double t74 = (t64 * t66 - t65 * t67 - t58 * t71) * t72 - 0.15;
+    const double t36 = (u6 > t35 ? u6 : t35), t37 = t19 * t33 * t36, t38 = t24 - t34 * t37;
+    const double t39 = t25 - t27 * t31 * t37, t40 = t23 + t28 * t38, t41 = t21 + t28 * t39, t42 = t39 * t40;
+    const double t43 = t21 * t38 + t42, t44 = t17 + t38 * (t23 + t40), t45 = t18 + t39 * (t21 + t41);
+    const double t46 = t29 + 2.0 * t43, t47 = t20 + t39 * (t38 * t41 + t43), t48 = t22 + t38 * (t42 + t43);
+    const double t49 = t44 * t45, t50 = t49 - t46 * t46, u7 = 0.02 * t49, t51 = (t50 > u7 ? t50 : u7);
+    const double t52 = t50 - t51, t53 = 1.0 / t51, t54 = (t44 * t47 - t46 * t48 - t38 * t52) * t53;
+    const double t55 = (t45 * t48 - t46 * t47 - t39 * t52) * t53, t56 = (u4 < t54 ? u4 : t54);
+    const double t57 = (u5 > t56 ? u5 : t56), t58 = (u4 < t55 ? u4 : t55), t59 = (u5 > t58 ? u5 : t58);
+    const double t60 = t23 + t28 * t57, t61 = t21 + t28 * t59, t62 = t59 * t60, t63 = t17 + t57 * (t23 + t60);
+    const double t64 = t21 * t57 + t62, t65 = t18 + t59 * (t21 + t61), t66 = t29 + 2.0 * t64;
+    const double t67 = t22 + t57 * (t62 + t64), t68 = t20 + t59 * (t57 * t61 + t64), t69 = t63 * t65;
+    const double t70 = t69 - t66 * t66, u8 = 0.02 * t69, t71 = (t70 > u8 ? t70 : u8), t72 = t70 - t71;
+    const double t73 = 2.0 / t71, t74 = (t63 * t68 - t66 * t67 - t57 * t72) * t73 - 0.15;
+    const double t75 = (t65 * t67 - t66 * t68 - t59 * t72) * t73 - 0.15;
     double u9 = 1.0;
-    const double t75 = (u9 < t73 ? u9 : t73);
+    const double t76 = (u9 < t74 ? u9 : t74);
     double u10 = -1.0;
-    const double t76 = (!(t75 <= u10) ? t75 : u10), t77 = (u9 < t74 ? u9 : t74), t78 = (!(t77 <= u10) ? t77 : u10);
-    *xi = t76;
-    *eta = t78;
-    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t50) |
-        footpoint_detail_outside(t70);
+    const double t77 = (!(t76 <= u10) ? t76 : u10), t78 = (u9 < t75 ? u9 : t75), t79 = (!(t78 <= u10) ? t78 : u10);
+    *xi = t77;
+    *eta = t79;
+    return footpoint_detail_outside(t17 * t18 - t16 * t16) | footpoint_detail_outside(t51) |
+        footpoint_detail_outside(t71);
 }
 
 FOOTPOINT_FN void footpoint_whole_quad4_fine_at(const double xA[3], const double xB[3], const double xC[3],
@@ -1090,12 +1092,12 @@ FOOTPOINT_LOOP void footpoint_whole_quad4_fine_n(size_t n, const double *const x
 static const double footpoint_whole_quad4_fine_points[][19] = {
     {0, 0, 0, 1, 0, 0, 0.28125, 1.9375, -0.03515625, 0.7421875, 0.2890625, 0, -0.08984375, -0.140625, -0.0390625, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 1.359375, -0.26171875, -0.015625, 0.2890625, 0, 0.01953125, -1.75, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728733978131, -0.57599434309961206, 4.3784469360790838e-16, 1.0710556831191261e-15},
-    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0064745897452268483, 1, 7.2704872862575058e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.5625, 0.609375, -0.10546875, -0.21875, 0.609375, 0, 0.45703125, 0.140625, 0.15234375, -0.14157728733978131, -0.57599434309961206, 4.3745286204306614e-16, 1.0675413692201492e-15},
+    {0, 0, 0, 1, 0, 0, 0.875, 0.078125, 0.04296875, -0.6796875, 0.9765625, 0, 0.0703125, 0.53125, 0.18359375, 0.0064745897452268483, 1, 7.4221667247664438e-15, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.59375, 0.84375, 0.109375, 0.4921875, 0.1796875, 0, 0.28125, -1.546875, 0.05859375, 1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 1.4375, 0, 0.140625, 0.3203125, 0.4609375, 0, 0.14453125, 1.40625, -0.06640625, -1, 1, 1.110223024625157e-16, 1.110223024625157e-16},
     {0, 0, 0, 1, 0, 0, 0.53125, 0.375, 0.29296875, -0.0546875, 0.6953125, 0, 0.46875, -1.0625, -0.2421875, -1, -1, 1.110223024625157e-16, 1.110223024625157e-16},
-    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.010204321580131261, 1, 7.2949782857158696e-15, 1.110223024625157e-16},
+    {0, 0, 0, 1, 0, 0, 1.625, 1.640625, 0.19921875, -0.5078125, 0.21875, 0, -0.26171875, 1.546875, -0.203125, -0.010204321580131261, 1, 7.1751577702063802e-15, 1.110223024625157e-16},
 };
 #endif
 
