@@ -306,7 +306,8 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 
 JOBS ?= $(shell nproc)
 
-build-tests: all $(TESTS)
+# What takes longest to compile comes first.
+build-tests: $(ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o) all $(TESTS)
 
 # The longest first, so that processors are busy to the end.
 LONGEST := languages hard evolve checkpoint statuses counts

@@ -13,11 +13,13 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
 
-enum { SAMPLES = 20000, MOVES = 4 };
+enum { MOVES = 4 };
 
 /* By how many edges; every coordinate goes far. */
 static const double far[MOVES] = {0, 1e2, 1e4, 1e6}, way[3] = {0.61, -0.53, 0.59};
@@ -30,6 +32,12 @@ struct moved {
     double x[SEGMENT_VECTORS + 1][3], near[SEGMENT_VECTORS + 1][3], edge;
     const double *at[SEGMENT_VECTORS + 1], *near_at[SEGMENT_VECTORS + 1]; /* the slave node last */
 };
+
+/* Of the samples held out.  The scene whole-quad4, whose errors vary most, needs the larger number. */
+static size_t samples(void)
+{
+    return getenv("FOOTPOINT_LONG") ? 20000 : 6000;
+}
 
 static void move(const struct segment_kind *kind, const struct sample *s, double edges, struct moved *m)
 {
@@ -79,7 +87,7 @@ static void check_gap(size_t method, size_t vectors, const struct moved *m, doub
 
 static void check_method(size_t method, const struct scene *scene, const struct sample_set *set)
 {
-    const size_t n = set->n < SAMPLES ? set->n : SAMPLES, vectors = segment_vectors(scene->segment);
+    const size_t n = set->n < samples() ? set->n : samples(), vectors = segment_vectors(scene->segment);
     struct error_stats first = {.mean = 0};
     double *error = new_array(n, sizeof *error);
     for (int k = 0; k < MOVES; k++) {
@@ -105,8 +113,8 @@ static void test_scene(void **state)
     struct diag d = {0};
     struct scene *scene = scene_read(".", *state, &d);
     struct sample_set set = {0};
-    if (scene && scene->heldout > 2 * SAMPLES) /* of which some may be left out */
-        scene->heldout = 2 * SAMPLES;
+    if (scene && scene->heldout > 2 * samples()) /* of which some may be left out */
+        scene->heldout = 2 * samples();
     if (!scene || !scene_samples(scene, PART_HELDOUT_RANDOM, &set, &d))
         fail_msg("%s", d.text);
     for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
@@ -120,9 +128,14 @@ int main(void)
 {
     struct CMUnitTest tests[HEADER_FUNCTIONS];
     size_t n = 0;
+    if (!getenv("FOOTPOINT_LONG"))
+        puts("# SKIP digits: whole-quad4, and 20,000 samples, not 6,000: make check-long");
     for (size_t i = 0; i < HEADER_FUNCTIONS; i++)
-        if (i == 0 || strcmp(header_functions[i].scene, header_functions[i - 1].scene) != 0)
+        if (i == 0 || strcmp(header_functions[i].scene, header_functions[i - 1].scene) != 0) {
+            if (strcmp(header_functions[i].scene, "whole-quad4") == 0 && !getenv("FOOTPOINT_LONG"))
+                continue;
             tests[n++] = (struct CMUnitTest){header_functions[i].scene, test_scene, NULL, NULL,
                                              (void *)(uintptr_t)header_functions[i].scene};
+        }
     return _cmocka_run_group_tests("digits", tests, n, NULL, NULL);
 }
