@@ -20,7 +20,7 @@ int gene_arity(int gene)
 {
     if (gene < 0 || gene >= GENE_SYMBOL)
         return 0;
-    return gene < GENE_OPERATORS ? operators[gene].arity : gene == GENE_HALVES ? 2 : 1;
+    return gene < GENE_OPERATORS ? operators[gene].arity : 1;
 }
 
 const char *gene_name(int gene)
@@ -142,7 +142,7 @@ long genome_find_function(const struct genome_file *f, const char *name)
 
 bool genome_function_of_pair(const struct genome_function *x)
 {
-    return x->parameters == 2 && !x->parameter[0].vector && !x->parameter[1].vector && x->results == 2 &&
+    return x->parameters == 2 && !x->parameter[0].vector && !x->parameter[1].vector && x->results >= 2 &&
            !x->result[0].vector && !x->result[1].vector;
 }
 

@@ -80,14 +80,12 @@
 
 /** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
  *  GENE_LOCAL+k, in the body of a function alone: number k of its parameters and lets; -1-k: constant k of the file's
- *  table.  Those between operators and symbols are operators of twin trees alone (evolve/genotype/twin.h). */
+ *  table. */
 #define GENE(name, ...) GENE_##name,
 enum gene_operator {
     GENES_OF_TWO(GENE) GENES_OF_ONE(GENE) /* GENE_PDIV: 1 where the divisor is 0 */
     GENE_OPERATORS,
-    GENE_HALVES = 16, /* two operands */
-    GENE_EXCHANGE,    /* one operand, as all that follow */
-    GENE_FUNCTION,    /* + k: function k of the file */
+    GENE_FUNCTION = 16, /* + k, one operand: function k of the file, in sets of genes alone */
     GENE_SYMBOL = 64,
     GENE_LOCAL = 1 << 29
 };

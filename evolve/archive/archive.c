@@ -4,7 +4,7 @@
 
 #include "../common/decimal.h"
 #include "../eval/frame.h"
-#include "../genotype/twin_text.h"
+#include "../genotype/lines_text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,15 +22,39 @@ const struct genome *archive_start_genome(const struct archive *a, size_t tier)
     return NULL;
 }
 
-const char archive_twin_note[] = "twin";
-
-/* The twin tree that a genome's note holds; false with *d where it holds none of the frame's. */
-static bool read_twin(struct archive *a, const struct genome_file *f, const struct genome *g, struct tree *t,
-                      struct diag *d)
+int archive_last(const struct archive *a, size_t tier)
 {
-    const char *text = genome_find_note(g->note, g->notes, archive_twin_note);
-    return !text || twin_parse(a->program, text, t) ||
-           diag_at(d, f->path, g->line, 0, "genome '%s': its note is no twin tree of the scene's frame", g->name);
+    const struct tier *t = &a->scene->tier[tier];
+    return t->last ? line_function(a->program, t->last) : -1;
+}
+
+size_t archive_target(const struct archive *a, size_t tier, int output)
+{
+    return frame_target(a->program, output) + (output == TIER_BOTH ? (size_t)(archive_last(a, tier) + 1) : 0);
+}
+
+/* The program that a genome's outputs make, its genes the caller's; length 0 where it is none of the tier's values. */
+static struct tree read_program(const struct archive *a, const struct genome_file *f, const struct genome_expr *xi,
+                                const struct genome_expr *eta, size_t tier)
+{
+    const struct tier *t = &a->scene->tier[tier];
+    const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = t->terminals};
+    const struct genome_expr *const out[2] = {xi, eta};
+    struct tree program = {new_array(t->max_length, sizeof *program.gene), 0};
+    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, archive_last(a, tier), t->max_length, &program)) {
+        free(program.gene);
+        program = (struct tree){NULL, 0};
+    }
+    free(genes.symbol);
+    return program;
+}
+
+static const struct genome_expr *output_of(const struct genome *g, int output)
+{
+    for (size_t i = 0; i < g->outs; i++)
+        if (strcmp(g->out[i].name, frame_output[output]) == 0)
+            return &g->out[i];
+    return NULL;
 }
 
 static bool read_champion(struct archive *a, size_t tier, int output, struct diag *d)
@@ -38,9 +62,9 @@ static bool read_champion(struct archive *a, size_t tier, int output, struct dia
     const struct genome *g = archive_start_genome(a, tier);
     if (g && output == TIER_BOTH) {
         struct champion *c = &a->champion[tier][output];
-        const bool good = read_twin(a, a->start, g, &c->tree, d);
+        c->tree = read_program(a, a->start, output_of(g, 0), output_of(g, 1), tier);
         c->length_before = c->tree.length;
-        return good;
+        return true;
     }
     for (size_t i = 0; g && i < g->outs; i++) {
         const struct genome_expr *e = &g->out[i];
@@ -89,8 +113,10 @@ struct archive *archive_new(const struct scene *s, struct genome_file *program, 
 {
     struct archive *a = new_array(1, sizeof *a);
     *a = (struct archive){.scene = s, .program = program, .champion = new_array(s->tiers, sizeof *a->champion)};
-    a->twins = twins_new(program);
-    a->twin = twin_counter_new(a->twins);
+    a->rules = line_rules_new(program);
+    a->counter = lines_counter_new(a->rules);
+    a->lines = lines_new(a->rules);
+    a->tails = new_array(s->tiers, sizeof *a->tails);
     a->bare = text_of(program);
     a->start = start ? genome_read(start, d) : NULL;
     bool good = a->bare || diag_system(d, program->path, "cannot keep the program");
@@ -125,8 +151,10 @@ void archive_free(struct archive *a)
     free(a->old);
     free(a->bare);
     frame_cost_free(a->frame);
-    twin_counter_free(a->twin);
-    twins_free(a->twins);
+    lines_counter_free(a->counter);
+    lines_free(a->lines);
+    line_rules_free(a->rules);
+    free(a->tails);
     genome_file_free(a->start);
     genome_file_free(a->program);
     free(a);
@@ -166,17 +194,20 @@ static bool read_seed(struct archive *a, const struct genome_file *f, const stru
     return true;
 }
 
-/* A genome's outputs, and the twin tree that it may have been written from. */
+/* A genome's outputs, and the programs that these make for the tiers of such. */
 static bool read_seeds(struct archive *a, const struct genome_file *f, const struct genome *g, struct diag *d)
 {
-    struct tree twin = {NULL, 0};
-    if (!read_twin(a, f, g, &twin, d))
-        return false;
-    if (twin.length > 0) {
-        archive_add_seed(a, tier_of_name(a->scene, g->name), TIER_BOTH, &twin);
-        free(twin.gene);
-        return true;
+    const long own = tier_of_name(a->scene, g->name);
+    for (size_t i = 0; i < a->scene->tiers; i++) {
+        if (!a->scene->tier[i].program || (own >= 0 && own != (long)i))
+            continue;
+        const struct tree t = read_program(a, f, output_of(g, 0), output_of(g, 1), i);
+        if (t.length > 0)
+            archive_add_seed(a, (long)i, TIER_BOTH, &t);
+        free(t.gene);
     }
+    if (own >= 0 && a->scene->tier[own].program)
+        return true;
     for (size_t k = 0; k < g->outs; k++)
         if (!read_seed(a, f, g, &g->out[k], d))
             return false;
@@ -201,10 +232,10 @@ static bool fits_tier(const struct archive *a, size_t tier, int output, size_t m
 {
     const struct tier *t = &a->scene->tier[tier];
     bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= max_length;
+    if (output == TIER_BOTH)
+        return known;
     for (size_t i = 0; known && i < s->tree.length; i++) {
         known = s->tree.gene[i] < GENE_OPERATORS;
-        for (size_t k = 0; !known && s->tree.gene[i] < GENE_SYMBOL && k < t->functions; k++)
-            known = twin_gene(a->program, t->function[k]) == s->tree.gene[i];
         for (size_t k = 0; !known && k < t->terminals; k++)
             known = genome_find_symbol(a->program, t->terminal[k]) == s->tree.gene[i] - GENE_SYMBOL;
     }
@@ -221,22 +252,53 @@ size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t ma
     return n;
 }
 
-struct operation_count archive_operations(const struct archive *a, int output, const struct tree *t,
+struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct tree *t,
                                           const struct genome_constant *constant)
 {
     if (output == TIER_BOTH)
-        return count_twin_operations(a->twin, t);
+        return count_lines(a->counter, t, archive_last(a, tier));
     struct counter *c = counter_new(t->length);
     const struct operation_count o = count_operations(c, t, constant);
     counter_free(c);
     return o;
 }
 
-static double cost_of(const struct archive *a, const struct plan *plan, int output, const struct tree *t,
+static double cost_of(const struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
                       const struct genome_constant *constant)
 {
-    const struct operation_count o = archive_operations(a, output, t, constant);
-    return operations_price(&o, &plan->prices) + (output == TIER_BOTH ? 0 : frame_cost_of(a->frame, t));
+    const struct operation_count o = archive_operations(a, tier, output, t, constant);
+    return output == TIER_BOTH ? operations_price(&o, &plan->times)
+                               : operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
+}
+
+double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t)
+{
+    const size_t target = archive_target(a, tier, output);
+    return output == TIER_BOTH ? objective_error_in_tails(o, t, target, &a->tails[tier], INFINITY)
+                               : objective_error(o, t, target, INFINITY);
+}
+
+/* Programs may have the 99 % and largest errors of the champion that was, or else of the best seed within the budget. */
+static void find_tails(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, size_t max_length)
+{
+    const struct champion *c = &a->champion[tier][TIER_BOTH];
+    const size_t target = archive_target(a, tier, TIER_BOTH);
+    const double budget = a->scene->tier[tier].budget;
+    struct tree *seed;
+    const size_t n = archive_seeds(a, tier, TIER_BOTH, max_length, &seed);
+    const struct tree *best = c->tree.length > 0 ? &c->tree : NULL;
+    double least = INFINITY;
+    for (size_t i = 0; i < n && c->tree.length == 0; i++) {
+        const double cost = cost_of(a, plan, tier, TIER_BOTH, &seed[i], NULL);
+        const double error = objective_error(o, &seed[i], target, least);
+        if (error < least && (budget == 0 || cost <= budget)) {
+            least = error;
+            best = &seed[i];
+        }
+    }
+    if (best)
+        a->tails[tier] = objective_tails(o, best, target);
+    free(seed);
 }
 
 static void measure_champion(struct archive *a, const struct plan *plan, struct objective *exact, size_t tier,
@@ -244,8 +306,8 @@ static void measure_champion(struct archive *a, const struct plan *plan, struct 
 {
     struct champion *c = &a->champion[tier][output];
     if (c->tree.length > 0) {
-        c->error = objective_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
-        c->cost = cost_of(a, plan, output, &c->tree, a->program->constant);
+        c->error = archive_error(a, exact, tier, output, &c->tree);
+        c->cost = cost_of(a, plan, tier, output, &c->tree, a->program->constant);
     }
     c->error_before = c->error;
 }
@@ -260,7 +322,7 @@ static void take_exact(struct archive *a, struct objective *exact, size_t tier, 
     free(c->tree.gene);
     c->tree.gene = new_array(1, sizeof *c->tree.gene);
     tree_copy(&value, &c->tree);
-    c->error = objective_error(exact, &c->tree, frame_target(a->program, output), INFINITY);
+    c->error = archive_error(a, exact, tier, output, &c->tree);
     c->cost = frame_cost_of(a->frame, &c->tree);
     c->bred = true;
 }
@@ -274,7 +336,7 @@ static void start_fronts(struct archive *a, const struct plan *plan, struct obje
     a->old[tier][output] = front_new(plan->front_limit, max_length);
     const size_t n = archive_seeds(a, tier, output, max_length, &seed);
     for (size_t i = 0; i < n; i++) {
-        const double error = objective_error(o, &seed[i], frame_target(a->program, output), INFINITY);
+        const double error = archive_error(a, o, tier, output, &seed[i]);
         const bool start = i == 0 && a->champion[tier][output].length_before > 0;
         archive_offer(a, plan, tier, output, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
     }
@@ -291,9 +353,12 @@ void archive_measure(struct archive *a, const struct plan *plan, struct objectiv
     a->old = new_array(a->scene->tiers, sizeof *a->old);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
+            const size_t longest = max_length ? max_length : a->scene->tier[i].max_length;
+            if (k == TIER_BOTH)
+                find_tails(a, plan, o, i, longest);
             measure_champion(a, plan, exact, i, k);
             take_exact(a, exact, i, k);
-            start_fronts(a, plan, o, i, k, max_length ? max_length : a->scene->tier[i].max_length);
+            start_fronts(a, plan, o, i, k, longest);
         }
     objective_free(exact);
 }
@@ -301,7 +366,7 @@ void archive_measure(struct archive *a, const struct plan *plan, struct objectiv
 void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int output, const struct tree *t,
                    double error, enum origin origin)
 {
-    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, output, t, NULL));
+    struct member *m = front_offer(a->front[tier][output], t, error, cost_of(a, plan, tier, output, t, NULL));
     if (m)
         m->origin = (int)origin;
 }
@@ -317,6 +382,7 @@ static void replace_champion(struct archive *a, int output, struct champion *c, 
     c->error = m->error;
     c->cost = m->cost;
     c->bred = true;
+    c->seed = m->origin == ORIGIN_SEED;
 }
 
 /* What the choice among a tier's expressions minimises; INFINITY: out of the question. */
@@ -332,11 +398,6 @@ static bool outdoes(const struct plan *plan, double budget, const struct member 
            merit(plan, budget, m->error, m->cost) < worth * now;
 }
 
-static bool ends_well(const struct archive *a, const struct tier *t, const struct tree *tree)
-{
-    return !t->last || tree->gene[0] == twin_gene(a->program, t->last);
-}
-
 static void choose_champion(struct archive *a, const struct plan *plan, size_t tier, int output)
 {
     const struct front *f = a->front[tier][output];
@@ -344,8 +405,7 @@ static void choose_champion(struct archive *a, const struct plan *plan, size_t t
     const struct member *best = NULL;
     for (size_t c = 0; c <= f->limit; c++) {
         const struct member *m = &f->member[c];
-        if (m->tree.length > 0 && m->origin != ORIGIN_START && ends_well(a, &a->scene->tier[tier], &m->tree) &&
-            outdoes(plan, budget, m, &a->champion[tier][output]) &&
+        if (m->tree.length > 0 && m->origin != ORIGIN_START && outdoes(plan, budget, m, &a->champion[tier][output]) &&
             (!best || merit(plan, budget, m->error, m->cost) < merit(plan, budget, best->error, best->cost)))
             best = m;
     }

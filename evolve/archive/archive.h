@@ -12,10 +12,11 @@
 
 /** One output of one tier. */
 struct champion {
-    struct tree tree; /* genes owned, constants are the program's, or decimals of a twin tree; length 0: none yet */
+    struct tree tree; /* genes owned, constants are the program's, or decimals of a program; length 0: none yet */
     double error;     /* on the training samples, in the scene's norm */
     double cost;      /* by the plan's model, with the values of the frame that it needs */
     bool bred;        /* found by this run */
+    bool seed;        /* and was a seed */
     int exact;        /* gene of a value of the frame that is right to rounding: nothing to evolve; 0: none */
     bool chosen;      /* an expression of one gene, chosen among the terminals: nothing to evolve */
     double error_before;
@@ -25,7 +26,7 @@ struct champion {
 /** An expression to breed from. */
 struct archive_seed {
     long tier;        /* -1: every tier that has its symbols */
-    int output;       /* 0: xi, 1: eta, 2: both, a twin tree */
+    int output;       /* 0: xi, 1: eta, 2: both, a program */
     struct tree tree; /* genes owned; constants are decimal numbers */
 };
 
@@ -33,9 +34,6 @@ struct archive_seed {
 enum origin { ORIGIN_START, ORIGIN_SEED, ORIGIN_SEEDED, ORIGIN_RANDOM, ORIGINS };
 /** "start file", "seed", "seeded island", "random island". */
 extern const char *const origin_name[ORIGINS];
-
-/** Key of the note that holds the twin tree which a genome was written from. */
-extern const char archive_twin_note[];
 
 /** What this run is, for the provenance of what it finds. */
 struct run_facts {
@@ -51,8 +49,10 @@ struct archive {
     struct champion (*champion)[TIER_OUTPUTS]; /* owned: for each tier its outputs */
     struct archive_seed *seed;                 /* owned */
     size_t seeds, seed_room;
-    struct twins *twins;                  /* owned: of the program */
-    struct twin_counter *twin;            /* owned */
+    struct line_rules *rules;      /* owned: of the program */
+    struct lines_counter *counter; /* owned: of programs, as is the scratch */
+    struct lines *lines;
+    struct tails *tails;                  /* owned: by tier; of programs, and 0 before archive_measure */
     struct frame_cost *frame;             /* owned; NULL before archive_measure */
     struct front *(*front)[TIER_OUTPUTS]; /* owned: for each tier its outputs; NULL before archive_measure */
     struct front *(*old)[TIER_OUTPUTS];   /* owned: the start file and the seeds alone */
@@ -102,8 +102,17 @@ void archive_measure(struct archive *a, const struct plan *plan, struct objectiv
  *  @param[in] rational  % beside + - *, where the tier lists no functions */
 struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational);
 
-/** Operations of a tree, with the values of the frame that it needs where it is a twin tree. */
-struct operation_count archive_operations(const struct archive *a, int output, const struct tree *t,
+/** Genes of a tier's terminals; owned by the caller. */
+int *archive_symbols(const struct archive *a, size_t tier);
+/** The function that a tier's programs end in; -1: none. */
+int archive_last(const struct archive *a, size_t tier);
+/** What an output is measured against (objective.h). */
+size_t archive_target(const struct archive *a, size_t tier, int output);
+/** The error of an output that islands minimise. */
+double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t);
+
+/** Operations of a tree; of a program with the values of the frame that it needs. */
+struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct tree *t,
                                           const struct genome_constant *constant);
 
 /** Offer a tree of decimal constants to a front. */
@@ -119,8 +128,7 @@ void archive_choose_champions(struct archive *a, const struct plan *plan);
  *  for nothing else. */
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
                    struct diag *d);
-/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors; of twin trees
- *  there are none.  Where the path ends in .csv: a line for each member of all fronts. */
+/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors.  Where the path ends in .csv: a line for each member of all fronts. */
 bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
 /** The lines. */
 bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);

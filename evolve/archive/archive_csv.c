@@ -1,10 +1,11 @@
 /* The fronts as a table; see archive.h.  Errors held out are those of SAMPLES of the samples at most, evenly chosen, so
- * that all values of the frame can be there at once; of both outputs of a twin tree together. */
+ * that all values of the frame can be there at once; of both outputs of a program together. */
 #include "archive.h"
 
 #include "../../codegen/genome/outfile.h"
+#include "../common/decimal.h"
 #include "../eval/frame.h"
-#include "../genotype/twin_text.h"
+#include "../genotype/lines_text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,27 +31,48 @@ static struct part part_new(const struct archive *a, const struct sample_set *se
     return (struct part){table, NULL};
 }
 
-static void print_errors(const struct archive *a, struct part *p, const struct member *m, int output, FILE *stream)
+static void print_errors(const struct archive *a, struct part *p, const struct member *m, size_t tier, int output,
+                         FILE *stream)
 {
     static const enum scene_norm norm[] = {NORM_MEAN, NORM_P99, NORM_MAX};
     fprintf(stream, ",%zu", p->table.n);
     for (int i = 0; i < 3; i++) {
         p->objective->norm = norm[i];
-        fprintf(stream, ",%.3e", objective_error(p->objective, &m->tree, frame_target(a->program, output), INFINITY));
+        fprintf(stream, ",%.3e", objective_error(p->objective, &m->tree, archive_target(a, tier, output), INFINITY));
     }
+}
+
+static void print_expression(const struct archive *a, size_t tier, int output, const struct tree *t, FILE *stream)
+{
+    char number[DECIMAL_TEXT];
+    if (output == TIER_BOTH) {
+        char *text = lines_print(a->lines, t, archive_last(a, tier));
+        fprintf(stream, ",%s\n", text);
+        free(text);
+        return;
+    }
+    fputc(',', stream);
+    for (size_t i = 0; i < t->length; i++) {
+        const int gene = t->gene[i];
+        if (gene < 0)
+            decimal_text(gene, number);
+        fprintf(stream, "%s%s", i ? " " : "",
+                gene < 0              ? number
+                : gene >= GENE_SYMBOL ? genome_symbol_name(a->program, (size_t)(gene - GENE_SYMBOL))
+                                      : gene_name(gene));
+    }
+    fputc('\n', stream);
 }
 
 static void print_member(const struct archive *a, struct part part[PARTS], size_t tier, int output,
                          const struct member *m, FILE *stream)
 {
-    const struct operation_count o = archive_operations(a, output, &m->tree, NULL);
-    char *text = twin_print(a->program, &m->tree);
+    const struct operation_count o = archive_operations(a, tier, output, &m->tree, NULL);
     fprintf(stream, "%s,%s,%g,%u,%u,%u,%u,%s,%.3e", a->scene->tier[tier].name, frame_output[output], m->cost, o.mul,
             o.add, o.div, o.other, origin_name[m->origin], m->error);
     for (int k = 0; k < PARTS; k++)
-        print_errors(a, &part[k], m, output, stream);
-    fprintf(stream, ",%s\n", text);
-    free(text);
+        print_errors(a, &part[k], m, tier, output, stream);
+    print_expression(a, tier, output, &m->tree, stream);
 }
 
 bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d)

@@ -6,7 +6,7 @@
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../eval/sampled_region.h"
-#include "../genotype/twin_text.h"
+#include "../genotype/lines_text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,7 +101,7 @@ static bool is_remark(const char *key)
             if (strcmp(key, own) == 0)
                 return false;
         }
-    return strcmp(key, archive_twin_note) != 0;
+    return true;
 }
 
 #define NOTE(...) genome_add_note(&g->note, &g->notes, &g->note_room, __VA_ARGS__)
@@ -124,6 +124,8 @@ static void add_provenance(struct genome *g, const struct tier *t, const struct 
             NOTE(key, "nothing evolved, the frame's value is right to rounding");
         } else if (champion[k].bred && champion[k].chosen)
             NOTE(key, "nothing to evolve, chosen among the frame's values");
+        else if (champion[k].bred && champion[k].seed && t->program)
+            NOTE(key, "a seed, composed of the frame's functions or given");
         else if (champion[k].bred)
             NOTE(key, "seed %llu generations %zu islands %zu", (unsigned long long)run->seed, run->generations,
                  run->islands);
@@ -157,19 +159,14 @@ static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, cons
     const struct tier *t = &a->scene->tier[tier];
     const struct champion *c = a->champion[tier];
     struct tree out[2] = {c[0].tree, c[1].tree};
-    if (t->twin)
-        twin_expand(a->twins, &c[TIER_BOTH].tree, a->program, t->name, out);
+    if (t->program)
+        lines_expand(a->lines, &c[TIER_BOTH].tree, archive_last(a, tier), a->program, t->name, out);
     struct genome *g = genome_add(a->program, t->name);
     add_provenance(g, t, c, archive_start_genome(a, tier), run);
-    if (t->twin) {
-        char *text = twin_print(a->program, &c[TIER_BOTH].tree);
-        NOTE(archive_twin_note, "%s", text);
-        free(text);
-    }
     add_errors(g, kernel, a, tier, out, heldout);
     for (int k = 0; k < 2; k++) {
         genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
-        if (t->twin)
+        if (t->program)
             free(out[k].gene);
     }
 }
@@ -190,24 +187,40 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     return outfile_commit(&f, d);
 }
 
+static void add_member_output(const struct genome_file *f, struct kernel *kernel, struct genome *g, int output,
+                              const struct tree *t, const struct heldout *heldout)
+{
+    char key[40];
+    for (int part = 0; part < 2; part++) {
+        const struct errors e = errors_measure(kernel, f, t, output, &heldout->part[part]);
+        note_key(heldout_part[part].name, output, key);
+        NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+    }
+    genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[output], t->gene, t->length);
+}
+
 /* The genome of one member, with its cost, where it comes from, and its errors. */
 static void add_member(const struct archive *a, struct kernel *kernel, const struct member *m, size_t tier, int output,
                        const struct heldout *heldout, struct genome_file *f)
 {
     char name[300];
+    struct tree out[2] = {{NULL, 0}, {NULL, 0}};
+    const int first = output == TIER_BOTH ? 0 : output, last = output == TIER_BOTH ? 1 : output;
     snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
-    struct tree t = {new_array(m->tree.length, sizeof *t.gene), 0};
-    tree_bind(f, &m->tree, &t);
+    if (output == TIER_BOTH) {
+        lines_expand(a->lines, &m->tree, archive_last(a, tier), f, name, out);
+    } else {
+        out[output].gene = new_array(m->tree.length, sizeof *out[output].gene);
+        tree_bind(f, &m->tree, &out[output]);
+    }
     struct genome *g = genome_add(f, name);
     NOTE("cost", "%g", m->cost);
     NOTE("origin", "%s", origin_name[m->origin]);
-    NOTE("training", "genes %zu %s %.3e", t.length, norm_name[a->scene->norm], m->error);
-    for (int part = 0; part < 2; part++) {
-        const struct errors e = errors_measure(kernel, f, &t, output, &heldout->part[part]);
-        NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+    NOTE("training", "genes %zu %s %.3e", m->tree.length, norm_name[a->scene->norm], m->error);
+    for (int k = first; k <= last; k++) {
+        add_member_output(f, kernel, g, k, &out[k], heldout);
+        free(out[k].gene);
     }
-    genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[output], t.gene, t.length);
-    free(t.gene);
 }
 
 #undef NOTE
@@ -226,7 +239,7 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
     struct kernel *kernel = kernel_new_widest();
     add_file_notes(f, a->scene, heldout);
     for (size_t i = 0; i < a->scene->tiers; i++)
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < TIER_OUTPUTS; k++)
             for (size_t c = 0; a->front[i][k] && c <= a->front[i][k]->limit; c++)
                 if (a->front[i][k]->member[c].tree.length > 0)
                     add_member(a, kernel, &a->front[i][k]->member[c], i, k, heldout, f);

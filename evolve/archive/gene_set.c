@@ -2,7 +2,7 @@
 #include "archive.h"
 
 #include "../common/decimal.h"
-#include "../genotype/twin_text.h"
+#include "../genotype/line_program.h"
 
 #include <string.h>
 
@@ -22,18 +22,35 @@ static void add_constant(struct gene_set *s, int gene)
     s->constants++;
 }
 
+static int gene_of(const struct genome_file *program, const char *name)
+{
+    for (int gene = 0; gene < GENE_OPERATORS; gene++)
+        if (strcmp(gene_name(gene), name) == 0)
+            return gene;
+    return GENE_FUNCTION + line_function(program, name);
+}
+
 /* Those of two operands, then those of one. */
 static void add_operations(const struct archive *a, const struct tier *t, struct gene_set *s)
 {
     s->operation = new_array(t->functions, sizeof *s->operation);
     for (int arity = 2; arity > 0; arity--)
         for (size_t i = 0; i < t->functions; i++) {
-            const int gene = twin_gene(a->program, t->function[i]);
+            const int gene = gene_of(a->program, t->function[i]);
             if (gene_arity(gene) == arity)
                 s->operation[s->operations + s->functions] = gene;
             s->operations += gene_arity(gene) == arity && arity == 2;
             s->functions += gene_arity(gene) == arity && arity == 1;
         }
+}
+
+int *archive_symbols(const struct archive *a, size_t tier)
+{
+    const struct tier *t = &a->scene->tier[tier];
+    int *symbol = new_array(t->terminals, sizeof *symbol);
+    for (size_t i = 0; i < t->terminals; i++)
+        symbol[i] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
+    return symbol;
 }
 
 struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational)
@@ -49,18 +66,16 @@ struct gene_set archive_genes(const struct archive *a, size_t tier, bool rationa
         s.operation = new_array(s.operations, sizeof *s.operation);
         memcpy(s.operation, operation, s.operations * sizeof *operation);
     }
-    s.symbol = new_array(t->terminals, sizeof *s.symbol);
-    for (size_t i = 0; i < t->terminals; i++)
-        s.symbol[i] = GENE_SYMBOL + (int)genome_find_symbol(a->program, t->terminal[i]);
+    s.symbol = archive_symbols(a, tier);
     const size_t own = c[0].tree.length + c[1].tree.length + c[TIER_BOTH].tree.length;
     s.constant = new_array(2 * GRID + 1 + own, sizeof *s.constant);
     for (int k = -GRID; k <= GRID; k++)
         add_constant(&s, decimal_gene(k * 5 / 100.0));
     for (int k = tier_first(t); k <= tier_last(t); k++)
-        for (size_t i = 0; i < c[k].tree.length; i++) {
+        for (size_t i = 0; k < TIER_BOTH && i < c[k].tree.length; i++) {
             const int gene = c[k].tree.gene[i];
             if (gene < 0)
-                add_constant(&s, k == TIER_BOTH ? gene : decimal_gene(a->program->constant[-1 - gene].value));
+                add_constant(&s, decimal_gene(a->program->constant[-1 - gene].value));
         }
     return s;
 }

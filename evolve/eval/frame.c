@@ -3,7 +3,7 @@
 
 #include "../../codegen/genome/text.h"
 #include "../common/decimal.h"
-#include "../genotype/twin_text.h"
+#include "../genotype/line_program.h"
 
 #include <glob.h>
 #include <stdlib.h>
@@ -103,14 +103,25 @@ static bool add_exchange(const struct genome_file *frame, const size_t pair[2], 
     return true;
 }
 
+static bool gene_is_operator(const char *name)
+{
+    for (int gene = 0; gene < GENE_OPERATORS; gene++)
+        if (strcmp(gene_name(gene), name) == 0)
+            return true;
+    return false;
+}
+
 /* Names in a tier's list that are no operators. */
 static bool check_functions(const struct genome_file *frame, const struct scene *s, const struct tier *t,
                             struct diag *d)
 {
     for (size_t i = 0; i < t->functions; i++)
-        if (twin_gene(frame, t->function[i]) < 0)
+        if (!gene_is_operator(t->function[i]) && line_function(frame, t->function[i]) < 0)
             return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name,
                            t->function[i], t->frame);
+    if (t->last && line_function(frame, t->last) < 0)
+        return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name, t->last,
+                       t->frame);
     return true;
 }
 
@@ -169,6 +180,10 @@ static bool add_frame(const char *root, const struct scene *s, size_t tier, stru
     for (size_t i = 0; good && i < frame->exchanges && frame_is_new(s, tier) && !t->at; i++)
         good = add_exchange(frame, frame->exchange[i], program, d);
     good = good && check_functions(frame, s, t, d);
+    for (size_t i = 0; good && i < 2 * t->starts; i++)
+        if (genome_find_symbol(program, t->start[i / 2][i % 2]) < 0)
+            good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name,
+                           t->start[i / 2][i % 2], t->frame);
     for (size_t i = 0; good && i < t->terminals; i++)
         if (genome_find_symbol(program, t->terminal[i]) < 0)
             good = diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no value of frame '%s'", t->name, t->terminal[i],

@@ -12,8 +12,8 @@ struct objective *objective_new(const struct genome_file *program, const struct 
     *o = (struct objective){.table = table, .program = program, .norm = norm, .kernel = kernel_new_widest()};
     o->scratch = new_array(2 * table->n, sizeof *o->scratch);
     if (program) {
-        o->twins = twins_new(program);
-        o->twin = twin_run_new(o->twins, table);
+        o->rules = line_rules_new(program);
+        o->lines = lines_run_new(o->rules, table);
     }
     if (norm == NORM_MEAN)
         o->single = columns_float_new(table);
@@ -25,8 +25,8 @@ void objective_free(struct objective *o)
     if (!o)
         return;
     kernel_free(o->kernel);
-    twin_run_free(o->twin);
-    twins_free(o->twins);
+    lines_run_free(o->lines);
+    line_rules_free(o->rules);
     columns_float_free(&o->single);
     free(o->scratch);
     free(o);
@@ -37,19 +37,51 @@ static struct kernel_task task_of(const struct objective *o, const struct tree *
     return (struct kernel_task){t->gene, t->length, o->decimal ? NULL : o->program->constant, o->table};
 }
 
+size_t objective_target_of_both(const struct columns *table, int last)
+{
+    return table->count + (size_t)(last + 1);
+}
+
 bool objective_takes_both(const struct objective *o, size_t target)
 {
-    return target == o->table->count;
+    return target >= o->table->count;
+}
+
+int objective_last(const struct objective *o, size_t target)
+{
+    return (int)(target - o->table->count) - 1;
 }
 
 /* The same of all errors, those of xi and those of eta. */
-static double twin_error(struct objective *o, const struct tree *t, double bound)
+static double error_of_both(struct objective *o, const struct tree *t, size_t target, double bound)
 {
     const size_t n = 2 * o->table->n;
     if (o->norm == NORM_MEAN)
-        return twin_error_sum(o->twin, t, bound * (double)n) / (double)n;
-    twin_errors(o->twin, t, o->scratch);
+        return lines_error_sum(o->lines, t, objective_last(o, target), bound * (double)n) / (double)n;
+    lines_errors(o->lines, t, objective_last(o, target), o->scratch);
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
+}
+
+struct tails objective_tails(struct objective *o, const struct tree *t, size_t target)
+{
+    const size_t n = 2 * o->table->n;
+    lines_errors(o->lines, t, objective_last(o, target), o->scratch);
+    const double max = errors_max(o->scratch, n);
+    return (struct tails){errors_p99(o->scratch, n), max};
+}
+
+double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
+                                double bound)
+{
+    const double error = objective_error(o, t, target, bound);
+    if (!(error < INFINITY))
+        return error;
+    const struct tails own = objective_tails(o, t, target);
+    if (!lines_keep_signs(o->lines))
+        return INFINITY;
+    if (!(tails->max > 0))
+        return error;
+    return error * fmax(1, own.p99 / tails->p99) * fmax(1, own.max / tails->max);
 }
 
 double objective_error(struct objective *o, const struct tree *t, size_t target, double bound)
@@ -57,7 +89,7 @@ double objective_error(struct objective *o, const struct tree *t, size_t target,
     const struct kernel_task task = task_of(o, t);
     const size_t n = o->table->n;
     if (objective_takes_both(o, target))
-        return twin_error(o, t, bound);
+        return error_of_both(o, t, target, bound);
     if (o->norm == NORM_MEAN)
         return kernel_error_sum(o->kernel, &task, target, bound * (double)n) / (double)n;
     kernel_values(o->kernel, &task, o->scratch);
@@ -76,5 +108,5 @@ double objective_rank(struct objective *o, const struct tree *t, size_t target, 
 
 double objective_work(const struct objective *o)
 {
-    return kernel_work(o->kernel) + (o->twin ? o->twin->work : 0);
+    return kernel_work(o->kernel) + (o->lines ? o->lines->work : 0);
 }

@@ -5,7 +5,7 @@
 #include "../genotype/tree.h"
 #include "../input/scene.h"
 #include "kernel.h"
-#include "twin_tape.h"
+#include "lines_run.h"
 
 /** Measures trees against columns of a table; one for each process. */
 struct objective {
@@ -15,24 +15,42 @@ struct objective {
     bool decimal; /* constants of trees are coded in their genes (decimal.h), not the program's; false at first */
     struct kernel *kernel;       /* owned */
     double *scratch;             /* owned: two values for each sample */
-    struct twins *twins;         /* owned: of the program; NULL where there is none */
-    struct twin_run *twin;       /* owned: for trees of both outputs */
+    struct line_rules *rules;    /* owned: of the program; NULL where there is none */
+    struct lines_run *lines;     /* owned: for programs of both outputs */
     struct columns_float single; /* owned: the table in float; empty unless the norm is the mean */
 };
 struct objective *objective_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm);
 void objective_free(struct objective *o);
 
-/** True of the target of twin trees: not a column, but the true xi and eta, the last two of the table. */
-bool objective_takes_both(const struct objective *o, size_t target);
+/** Largest errors that a program may have without being charged for them. */
+struct tails {
+    double p99, max; /* 0: any */
+};
 
-/** Error of a tree against table column `target`, or of a twin tree against both: mean, 99 % or maximum of
- *  |value - target|.  INFINITY where a value is not finite, or where the mean is sure to exceed `bound`. */
+/* The target of programs is not a column, but the true xi and eta, the last two of the table. */
+
+/** The target of programs that end in a function; -1: in none. */
+size_t objective_target_of_both(const struct columns *table, int last);
+bool objective_takes_both(const struct objective *o, size_t target);
+/** The function that programs of this target end in; -1: none. */
+int objective_last(const struct objective *o, size_t target);
+
+/** Error of a tree against table column `target`, or of a program against both: mean, 99 % or maximum of
+ *  |value - target|.  INFINITY where a value is not finite, or where the mean is sure to exceed `bound` (of programs:
+ *  seems to, by its first samples). */
 double objective_error(struct objective *o, const struct tree *t, size_t target, double bound);
 
-/** The same for ranking: the mean is computed in float, with about six digits in half the time; not of twin trees. */
+/** The same of a program, multiplied by how far its 99 % and largest errors exceed what they may be; INFINITY where a
+ *  divisor changes its sign among the samples. */
+double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
+                                double bound);
+/** 99 % and largest error of a program. */
+struct tails objective_tails(struct objective *o, const struct tree *t, size_t target);
+
+/** The same for ranking: the mean is computed in float, with about six digits in half the time; not of programs. */
 double objective_rank(struct objective *o, const struct tree *t, size_t target, double bound);
 
-/** Genes times samples evaluated so far; of twin trees, lines times samples. */
+/** Genes times samples evaluated so far; of programs, lines times samples. */
 double objective_work(const struct objective *o);
 
 #endif

@@ -18,6 +18,7 @@ struct node {
     int a, b;     /* operands; -1: none */
     enum kind kind;
     bool needed;
+    double path; /* of what is needed: the longest chain that ends here */
 };
 
 struct slot {
@@ -36,7 +37,7 @@ struct counter {
 
 double operations_price(const struct operation_count *o, const struct prices *m)
 {
-    return o->mul + m->add * (o->add + o->other) + m->div * o->div;
+    return o->mul + m->add * (o->add + o->other) + m->div * o->div + m->path * o->path;
 }
 
 struct counter *counter_new(size_t max_length)
@@ -88,7 +89,8 @@ static struct operand constant_of(struct counter *c, double value)
     const double size = fabs(value);
     uint64_t bits;
     memcpy(&bits, &size, sizeof bits);
-    return (struct operand){node_of(c, (struct node){mix(CONSTANT, bits), size, -1, -1, CONSTANT, false}), value < 0};
+    return (struct operand){node_of(c, (struct node){mix(CONSTANT, bits), size, -1, -1, CONSTANT, false, 0}),
+                            value < 0};
 }
 
 static bool is_constant(const struct counter *c, struct operand x)
@@ -126,7 +128,7 @@ static struct operand sum(struct counter *c, struct operand a, struct operand b)
     sort_operands(c, &a, &b);
     const uint64_t hash =
         mix(mix(SUM + (a.negative != b.negative ? 16u : 0u), c->node[a.node].hash), c->node[b.node].hash);
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, SUM, false}), a.negative};
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, SUM, false, 0}), a.negative};
 }
 
 static struct operand product(struct counter *c, struct operand a, struct operand b)
@@ -140,7 +142,7 @@ static struct operand product(struct counter *c, struct operand a, struct operan
         return (struct operand){a.node, negative};
     sort_operands(c, &a, &b);
     const uint64_t hash = mix(mix(PRODUCT, c->node[a.node].hash), c->node[b.node].hash);
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, PRODUCT, false}), negative};
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, PRODUCT, false, 0}), negative};
 }
 
 /* A protected quotient is 1 where its divisor is 0, so that its sign cannot be carried outwards. */
@@ -155,7 +157,7 @@ static struct operand quotient(struct counter *c, int gene, struct operand a, st
     const unsigned sign = plain ? 0u : (a.negative ? 16u : 0u) + (b.negative ? 32u : 0u) + 64u;
     const uint64_t hash = mix(mix(QUOTIENT + sign, c->node[a.node].hash), c->node[b.node].hash);
     const enum kind kind = is_constant(c, b) ? PRODUCT : QUOTIENT;
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, kind, false}), negative};
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, kind, false, 0}), negative};
 }
 
 static struct operand other(struct counter *c, int gene, struct operand a, struct operand b)
@@ -169,7 +171,7 @@ static struct operand other(struct counter *c, int gene, struct operand a, struc
         sort_operands(c, &a, &b);
     const unsigned sign = (a.negative ? 64u : 0u) + (b.negative ? 128u : 0u);
     const uint64_t hash = mix(mix(OTHER + sign + 256u * (unsigned)gene, c->node[a.node].hash), c->node[b.node].hash);
-    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, OTHER, false}), false};
+    return (struct operand){node_of(c, (struct node){hash, 0, a.node, b.node, OTHER, false, 0}), false};
 }
 
 struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b)
@@ -207,9 +209,23 @@ struct operand counter_number(struct counter *c, double value)
 struct operand counter_leaf(struct counter *c, int gene)
 {
     return (struct operand){
-        node_of(c, (struct node){mix(LEAF, (uint64_t)gene), 0, -1, -1, LEAF, false}),
+        node_of(c, (struct node){mix(LEAF, (uint64_t)gene), 0, -1, -1, LEAF, false, 0}),
         false,
     };
+}
+
+/* The longest chain to each node that is needed; operands stand before their users. */
+static double longest_chain(struct counter *c, const struct operand *root, size_t roots)
+{
+    static const double length[] = {[SUM] = 1, [PRODUCT] = 1, [QUOTIENT] = 3.25, [OTHER] = 1};
+    double longest = 0;
+    for (int i = 0; i < c->nodes; i++) {
+        struct node *n = &c->node[i];
+        n->path = n->needed && n->a >= 0 ? length[n->kind] + fmax(c->node[n->a].path, c->node[n->b].path) : 0;
+    }
+    for (size_t i = 0; i < roots; i++)
+        longest = fmax(longest, c->node[root[i].node].path);
+    return longest;
 }
 
 /* Count what the roots need: users stand behind their operands. */
@@ -232,6 +248,7 @@ struct operation_count counter_end(struct counter *c, const struct operand *root
         o.div += n->kind == QUOTIENT;
         o.other += n->kind == OTHER;
     }
+    o.path = longest_chain(c, root, roots);
     return o;
 }
 

@@ -2,7 +2,7 @@
 #ifndef FOOTPOINT_OPERATION_COUNT_H
 #define FOOTPOINT_OPERATION_COUNT_H
 
-#include "../genotype/twin.h"
+#include "../genotype/line_program.h"
 
 /** Operations of a tree, equal values counted once: operands of + and * in any order, and values that differ in sign
  *  alone, are equal.  Factors 1 and -1, terms 0 and changes of sign are free, what is multiplied by 0 is not computed,
@@ -10,12 +10,14 @@
 struct operation_count {
     unsigned mul, add, div;
     unsigned other; /* square roots, absolute values, minima, maxima */
+    double path;    /* longest chain of operations that wait for each other, in sums; a quotient is as long as 3.25 */
     uint64_t hash;  /* equal for trees whose values are equal by these rules, and so for trees of equal error */
 };
 
 /** Prices of operations in multiplications.  An operation of another kind costs as much as a sum. */
 struct prices {
     double add, div;
+    double path; /* of a sum on the longest chain, beside its own */
 };
 double operations_price(const struct operation_count *o, const struct prices *m);
 
@@ -42,12 +44,13 @@ struct operand counter_operation(struct counter *c, int gene, struct operand a, 
 /** Operations of all that the roots need. */
 struct operation_count counter_end(struct counter *c, const struct operand *root, size_t roots);
 
-/* ---- twin trees: twin_count.c ---- */
+/* ---- programs: lines_count.c ---- */
 
-/** Counts operations of twin trees: of both halves, with all that they need of the frame, each value once. */
-struct twin_counter;
-struct twin_counter *twin_counter_new(const struct twins *t);
-void twin_counter_free(struct twin_counter *c);
-struct operation_count count_twin_operations(struct twin_counter *c, const struct tree *t);
+/** Counts operations of programs: of both outputs, with all that they need of the frame, each value once. */
+struct lines_counter;
+struct lines_counter *lines_counter_new(const struct line_rules *r);
+void lines_counter_free(struct lines_counter *c);
+/** @param[in] last  function that the program ends in; -1: none */
+struct operation_count count_lines(struct lines_counter *c, const struct tree *t, int last);
 
 #endif

@@ -1,9 +1,10 @@
-/* Compositions of functions; see compose.h.  A search by breadth: of the compositions of one length those are
- * continued that are, or whose continuations by one function are, nearest to the front of error against cost: what
- * leads to xi and eta in the end may come last.  Truncated iterations of any length and mixture are among them:
- * gauss_newton from p, newton newton, inside newton inside newton ... */
+/* Seeds of programs; see compose.h.  From each start, and from what the scene's functions make of one after the other:
+ * of each round the most promising go on, which are those that come nearest to the front, or whose continuations do, so
+ * that a step that pays only with the next is not lost.  Thus all truncated iterations of any length and mixture are
+ * among them: a Gauss-Newton step from p, two Newton steps, (7) solved for xi and Newton's step ... */
 #include "compose.h"
 
+#include "../genotype/lines_text.h"
 #include "fit_constants.h"
 
 #include <math.h>
@@ -29,38 +30,54 @@ struct candidates {
 struct composer {
     const struct gene_set *genes;
     const struct prices *prices;
-    struct objective *objective;  /* owned: on `thin` */
-    struct columns thin;          /* owned */
-    struct twin_counter *counter; /* owned */
+    struct objective *objective; /* owned: on `thin` */
+    size_t target;
+    struct columns thin;           /* owned */
+    struct lines_counter *counter; /* owned */
+    struct lines *lines;           /* owned */
     struct front *found;
+    uint64_t *seen; /* owned: hashes of all candidates */
+    size_t seens, room;
 };
 
-/* Measure a composition; false where it costs more than the front has room for, or is longer. */
+/* True once for each hash. */
+static bool is_new(struct composer *s, uint64_t hash)
+{
+    for (size_t i = 0; i < s->seens; i++)
+        if (s->seen[i] == hash)
+            return false;
+    grow_array(&s->seen, s->seens, &s->room, sizeof *s->seen);
+    s->seen[s->seens++] = hash;
+    return true;
+}
+
+/* Measure a composition; false where it costs more than the front has room for, is longer, or was there before. */
 static bool measure(struct composer *s, struct candidate *x)
 {
     const struct tree t = {x->gene, x->length};
     if (x->length > s->found->max_length)
         return false;
-    const struct operation_count o = count_twin_operations(s->counter, &t);
+    const struct operation_count o = count_lines(s->counter, &t, objective_last(s->objective, s->target));
     x->cost = operations_price(&o, s->prices);
     if (front_place(s->found, x->cost) > s->found->limit)
         return false;
     x->hash = o.hash;
-    x->error = objective_error(s->objective, &t, s->thin.count, INFINITY);
+    if (!is_new(s, x->hash))
+        return false;
+    x->error = objective_error(s->objective, &t, s->target, INFINITY);
     if (x->error < INFINITY)
         front_offer(s->found, &t, x->error, x->cost);
     return true;
 }
 
-/* Add f(x), or the leaf f where x is NULL, if it can be measured. */
-static void add(struct composer *s, struct candidates *to, int f, const struct candidate *x, size_t parent)
+/* Add the program in s->lines, if it can be measured. */
+static void add(struct composer *s, struct candidates *to, size_t parent)
 {
-    const size_t length = x ? x->length + 1 : 1;
-    struct candidate fresh = {.gene = new_array(length, sizeof *fresh.gene), .length = length, .parent = parent};
-    fresh.gene[0] = f;
-    if (x)
-        memcpy(fresh.gene + 1, x->gene, x->length * sizeof *x->gene);
-    if (measure(s, &fresh)) {
+    struct candidate fresh = {.gene = new_array(s->found->max_length, sizeof *fresh.gene), .parent = parent};
+    struct tree t = {fresh.gene, 0};
+    const bool good = lines_store(s->lines, s->found->max_length, &t);
+    fresh.length = t.length;
+    if (good && measure(s, &fresh)) {
         grow_array(&to->c, to->n, &to->room, sizeof *to->c);
         to->c[to->n++] = fresh;
     } else {
@@ -92,8 +109,12 @@ static struct candidates continuations(struct composer *s, const struct candidat
 {
     struct candidates all = {0};
     for (size_t i = 0; i < list->n; i++)
-        for (size_t k = 0; k < s->genes->functions; k++)
-            add(s, &all, s->genes->operation[s->genes->operations + k], &list->c[i], i);
+        for (size_t k = 0; k < s->genes->functions; k++) {
+            const struct tree t = {list->c[i].gene, list->c[i].length};
+            lines_load(s->lines, &t, -1, LINES_INNER);
+            lines_call(s->lines, s->genes->operation[s->genes->operations + k] - GENE_FUNCTION, s->lines->root);
+            add(s, &all, i);
+        }
     return all;
 }
 
@@ -158,22 +179,44 @@ static void advance(struct composer *s, struct candidates *list)
     *list = next;
 }
 
-void compose_twins(const struct gene_set *genes, const struct objective *objective, const struct prices *prices,
-                   struct front *found)
+/* The frame's values p, q as a program of the terminals. */
+static void add_start(struct composer *s, char *const name[2], struct candidates *list)
+{
+    const struct genome_file *program = s->objective->program;
+    int gene[2];
+    struct genome_expr value[2] = {{.length = 1}, {.length = 1}};
+    for (int k = 0; k < 2; k++) {
+        gene[k] = GENE_SYMBOL + (int)genome_find_symbol(program, name[k]);
+        value[k].gene = &gene[k];
+    }
+    const struct genome_expr *const out[2] = {&value[0], &value[1]};
+    struct tree t = {new_array(s->found->max_length, sizeof *t.gene), 0};
+    if (lines_read(s->lines, program, out, s->genes, -1, s->found->max_length, &t)) {
+        lines_load(s->lines, &t, -1, LINES_INNER);
+        add(s, list, 0);
+    }
+    free(t.gene);
+}
+
+void compose_programs(const struct tier *tier, const struct gene_set *genes, const struct objective *objective,
+                      size_t target, const struct prices *prices, struct front *found)
 {
     const size_t stride = objective->table->n / ROWS;
-    struct composer s = {.genes = genes, .prices = prices, .found = found};
+    struct composer s = {.genes = genes, .prices = prices, .found = found, .target = target};
     struct candidates list = {0};
     s.thin = columns_thin(objective->table, stride > 1 ? stride : 1);
     s.objective = objective_new(objective->program, &s.thin, objective->norm);
     s.objective->decimal = true;
-    s.counter = twin_counter_new(s.objective->twins);
-    for (size_t i = 0; i < genes->symbols; i++)
-        add(&s, &list, genes->symbol[i], NULL, 0);
+    s.counter = lines_counter_new(s.objective->rules);
+    s.lines = lines_new(s.objective->rules);
+    for (size_t i = 0; i < tier->starts; i++)
+        add_start(&s, tier->start[i], &list);
     while (list.n > 0)
         advance(&s, &list);
     drop(&list);
-    twin_counter_free(s.counter);
+    lines_counter_free(s.counter);
+    lines_free(s.lines);
     objective_free(s.objective);
     columns_free(&s.thin);
+    free(s.seen);
 }

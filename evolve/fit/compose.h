@@ -1,4 +1,5 @@
-/* Hand-written methods as seeds: what the functions of a tier give, one after the other, from each of its terminals. */
+/* Hand-written methods as seeds of programs: what the functions of a tier give, one after the other, from each of its
+ * starts. */
 #ifndef FOOTPOINT_COMPOSE_H
 #define FOOTPOINT_COMPOSE_H
 
@@ -6,10 +7,10 @@
 #include "../eval/operation_count.h"
 #include "../genotype/front.h"
 
-/** Offer compositions of the set's functions to a front, by their errors on some of the objective's samples: all that
- *  begin with the most promising ones.  Deterministic.
+/** Offer programs to a front, by their errors on some of the objective's samples: the starts, and the compositions of
+ *  functions that begin with the most promising ones.  Deterministic.
  *  @param[in] objective  of decimal numbers */
-void compose_twins(const struct gene_set *genes, const struct objective *objective, const struct prices *prices,
-                   struct front *found);
+void compose_programs(const struct tier *tier, const struct gene_set *genes, const struct objective *objective,
+                      size_t target, const struct prices *prices, struct front *found);
 
 #endif

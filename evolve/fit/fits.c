@@ -2,17 +2,21 @@
 #include "fits.h"
 
 #include "fit_linear.h"
-#include "fit_twin.h"
+#include "fit_lines.h"
+#include "guide.h"
 
 #include <stdlib.h>
 
 enum { ROWS = 2048, ITERATIONS = 6, TUNING = 1 };
+static const double guided_insertions = 0.08, guided_prunings = 0.08, restarts = 0.1; /* of the changes of programs */
 
 struct fits {
     struct objective *objective; /* not owned */
     struct columns thin;         /* owned: about ROWS of the samples */
     struct fitter *fitter;       /* owned: to `thin` */
-    struct twin_run *twin;       /* owned: the same for twin trees */
+    struct lines_run *lines;     /* owned: the same for programs */
+    struct guide *guide;         /* owned */
+    struct line_editor *editor;  /* owned */
 };
 
 static bool root_terms(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
@@ -24,7 +28,7 @@ static bool tune(struct fits *f, const struct tree *in, size_t target, size_t ma
 {
     (void)max_length;
     if (objective_takes_both(f->objective, target))
-        return twin_fit(f->twin, in, f->objective->norm, TUNING, out);
+        return lines_fit(f->lines, in, objective_last(f->objective, target), f->objective->norm, TUNING, out);
     tape_load(f->fitter->tape, in);
     fitter_descend_norm(f->fitter, target, f->objective->norm, TUNING);
     tape_store(f->fitter->tape, out);
@@ -36,17 +40,33 @@ static bool constants(struct fits *f, const struct tree *in, size_t target, size
     double error;
     (void)max_length;
     if (objective_takes_both(f->objective, target))
-        return twin_fit(f->twin, in, f->objective->norm, ITERATIONS, out);
+        return lines_fit(f->lines, in, objective_last(f->objective, target), f->objective->norm, ITERATIONS, out);
     return fit_constants(f->fitter, f->objective, in, target, ITERATIONS, out, &error);
+}
+
+static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
+                   const struct tree *mate, size_t target, size_t max_length, struct tree *child)
+{
+    const int last = objective_last(f->objective, target);
+    const double at = gsl_rng_uniform(rng);
+    if (at < guided_insertions)
+        return guide_insert(f->guide, rng, genes, t, last, max_length, child);
+    if (at < guided_insertions + guided_prunings)
+        return guide_prune(f->guide, rng, genes, t, last, max_length, child);
+    if (at < guided_insertions + guided_prunings + restarts)
+        return guide_restart(f->guide, rng, genes, t, mate, last, max_length, child);
+    return lines_edit(f->editor, rng, genes, t, mate, max_length, child);
 }
 
 struct fits *fits_new(struct objective *objective)
 {
     const size_t stride = objective->table->n / ROWS;
     struct fits *f = new_array(1, sizeof *f);
-    *f = (struct fits){objective, columns_thin(objective->table, stride > 1 ? stride : 1), NULL, NULL};
+    *f = (struct fits){objective, columns_thin(objective->table, stride > 1 ? stride : 1), NULL, NULL, NULL, NULL};
     f->fitter = fitter_new(&f->thin);
-    f->twin = twin_run_new(objective->twins, &f->thin);
+    f->lines = lines_run_new(objective->rules, &f->thin);
+    f->guide = guide_new(objective->rules, &f->thin);
+    f->editor = line_editor_new(objective->rules);
     return f;
 }
 
@@ -55,12 +75,14 @@ void fits_free(struct fits *f)
     if (!f)
         return;
     fitter_free(f->fitter);
-    twin_run_free(f->twin);
+    lines_run_free(f->lines);
+    guide_free(f->guide);
+    line_editor_free(f->editor);
     columns_free(&f->thin);
     free(f);
 }
 
 struct fitting fits_hooks(struct fits *f)
 {
-    return (struct fitting){f, root_terms, tune, constants};
+    return (struct fitting){f, root_terms, tune, constants, change};
 }

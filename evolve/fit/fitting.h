@@ -15,6 +15,9 @@ struct fitting {
     bool (*tune)(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out);
     /** The same with more iterations, if that is better; for members of the front. */
     bool (*constants)(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out);
+    /** A changed copy of a program; may fail, with *child undefined. */
+    bool (*change)(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
+                   const struct tree *mate, size_t target, size_t max_length, struct tree *child);
 };
 
 #endif

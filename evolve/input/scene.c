@@ -25,6 +25,11 @@ void scene_free(struct scene *s)
         for (size_t k = 0; k < s->tier[i].functions; k++)
             free(s->tier[i].function[k]);
         free(s->tier[i].function);
+        for (size_t k = 0; k < s->tier[i].starts; k++) {
+            free(s->tier[i].start[k][0]);
+            free(s->tier[i].start[k][1]);
+        }
+        free(s->tier[i].start);
         free(s->tier[i].frame);
         free(s->tier[i].last);
         free(s->tier[i].name);

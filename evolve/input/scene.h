@@ -50,25 +50,27 @@ struct tier {
     size_t terminals;
     size_t max_length; /* genes of one expression */
     bool rational;     /* % beside + - *, where no functions are listed */
-    char **function;   /* owned: names of operators, "exchange", "halves" and functions of the frame */
+    char **function;   /* owned: names of operators and of functions of the frame */
     size_t functions;  /* 0: none are listed */
-    bool twin;         /* one tree makes xi and eta (twin.h): a function is none of the genome text's operators */
-    double budget;     /* operations of one expression, or of a twin tree, in the plan's cost model; 0: none is set */
-    char *last;        /* owned: function of the frame that a twin tree must end in; NULL: any */
+    bool program;      /* bred as programs that make xi and eta (line_program.h): a function is one of the frame's */
+    double budget;     /* operations of one expression, or of a program, in the plan's cost model; 0: none is set */
+    char *last;        /* owned: function of the frame that programs end in; NULL: none */
+    char *(*start)[2]; /* owned: pairs of values of the frame that programs are first made of */
+    size_t starts;
     double reference[2];
     int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
     int line; /* where it stands in the scene; 0: it follows */
 };
 
-/** Outputs of a tier, first..last: 0 is xi, 1 eta, and 2 both, of a tier of twin trees. */
+/** Outputs of a tier, first..last: 0 is xi, 1 eta, and 2 both, of a tier of programs. */
 enum { TIER_BOTH = 2, TIER_OUTPUTS };
 static inline int tier_first(const struct tier *t)
 {
-    return t->twin ? TIER_BOTH : 0;
+    return t->program ? TIER_BOTH : 0;
 }
 static inline int tier_last(const struct tier *t)
 {
-    return t->twin ? TIER_BOTH : 1;
+    return t->program ? TIER_BOTH : 1;
 }
 
 struct scene {

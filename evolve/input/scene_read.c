@@ -44,8 +44,9 @@ static bool check_keys(const struct scene_reader *r, config_setting_t *root, str
                        config_setting_t **source)
 {
     static const struct scene_key required[] = {{"training", "20000"}, {"heldout", "50000"}, {NULL, NULL}};
-    static const char *const optional[] = {"segment", "order", "norm",    "precision", "seed", "reference",
-                                           "frame",   "tiers", "lattice", "shapes",    "mesh", NULL};
+    static const char *const optional[] = {"segment", "order",     "norm",    "precision",  "seed", "reference",
+                                           "frame",   "tiers",     "lattice", "shapes",     "mesh", "terminals",
+                                           "starts",  "functions", "last",    "max_length", NULL};
     static const struct scene_key segment = {"segment", "\"quad4\""};
     if (!keys_check(r, root, "scene", required, optional) ||
         !read_segment(r, config_setting_get_member(root, "segment"), &scene->segment) ||

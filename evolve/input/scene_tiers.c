@@ -76,22 +76,18 @@ static bool read_functions(const struct scene_reader *r, const config_setting_t 
             if (strcmp(t->function[k], name) == 0)
                 return key_fail(r, e, "function '%s' stands twice", name);
         t->function[t->functions++] = new_text(name, strlen(name));
-        t->twin = t->twin || !known;
+        t->program = t->program || !known;
         sums += strcmp(name, "+") == 0 || strcmp(name, "*") == 0;
     }
     return sums == 2 || key_fail(r, s, "'functions' must hold \"+\" and \"*\", which terms are added with");
 }
 
-/* The function that a tier's trees must end in, one of its list. */
+/* The function that a tier's programs end in. */
 static bool read_last(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
-    bool known = false;
-    if (!key_string(r, s, "last", &t->last))
-        return false;
-    for (size_t i = 0; i < t->functions; i++)
-        known = known || strcmp(t->function[i], t->last) == 0;
-    return (known && t->twin) ||
-           key_fail(r, s, "tier '%s': '%s' is none of its functions of the frame", t->name, t->last);
+    return key_string(r, s, "last", &t->last) &&
+           (t->program ||
+            key_fail(r, s, "tier '%s': 'last' is for programs: 'functions' names none of the frame", t->name));
 }
 
 /* The frame that the tier names, or the scene; or else that of the scene of their kind. */
@@ -113,12 +109,16 @@ static bool read_frame(const struct scene_reader *r, const config_setting_t *s, 
 
 bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root)
 {
-    static const struct scene_key required[] = {{"name", "\"fast\""},
-                                                {"terminals", "[\"p\", \"q\"]"},
-                                                {"max_length", "30"},
-                                                {"functions", "\"polynomial\""},
-                                                {NULL, NULL}};
-    static const char *const optional[] = {"frame", "budget", "reference", "last", NULL};
+    static const struct scene_key all[] = {{"name", "\"fast\""}, /* the others may stand in the scene, for all tiers */
+                                           {"terminals", "[\"p\", \"q\"]"},
+                                           {"max_length", "30"},
+                                           {"functions", "\"polynomial\""}};
+    static const char *const optional[] = {"frame",     "budget",     "reference", "last", "starts",
+                                           "terminals", "max_length", "functions", NULL};
+    struct scene_key required[sizeof all / sizeof *all + 1] = {{NULL, NULL}};
+    for (size_t i = 0, n = 0; i < sizeof all / sizeof *all; i++)
+        if (i == 0 || !config_setting_get_member(root, all[i].name))
+            required[n++] = all[i];
     config_setting_t *list = config_setting_get_member(root, "tiers");
     if (list && (!config_setting_is_list(list) || config_setting_length(list) == 0))
         return key_fail(r, list, "'tiers' must be a list of groups, ( { name = ...; }, ... )");
@@ -134,7 +134,37 @@ bool scene_check_tiers(const struct scene_reader *r, config_setting_t *root)
     return true;
 }
 
-static bool read_tier(const struct scene_reader *r, config_setting_t *g, const config_setting_t *frame,
+/* A tier's own setting, or else that of all. */
+static const config_setting_t *setting(const config_setting_t *g, const config_setting_t *root, const char *key)
+{
+    const config_setting_t *own = config_setting_get_member(g, key);
+    return own ? own : config_setting_get_member(root, key);
+}
+
+/* Genes of a program of so many lines (line_program.h). */
+static size_t program_genes(size_t lines)
+{
+    return 2 + 3 * lines;
+}
+
+static bool read_starts(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
+{
+    if (!config_setting_is_list(s) || config_setting_length(s) == 0)
+        return key_fail(r, s, "'starts' must be pairs of names, ([\"p\", \"q\"], ...)");
+    t->start = new_array((size_t)config_setting_length(s), sizeof *t->start);
+    for (int i = 0; i < config_setting_length(s); i++) {
+        const config_setting_t *pair = config_setting_get_elem(s, (unsigned)i);
+        if (!config_setting_is_array(pair) || config_setting_length(pair) != 2)
+            return key_fail(r, pair, "'starts' must be pairs of names, ([\"p\", \"q\"], ...)");
+        t->starts++;
+        for (unsigned k = 0; k < 2; k++)
+            if (!key_string(r, config_setting_get_elem(pair, k), "starts", &t->start[i][k]))
+                return false;
+    }
+    return true;
+}
+
+static bool read_tier(const struct scene_reader *r, config_setting_t *g, const config_setting_t *root,
                       struct scene *scene)
 {
     struct tier *t = &scene->tier[scene->tiers++];
@@ -148,19 +178,22 @@ static bool read_tier(const struct scene_reader *r, config_setting_t *g, const c
     for (const struct tier *u = scene->tier; u < t; u++)
         if (strcmp(u->name, t->name) == 0)
             return key_fail(r, config_setting_get_member(g, "name"), "tier '%s' stands twice", t->name);
-    own = config_setting_get_member(g, "frame");
-    if (!read_frame(r, own ? own : frame, scene, t) ||
-        !read_terminals(r, config_setting_get_member(g, "terminals"), t) ||
-        !key_count(r, config_setting_get_member(g, "max_length"), "max_length", 1, 100000, &length) ||
-        !read_functions(r, config_setting_get_member(g, "functions"), t))
+    if (!read_frame(r, setting(g, root, "frame"), scene, t) || !read_terminals(r, setting(g, root, "terminals"), t) ||
+        !key_count(r, setting(g, root, "max_length"), "max_length", 1, 100000, &length) ||
+        !read_functions(r, setting(g, root, "functions"), t))
         return false;
-    t->max_length = (size_t)length;
+    t->max_length = t->program ? program_genes((size_t)length) : (size_t)length;
     own = config_setting_get_member(g, "reference");
     if (own && !read_tier_reference(r, own, scene, t))
         return false;
-    if (own && t->twin)
+    if (own && t->program)
         return key_fail(r, own, "tier '%s': functions of a frame are about the scene's reference point", t->name);
+    const config_setting_t *starts = setting(g, root, "starts");
+    if (starts && t->program && !read_starts(r, starts, t))
+        return false;
     own = config_setting_get_member(g, "last");
+    if (!own && t->program)
+        own = config_setting_get_member(root, "last");
     if (own && !read_last(r, own, t))
         return false;
     const config_setting_t *budget = config_setting_get_member(g, "budget");
@@ -177,7 +210,7 @@ bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, stru
         return true;
     scene->tier = new_array((size_t)config_setting_length(list), sizeof *scene->tier);
     for (int i = 0; i < config_setting_length(list); i++)
-        if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), frame, scene))
+        if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), root, scene))
             return false;
     return true;
 }

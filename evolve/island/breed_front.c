@@ -33,8 +33,9 @@ static double ratio(const struct island *is, const struct individual *x)
 /* Single precision tells most of the hopeless, in half the time, where it is fine enough for errors so large. */
 static double measured(struct island *is, const struct tree *t, double bound)
 {
-    const bool rank = is->objective->norm == NORM_MEAN && !objective_takes_both(is->objective, is->goal.target) &&
-                      bound > coarse && bound < INFINITY;
+    if (objective_takes_both(is->objective, is->goal.target))
+        return objective_error_in_tails(is->objective, t, is->goal.target, &is->goal.tails, bound);
+    const bool rank = is->objective->norm == NORM_MEAN && bound > coarse && bound < INFINITY;
     if (rank && objective_rank(is->objective, t, is->goal.target, (1 + slack) * bound) == INFINITY)
         return INFINITY;
     return objective_error(is->objective, t, is->goal.target, bound);
@@ -167,7 +168,14 @@ static const struct tree *choose(struct island *is)
     if (gsl_rng_uniform(is->rng) >= is->plan->front_parents)
         return population_choose(is);
     const size_t n = front_count(is->stage);
-    return n > 0 ? &front_member(is->stage, gsl_rng_uniform_int(is->rng, n))->tree : population_choose(is);
+    if (n == 0)
+        return population_choose(is);
+    size_t k = gsl_rng_uniform_int(is->rng, n);
+    if (objective_takes_both(is->objective, is->goal.target)) { /* mostly the dear ones: those near the budget */
+        const size_t other = gsl_rng_uniform_int(is->rng, n);
+        k = other > k ? other : k;
+    }
+    return &front_member(is->stage, k)->tree;
 }
 
 static bool edit(struct island *is, struct tree *child)
@@ -176,6 +184,9 @@ static bool edit(struct island *is, struct tree *child)
     const struct gene_set *genes = is->goal.genes;
     const size_t max = is->goal.max_length;
     const struct tree *t = choose(is), *mate = choose(is);
+    const struct fitting *f = is->goal.fit;
+    if (objective_takes_both(is->objective, is->goal.target))
+        return f->change(f->fits, rng, genes, t, mate, is->goal.target, max, child);
     double at = gsl_rng_uniform(rng);
     int which = 0;
     while (which + 1 < EDITS && (at -= edit_rate[which]) >= 0)

@@ -70,7 +70,7 @@ static void make_children(struct island *is, struct tree *child_a, struct tree *
             tree_mutate_gene(is->rng, is->goal.genes, child[k]);
 }
 
-/* The children stand behind their parents; the last one may come with a twin too many. */
+/* The children stand behind their parents; the last one may come with a brother too many. */
 void breed_paper_step(struct island *is)
 {
     const size_t n = is->plan->population;

@@ -17,7 +17,7 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     is->rng = stream_new();
     is->counter = counter_new(goal->max_length);
     is->frame = frame_cost_new(objective->program, &plan->prices);
-    is->twin = twin_counter_new(objective->twins);
+    is->lines = lines_counter_new(objective->rules);
     is->now = new_array(room, sizeof *is->now);
     is->order = new_array(room, sizeof *is->order);
     is->fate = new_array(room, sizeof *is->fate);
@@ -27,8 +27,8 @@ struct island *island_new(const struct plan *plan, const struct goal *goal, stru
     is->cumulative = new_array(n, sizeof *is->cumulative);
     is->reference = new_array(plan->front_limit + 1, sizeof *is->reference);
     is->cache = new_array((size_t)1 << CACHE_BITS, sizeof *is->cache);
-    is->all = front_new(plan->front_limit, goal->max_length);
-    is->stage = front_new(plan->front_limit, goal->max_length);
+    is->all = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
+    is->stage = front_new(goal->limit ? goal->limit : plan->front_limit, goal->max_length);
     for (size_t i = 0; i < room; i++)
         is->now[i].tree.gene = is->pool + i * goal->max_length;
     is->scratch.gene = is->pool + room * goal->max_length;
@@ -42,7 +42,7 @@ void island_free(struct island *is)
     gsl_rng_free(is->rng);
     counter_free(is->counter);
     frame_cost_free(is->frame);
-    twin_counter_free(is->twin);
+    lines_counter_free(is->lines);
     front_free(is->all);
     front_free(is->stage);
     free(is->now);

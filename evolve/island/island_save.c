@@ -28,7 +28,7 @@ static size_t record_size(const struct island *is)
 
 static size_t records(const struct island *is)
 {
-    return is->plan->population + 2 * (is->plan->front_limit + 1);
+    return is->plan->population + 2 * (is->all->limit + 1);
 }
 
 size_t island_state_size(const struct island *is)
@@ -99,6 +99,8 @@ static bool take_record(const struct island *is, const unsigned char **from, str
     take(from, gene, is->goal.max_length * sizeof *gene);
     if (r->length > is->goal.max_length || !(r->error >= 0) || !(r->cost >= 0) || !(r->fitness >= 0))
         return false;
+    if (objective_takes_both(is->objective, is->goal.target))
+        return r->length == 0 || lines_valid(is->objective->rules, gene, (size_t)r->length);
     for (size_t i = 0; i < r->length; i++)
         if (!known_gene(is->goal.genes, gene[i]))
             return false;
@@ -108,7 +110,7 @@ static bool take_record(const struct island *is, const unsigned char **from, str
 /* Individuals have genes, and members of a front stand at their place with falling errors. */
 static bool check(const struct island *is, const unsigned char *from)
 {
-    const size_t n = is->plan->population, places = is->plan->front_limit + 1;
+    const size_t n = is->plan->population, places = is->all->limit + 1;
     int *gene = new_array(is->goal.max_length, sizeof *gene);
     struct facts f;
     double last = INFINITY;

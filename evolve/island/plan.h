@@ -17,8 +17,9 @@ struct plan {
     size_t population; /* at least 2 */
     size_t migrants;   /* emigrants of one migration, less than population */
     struct prices prices;
-    double parsimony;   /* what an operation (in the cost model) costs, as a fraction of the error */
-    size_t front_limit; /* cost of the costliest trees that a front keeps, at least 1 */
+    struct prices times; /* of programs, as machines take time: over arrays and one at a time, half and half */
+    double parsimony;    /* what an operation (in the cost model) costs, as a fraction of the error */
+    size_t front_limit;  /* cost of the costliest trees that a front keeps, at least 1 */
     /* Of BREED_FRONT alone: */
     double front_parents; /* part of the parents that comes from the front, 0..1 */
     size_t crowd;         /* individuals of one cost in a population, at most; at least 1 */

@@ -19,8 +19,10 @@ void population_count(struct island *is, struct individual *x)
 {
     const bool both = objective_takes_both(is->objective, is->goal.target);
     const struct operation_count o =
-        both ? count_twin_operations(is->twin, &x->tree) : count_operations(is->counter, &x->tree, NULL);
-    x->cost = operations_price(&o, &is->plan->prices) + (both ? 0 : frame_cost_of(is->frame, &x->tree));
+        both ? count_lines(is->lines, &x->tree, objective_last(is->objective, is->goal.target))
+             : count_operations(is->counter, &x->tree, NULL);
+    x->cost = both ? operations_price(&o, &is->plan->times)
+                   : operations_price(&o, &is->plan->prices) + frame_cost_of(is->frame, &x->tree);
     x->hash = o.hash;
 }
 
@@ -66,8 +68,31 @@ const struct tree *population_choose(struct island *is)
     return &is->now[low].tree;
 }
 
+/* One of the front of all times, changed a few times; before there is one, the answer 0, 0. */
+static void random_program(struct island *is, struct tree *t)
+{
+    const struct fitting *f = is->goal.fit;
+    enum { CHANGES = 3 };
+    const struct tree zero = {(int[2]){-1, -1}, 2};
+    const size_t members = front_count(is->all);
+    if (members == 0) {
+        tree_copy(&zero, t);
+        return;
+    }
+    tree_copy(&front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree, t);
+    for (int i = 0; i < CHANGES; i++) {
+        const struct tree *mate = &front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree;
+        if (f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.target, is->goal.max_length, &is->scratch))
+            tree_copy(&is->scratch, t);
+    }
+}
+
 void population_random_tree(struct island *is, size_t k, struct tree *t)
 {
+    if (objective_takes_both(is->objective, is->goal.target)) {
+        random_program(is, t);
+        return;
+    }
     const int depth = SHALLOWEST + (int)(k / 2) % (DEEPEST - SHALLOWEST + 1);
     tree_random(is->rng, is->goal.genes, depth, k % 2 == 0, is->goal.max_length, t);
 }

@@ -31,19 +31,19 @@ struct island {
     bool joined;              /* the stage knows the best of all times */
 
     /* Scratch, and what follows from the rest. */
-    gsl_rng *rng;              /* owned */
-    struct counter *counter;   /* owned */
-    struct frame_cost *frame;  /* owned: of the objective's program */
-    struct twin_counter *twin; /* owned: of twin trees, which cost what they need of the frame with the rest */
-    int *pool;                 /* owned: genes of now[] and of scratch */
-    struct individual *order;  /* owned: as now[] */
-    unsigned char *fate;       /* owned: as now[] */
-    size_t *crowd;             /* owned: how many of each cost */
-    uint64_t *met;             /* owned: hash table */
-    double *cumulative;        /* owned: roulette wheel of the living */
-    double *reference;         /* owned: error at each cost of the stage's front when the generation began */
-    struct tree scratch;       /* in the pool */
-    struct individual best;    /* lowest plan_fitness; its tree is in the front */
+    gsl_rng *rng;                /* owned */
+    struct counter *counter;     /* owned */
+    struct frame_cost *frame;    /* owned: of the objective's program */
+    struct lines_counter *lines; /* owned: of programs, which cost what they need of the frame with the rest */
+    int *pool;                   /* owned: genes of now[] and of scratch */
+    struct individual *order;    /* owned: as now[] */
+    unsigned char *fate;         /* owned: as now[] */
+    size_t *crowd;               /* owned: how many of each cost */
+    uint64_t *met;               /* owned: hash table */
+    double *cumulative;          /* owned: roulette wheel of the living */
+    double *reference;           /* owned: error at each cost of the stage's front when the generation began */
+    struct tree scratch;         /* in the pool */
+    struct individual best;      /* lowest plan_fitness; its tree is in the front */
 };
 
 struct remembered *population_memory(const struct island *is, uint64_t hash);

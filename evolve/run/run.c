@@ -177,7 +177,10 @@ static size_t front_limit(const struct problem *p)
     struct frame_cost *f = frame_cost_new(program, &p->plan.prices);
     double dearest = 0;
     for (size_t i = 0; i < p->scene->tiers; i++)
-        for (size_t k = 0; k < p->scene->tier[i].terminals; k++) {
+        if (p->scene->tier[i].program)
+            dearest = fmax(dearest, p->scene->tier[i].budget);
+    for (size_t i = 0; i < p->scene->tiers; i++)
+        for (size_t k = 0; k < p->scene->tier[i].terminals && !p->scene->tier[i].program; k++) {
             int gene = GENE_SYMBOL + (int)genome_find_symbol(program, p->scene->tier[i].terminal[k]);
             const struct tree t = {&gene, 1};
             dearest = fmax(dearest, frame_cost_of(f, &t));
@@ -258,6 +261,8 @@ static enum stop_reason prepare(const struct call *call, struct problem *p, cons
     for (size_t i = 0; i < p->scene->tiers; i++)
         if (problem_chooses(p, i))
             archive_choose_values(p->archive, i, o->generations > 0);
+    if (o->generations > 0 && o->growth == GROWTH_YES)
+        compose_all_seeds(p);
     if (o->generations > 0 && o->growth == GROWTH_YES && !call->resume)
         reason = grow_seeds(call, p);
     archive_measure(p->archive, &p->plan, p->objective, o->max_length);
@@ -292,6 +297,14 @@ static bool starts_at_random(const struct islands *s, size_t place)
     return s->places > 1 && place == s->places - 1;
 }
 
+/* A program dearer than its tier's budget is of use as an ancestor only, and hardly so where it is much dearer. */
+static size_t islands_limit(const struct problem *p, size_t tier)
+{
+    const struct tier *t = &p->scene->tier[tier];
+    const size_t limit = (size_t)(1.06 * t->budget);
+    return t->program && limit > 0 && limit < p->plan.front_limit ? limit : p->plan.front_limit;
+}
+
 /* The islands of this rank; those of a resumed run are still to be loaded. */
 static void make_islands(const struct call *call, const struct problem *p, struct islands *s)
 {
@@ -299,8 +312,10 @@ static void make_islands(const struct call *call, const struct problem *p, struc
         const struct ring *ring = &s->ring[i / s->places];
         struct tree *seed;
         const size_t seeds = archive_seeds(p->archive, ring->tier, ring->output, ring->max_length, &seed);
-        const bool random = starts_at_random(s, i % s->places);
-        const struct goal goal = {.target = frame_target(p->archive->program, ring->output),
+        const bool random = starts_at_random(s, i % s->places) && ring->output < TIER_BOTH;
+        const struct goal goal = {.target = archive_target(p->archive, ring->tier, ring->output),
+                                  .tails = p->archive->tails[ring->tier],
+                                  .limit = islands_limit(p, ring->tier),
                                   .max_length = ring->max_length,
                                   .genes = &p->genes[ring->tier],
                                   .ring = ring_key(ring),
@@ -360,8 +375,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         const size_t island = f.found[i].island;
         const struct tree *t = &f.found[i].tree;
         const struct ring *ring = &s->ring[island / s->places];
-        const double error =
-            objective_error(p->objective, t, frame_target(p->archive->program, ring->output), INFINITY);
+        const double error = archive_error(p->archive, p->objective, ring->tier, ring->output, t);
         archive_offer(p->archive, &p->plan, ring->tier, ring->output, t, error,
                       s->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
         members++;

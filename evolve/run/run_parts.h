@@ -40,13 +40,13 @@ struct problem {
 /** Genes of the longest expression of a tier. */
 static inline size_t problem_longest(const struct problem *p, size_t tier)
 {
-    return p->max_length ? p->max_length : p->scene->tier[tier].max_length;
+    return p->max_length && !p->scene->tier[tier].program ? p->max_length : p->scene->tier[tier].max_length;
 }
 
 /** Expressions of one gene are chosen among the frame's values: nothing to evolve. */
 static inline bool problem_chooses(const struct problem *p, size_t tier)
 {
-    return !p->scene->tier[tier].twin && problem_longest(p, tier) == 1;
+    return !p->scene->tier[tier].program && problem_longest(p, tier) == 1;
 }
 
 /** How far it has come. */

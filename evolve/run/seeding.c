@@ -1,4 +1,4 @@
-/* Grown seeds; see seeding.h.  Those of twin trees are composed, on every rank alike.  A job grows one kind of tree
+/* Grown seeds; see seeding.h.  Those of programs are composed, on every rank alike, and again where a run is resumed.  A job grows one kind of tree
  * for one output from one base; its rank tells the others what it found, in the order of the jobs. */
 #include "seeding.h"
 
@@ -106,14 +106,22 @@ static void keep(const struct problem *p, const struct job *job, int *number, si
     }
 }
 
-/* Hand-written methods, composed of the functions of a tier of twin trees, to breed from. */
+/* Hand-written methods, composed of the functions of a tier of programs, to breed from. */
 static void compose_seeds(const struct problem *p, size_t tier)
 {
     struct front *found = front_new(p->plan.front_limit, problem_longest(p, tier));
-    compose_twins(&p->genes[tier], p->objective, &p->plan.prices, found);
+    compose_programs(&p->scene->tier[tier], &p->genes[tier], p->objective, archive_target(p->archive, tier, TIER_BOTH),
+                     &p->plan.times, found);
     for (size_t k = 0; k < front_count(found); k++)
         archive_add_seed(p->archive, (long)tier, TIER_BOTH, &front_member(found, k)->tree);
     front_free(found);
+}
+
+void compose_all_seeds(const struct problem *p)
+{
+    for (size_t i = 0; i < p->scene->tiers; i++)
+        if (p->scene->tier[i].program)
+            compose_seeds(p, i);
 }
 
 /* Why no other job should begin: a signal, or less time left than one of `job` seconds and the end may take, which is
@@ -133,9 +141,6 @@ enum stop_reason grow_seeds(const struct call *call, const struct problem *p)
     const double started = seconds_now();
     double longest = 0;
     enum stop_reason reason = STOP_DONE;
-    for (size_t i = 0; i < p->scene->tiers; i++)
-        if (p->scene->tier[i].twin)
-            compose_seeds(p, i);
     int **found = new_array(jobs.n, sizeof *found);
     size_t *numbers = new_array(jobs.n, sizeof *numbers);
     for (size_t i = rank; i < jobs.n && (reason = must_end(call, started, longest)) == STOP_DONE; i += ranks) {

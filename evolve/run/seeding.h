@@ -9,4 +9,7 @@
  *  limit), or STOP_DONE. */
 enum stop_reason grow_seeds(const struct call *call, const struct problem *p);
 
+/** Compositions of functions become seeds of the tiers of programs.  Not collective: all ranks find the same. */
+void compose_all_seeds(const struct problem *p);
+
 #endif

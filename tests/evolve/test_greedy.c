@@ -10,7 +10,7 @@ static const int symbol[SYMBOLS] = {X, Y, Z, W};
 static int setup(void **state)
 {
     struct fixture *f = fixture_new(3, SAMPLES, SYMBOLS, 1);
-    f->front.prices = (struct prices){0.1, 1};
+    f->front.prices = (struct prices){0.1, 1, 0};
     *state = f;
     return 0;
 }

@@ -157,7 +157,7 @@ static void prices(void **state)
     const struct tree t = parse("%+x*xy+1y", gene);
     const struct operation_count o = count_operations(c, &t, NULL);
     assert_true(operations_price(&o, &(struct prices){.add = 0, .div = 1}) == 2);
-    assert_true(operations_price(&o, &(struct prices){.add = 1, .div = 8}) == 11);
+    assert_true(operations_price(&o, &(struct prices){.add = 1, .div = 8, .path = 0}) == 11);
     gene[0] = GENE_MIN;
     const struct operation_count p = count_operations(c, &t, NULL);
     assert_int_equal(p.other, 1);

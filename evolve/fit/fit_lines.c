@@ -1,8 +1,8 @@
-/* Fits of twin trees; see fit_twin.h.  A loss of the error e is the square of what GSL is given as the residual:
+/* Fits of programs; see fit_lines.h.  A loss of the error e is the square of what GSL is given as the residual:
  *   mean   e / sqrt(s + sqrt(e^2 + s^2)), whose square is sqrt(e^2 + s^2) - s, with s small beside the mean error;
  *   max    |e / s|^(p/2) with s the largest error and growing p;
  *   99 %   the same with s the 99 % error, and beyond s, where outliers are let go, sqrt(1 + p - p s / |e|). */
-#include "fit_twin.h"
+#include "fit_lines.h"
 
 #include "../common/decimal.h"
 #include "../eval/errors.h"
@@ -17,7 +17,7 @@
 static const double hopeless = 1e100, largest = 9e9; /* residual where there is no number; of decimals */
 
 struct task {
-    struct twin_run *run;
+    struct lines_run *run;
     enum scene_norm norm;
     double scale;
     int power;
@@ -49,7 +49,7 @@ static double residual_of(const struct task *t, double e, double *slope)
 
 static bool set_numbers(const struct task *t, const gsl_vector *x)
 {
-    const struct twin_code *c = t->run->code;
+    const struct lines *c = t->run->code;
     bool good = true;
     for (size_t i = 0; i < c->numbers; i++) {
         c->line[c->number[i]].number = gsl_vector_get(x, i);
@@ -59,12 +59,12 @@ static bool set_numbers(const struct task *t, const gsl_vector *x)
 }
 
 /* Calls for each block, half by half. */
-static size_t block_size(const struct twin_run *r, size_t row)
+static size_t block_size(const struct lines_run *r, size_t row)
 {
     return r->table->n - row < TAPE_BLOCK ? r->table->n - row : TAPE_BLOCK;
 }
 
-static double error_at(const struct twin_run *r, size_t row, size_t k, size_t half)
+static double error_at(const struct lines_run *r, size_t row, size_t k, size_t half)
 {
     return r->value[r->code->root[half]][k] - columns_at(r->table, r->table->count - 2 + half)[row + k];
 }
@@ -72,14 +72,14 @@ static double error_at(const struct twin_run *r, size_t row, size_t k, size_t ha
 static int residuals(const gsl_vector *x, void *context, gsl_vector *f)
 {
     const struct task *t = context;
-    struct twin_run *r = t->run;
+    struct lines_run *r = t->run;
     double slope;
     if (!set_numbers(t, x)) {
         gsl_vector_set_all(f, hopeless);
         return GSL_SUCCESS;
     }
     for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
-        twin_values(r, row);
+        lines_values(r, row);
         for (size_t half = 0; half < 2; half++)
             for (size_t k = 0; k < block_size(r, row); k++)
                 gsl_vector_set(f, half * r->table->n + row + k, residual_of(t, error_at(r, row, k, half), &slope));
@@ -90,12 +90,12 @@ static int residuals(const gsl_vector *x, void *context, gsl_vector *f)
 static int derivatives(const gsl_vector *x, void *context, gsl_matrix *J)
 {
     const struct task *t = context;
-    struct twin_run *r = t->run;
+    struct lines_run *r = t->run;
     set_numbers(t, x);
     for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
-        twin_values(r, row);
+        lines_values(r, row);
         for (size_t half = 0; half < 2; half++) {
-            twin_slopes(r, (int)half);
+            lines_slopes(r, (int)half);
             for (size_t k = 0; k < block_size(r, row); k++) {
                 double slope;
                 residual_of(t, error_at(r, row, k, half), &slope);
@@ -111,12 +111,12 @@ static int derivatives(const gsl_vector *x, void *context, gsl_matrix *J)
 }
 
 /* Absolute errors into error[0..2n-1]; their mean. */
-static double measure(struct twin_run *r, double *error)
+static double measure(struct lines_run *r, double *error)
 {
     const size_t n = r->table->n;
     double sum = 0;
     for (size_t row = 0; row < n; row += TAPE_BLOCK) {
-        twin_values(r, row);
+        lines_values(r, row);
         for (size_t half = 0; half < 2; half++)
             for (size_t k = 0; k < block_size(r, row); k++)
                 sum += error[half * n + row + k] = fabs(error_at(r, row, k, half));
@@ -149,10 +149,11 @@ static void descend(struct task *t, gsl_multifit_nlinear_workspace *w, gsl_vecto
     set_numbers(t, x);
 }
 
-bool twin_fit(struct twin_run *r, const struct tree *in, enum scene_norm norm, int iterations, struct tree *out)
+bool lines_fit(struct lines_run *r, const struct tree *in, int last, enum scene_norm norm, int iterations,
+               struct tree *out)
 {
     struct task t = {r, norm, 1, 2};
-    twin_load(r, in);
+    lines_run_load(r, in, last, false);
     const size_t numbers = r->code->numbers, n = 2 * r->table->n;
     if (numbers == 0 || numbers > n)
         return false;
@@ -171,9 +172,8 @@ bool twin_fit(struct twin_run *r, const struct tree *in, enum scene_norm norm, i
     }
     gsl_set_error_handler(handler);
     tree_copy(in, out);
-    for (size_t i = 0, k = 0; i < in->length; i++)
-        if (in->gene[i] < 0)
-            out->gene[i] = decimal_gene(gsl_vector_get(x, k++));
+    for (size_t i = 0; i < numbers; i++)
+        out->gene[r->code->place[i]] = decimal_gene(gsl_vector_get(x, i));
     free(error);
     gsl_vector_free(x);
     gsl_multifit_nlinear_free(w);

@@ -1,12 +1,12 @@
-/* Operations of twin trees; see operation_count.h.  The lets that the lines need are counted with them, operation by
+/* Operations of programs; see operation_count.h.  The lets that the lines need are counted with them, operation by
  * operation, so that what a function has in common with the frame's values is counted once. */
 #include "operation_count.h"
 
 #include <stdlib.h>
 
-struct twin_counter {
+struct lines_counter {
     const struct genome_file *program; /* not owned */
-    struct twin_code *code;            /* owned, as are these */
+    struct lines *code;                /* owned, as are these */
     struct counter *counter;
     size_t capacity, symbols, let_genes;
     struct operand *value, *stack, *line; /* by symbol; of the lets on their way; by line */
@@ -14,11 +14,11 @@ struct twin_counter {
     unsigned *round, now; /* by symbol: the count in which its value was made */
 };
 
-struct twin_counter *twin_counter_new(const struct twins *t)
+struct lines_counter *lines_counter_new(const struct line_rules *t)
 {
-    struct twin_counter *c = new_array(1, sizeof *c);
+    struct lines_counter *c = new_array(1, sizeof *c);
     c->program = t->program;
-    c->code = twin_code_new(t);
+    c->code = lines_new(t);
     c->symbols = t->symbols;
     for (size_t i = 0; i + t->program->inputs < c->symbols; i++)
         c->let_genes += t->program->let[i].length;
@@ -28,11 +28,11 @@ struct twin_counter *twin_counter_new(const struct twins *t)
     return c;
 }
 
-void twin_counter_free(struct twin_counter *c)
+void lines_counter_free(struct lines_counter *c)
 {
     if (!c)
         return;
-    twin_code_free(c->code);
+    lines_free(c->code);
     counter_free(c->counter);
     free(c->value);
     free(c->round);
@@ -41,16 +41,16 @@ void twin_counter_free(struct twin_counter *c)
     free(c);
 }
 
-static struct operand value_of_symbol(struct twin_counter *c, size_t symbol, struct operand *stack);
+static struct operand value_of_symbol(struct lines_counter *c, size_t symbol, struct operand *stack);
 
-static struct operand value_of_leaf(struct twin_counter *c, int gene, struct operand *stack)
+static struct operand value_of_leaf(struct lines_counter *c, int gene, struct operand *stack)
 {
     return gene < 0 ? counter_number(c->counter, c->program->constant[-1 - gene].value)
                     : value_of_symbol(c, (size_t)(gene - GENE_SYMBOL), stack);
 }
 
 /* stack: room for what this let and those that it needs have on their way. */
-static struct operand value_of_symbol(struct twin_counter *c, size_t symbol, struct operand *stack)
+static struct operand value_of_symbol(struct lines_counter *c, size_t symbol, struct operand *stack)
 {
     if (c->round[symbol] == c->now)
         return c->value[symbol];
@@ -76,7 +76,7 @@ static struct operand value_of_symbol(struct twin_counter *c, size_t symbol, str
     return c->value[symbol] = value;
 }
 
-static void reserve(struct twin_counter *c, size_t lines)
+static void reserve(struct lines_counter *c, size_t lines)
 {
     if (lines > c->line_room) {
         free(c->line);
@@ -90,15 +90,15 @@ static void reserve(struct twin_counter *c, size_t lines)
     }
 }
 
-struct operation_count count_twin_operations(struct twin_counter *c, const struct tree *t)
+struct operation_count count_lines(struct lines_counter *c, const struct tree *t, int last)
 {
-    struct twin_code *code = c->code;
-    twin_translate(code, t, false);
+    struct lines *code = c->code;
+    lines_load(code, t, last, LINES_WHOLE);
     reserve(c, code->lines);
     counter_begin(c->counter);
     c->now++;
     for (size_t i = 0; i < code->lines; i++) {
-        const struct twin_line *x = &code->line[i];
+        const struct line *x = &code->line[i];
         if (!code->needed[i])
             continue;
         if (x->gene >= GENE_SYMBOL)

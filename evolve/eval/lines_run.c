@@ -1,26 +1,29 @@
-/* The evaluator of twin trees; see twin_tape.h.  Lines run over blocks of samples, one after the other.  Where values
+/* The evaluator of programs; see lines_run.h.  Lines run over blocks of samples, one after the other.  Where values
  * alone are wanted a block is used again once no later line needs it, so that those in use stay in the first-level
  * cache.  All widths of registers give the same bits: values, because every sample goes through the same rounded
  * operations; sums, because they run in WIDE_LANES lanes, sample i of a block in lane i mod WIDE_LANES. */
-#include "twin_tape.h"
+#include "lines_run.h"
 
 #include "tape_blocks.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-struct twin_run *twin_run_new(const struct twins *t, const struct columns *table)
+enum { SCREEN = 4 * TAPE_BLOCK }; /* samples on which the hopeless show */
+static const double hopeless = 3;
+
+struct lines_run *lines_run_new(const struct line_rules *t, const struct columns *table)
 {
-    struct twin_run *r = new_array(1, sizeof *r);
-    *r = (struct twin_run){.table = table, .code = twin_code_new(t)};
+    struct lines_run *r = new_array(1, sizeof *r);
+    *r = (struct lines_run){.table = table, .code = lines_new(t)};
     return r;
 }
 
-void twin_run_free(struct twin_run *r)
+void lines_run_free(struct lines_run *r)
 {
     if (!r)
         return;
-    twin_code_free(r->code);
+    lines_free(r->code);
     free(r->value);
     free(r->slope);
     free(r->block);
@@ -28,11 +31,6 @@ void twin_run_free(struct twin_run *r)
     free(r->place);
     free(r->varies);
     free(r);
-}
-
-static bool is_operation(const struct twin_line *x)
-{
-    return x->a >= 0;
 }
 
 static void reserve_blocks(double **block, size_t *room, size_t blocks)
@@ -45,35 +43,38 @@ static void reserve_blocks(double **block, size_t *room, size_t blocks)
 }
 
 /* last[i]: the last line that needs line i; roots are needed to the end. */
-static void find_last_uses(const struct twin_code *c, int *last)
+static void find_last_uses(const struct lines *c, int *last)
 {
     for (size_t i = 0; i < c->lines; i++) {
-        const struct twin_line *x = &c->line[i];
+        const struct line *x = &c->line[i];
         last[i] = -1;
-        if (!c->needed[i] || !is_operation(x))
+        if (!c->needed[i] || !line_is_operation(x))
             continue;
         last[x->a] = (int)i;
         if (x->b >= 0)
             last[x->b] = (int)i;
     }
+    for (size_t i = 0; i < c->lines; i++)
+        if (c->divides[i]) /* looked at in the end, as the answers are */
+            last[i] = (int)c->lines;
     last[c->root[0]] = last[c->root[1]] = (int)c->lines;
 }
 
 /* A block for each line that is no symbol; returns how many there are. */
-static size_t share_blocks(struct twin_run *r)
+static size_t share_blocks(struct lines_run *r)
 {
-    const struct twin_code *c = r->code;
+    const struct lines *c = r->code;
     int *last = new_array(c->lines, sizeof *last);
     size_t *idle = new_array(c->lines, sizeof *idle), n = 0, blocks = 0;
     find_last_uses(c, last);
     for (size_t i = 0; i < c->lines; i++) {
-        const struct twin_line *x = &c->line[i];
+        const struct line *x = &c->line[i];
         if (!c->needed[i] || x->gene >= GENE_SYMBOL)
             continue;
-        r->place[i] = n > 0 && !r->all && is_operation(x) ? idle[--n] : blocks++;
-        for (int k = 0; k < 2 && is_operation(x); k++) { /* a line never writes where it reads */
+        r->place[i] = n > 0 && !r->all && line_is_operation(x) ? idle[--n] : blocks++;
+        for (int k = 0; k < 2 && line_is_operation(x); k++) { /* a line never writes where it reads */
             const int from = k ? x->b : x->a;
-            if (from < 0 || (k && x->b == x->a) || last[from] != (int)i || !is_operation(&c->line[from]))
+            if (from < 0 || (k && x->b == x->a) || last[from] != (int)i || !line_is_operation(&c->line[from]))
                 continue;
             idle[n++] = r->place[from];
         }
@@ -83,11 +84,11 @@ static size_t share_blocks(struct twin_run *r)
     return blocks;
 }
 
-static void translate(struct twin_run *r, const struct tree *t, bool apart)
+static void take(struct lines_run *r, const struct tree *t, int last, enum lines_use use)
 {
-    struct twin_code *c = r->code;
-    r->all = apart;
-    twin_translate(c, t, apart);
+    struct lines *c = r->code;
+    r->all = use == LINES_APART;
+    lines_load(c, t, last, use);
     if (c->lines > r->room) {
         r->room = 2 * c->lines;
         free(r->value);
@@ -102,10 +103,10 @@ static void translate(struct twin_run *r, const struct tree *t, bool apart)
     reserve_blocks(&r->block, &r->block_room, share_blocks(r));
 }
 
-WIDE static void fill_numbers(struct twin_run *r)
+WIDE static void fill_numbers(struct lines_run *r)
 {
     for (size_t i = 0; i < r->code->lines; i++) {
-        const struct twin_line *x = &r->code->line[i];
+        const struct line *x = &r->code->line[i];
         if (!r->code->needed[i] || x->gene >= 0)
             continue;
         double *to = r->block + r->place[i] * TAPE_BLOCK;
@@ -114,11 +115,11 @@ WIDE static void fill_numbers(struct twin_run *r)
     }
 }
 
-WIDE static void run_block(struct twin_run *r, size_t row)
+WIDE static void run_block(struct lines_run *r, size_t row)
 {
-    const struct twin_code *c = r->code;
+    const struct lines *c = r->code;
     for (size_t i = 0; i < c->lines; i++) {
-        const struct twin_line *x = &c->line[i];
+        const struct line *x = &c->line[i];
         if (!c->needed[i] || x->gene < 0)
             continue;
         if (x->gene >= GENE_SYMBOL) {
@@ -131,7 +132,7 @@ WIDE static void run_block(struct twin_run *r, size_t row)
     }
 }
 
-static const double *goal_of(const struct twin_run *r, int half)
+static const double *goal_of(const struct lines_run *r, int half)
 {
     return columns_at(r->table, r->table->count - 2 + (size_t)half);
 }
@@ -146,10 +147,10 @@ WIDE static void add_errors(const double *value, const double *goal, size_t n, d
         lane[k % WIDE_LANES] += fabs(value[k] - goal[k]);
 }
 
-double twin_error_sum(struct twin_run *r, const struct tree *t, double bound)
+double lines_error_sum(struct lines_run *r, const struct tree *t, int last, double bound)
 {
     double lane[WIDE_LANES] = {0}, sum = 0;
-    translate(r, t, false);
+    take(r, t, last, LINES_WHOLE);
     fill_numbers(r);
     for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
         const size_t left = r->table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
@@ -160,16 +161,16 @@ double twin_error_sum(struct twin_run *r, const struct tree *t, double bound)
         sum = 0;
         for (int j = 0; j < WIDE_LANES; j++)
             sum += lane[j];
-        if (!(sum <= bound))
+        if (!(sum <= bound) || (row + n == SCREEN && sum > hopeless * bound * SCREEN / (double)r->table->n))
             return INFINITY;
     }
     return isfinite(sum) ? sum : INFINITY;
 }
 
-void twin_errors(struct twin_run *r, const struct tree *t, double *error)
+void lines_errors(struct lines_run *r, const struct tree *t, int last, double *error)
 {
     const size_t all = r->table->n;
-    translate(r, t, false);
+    take(r, t, last, LINES_WHOLE);
     fill_numbers(r);
     for (size_t row = 0; row < all; row += TAPE_BLOCK) {
         const size_t left = all - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
@@ -185,27 +186,46 @@ void twin_errors(struct twin_run *r, const struct tree *t, double *error)
     }
 }
 
-void twin_load(struct twin_run *r, const struct tree *t)
+bool lines_keep_signs(struct lines_run *r)
 {
-    translate(r, t, true);
-    memset(r->varies, 0, r->code->lines * sizeof *r->varies);
+    const struct lines *c = r->code;
+    int *sign = new_array(c->lines, sizeof *sign);
+    bool good = true;
+    for (size_t row = 0; good && row < r->table->n; row += TAPE_BLOCK) {
+        const size_t left = r->table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
+        run_block(r, row);
+        for (size_t i = 0; good && i < c->lines; i++)
+            for (size_t k = 0; good && c->divides[i] && k < n; k++) {
+                const int own = r->value[i][k] > 0 ? 1 : r->value[i][k] < 0 ? -1 : 0;
+                good = own != 0 && (sign[i] == 0 || sign[i] == own);
+                sign[i] = own;
+            }
+    }
+    free(sign);
+    return good;
+}
+
+void lines_run_load(struct lines_run *r, const struct tree *t, int last, bool all)
+{
+    take(r, t, last, LINES_APART);
+    memset(r->varies, all, r->code->lines * sizeof *r->varies);
     for (size_t i = 0; i < r->code->numbers; i++)
         r->varies[r->code->number[i]] = true;
     for (size_t i = 0; i < r->code->lines; i++) {
-        const struct twin_line *x = &r->code->line[i];
-        if (is_operation(x))
+        const struct line *x = &r->code->line[i];
+        if (line_is_operation(x) && !all)
             r->varies[i] = r->varies[x->a] || (x->b >= 0 && r->varies[x->b]);
     }
     reserve_blocks(&r->slopes, &r->slope_room, r->code->lines + 2);
 }
 
-void twin_values(struct twin_run *r, size_t row)
+void lines_values(struct lines_run *r, size_t row)
 {
     fill_numbers(r);
     run_block(r, row);
 }
 
-WIDE static void add_block(struct twin_run *r, int line, const double *more)
+WIDE static void add_block(struct lines_run *r, int line, const double *more)
 {
     double *to = r->slopes + ((size_t)line + 2) * TAPE_BLOCK;
     if (r->slope[line])
@@ -216,17 +236,17 @@ WIDE static void add_block(struct twin_run *r, int line, const double *more)
 }
 
 /* Slopes of the operands of a line, into the first two blocks. */
-WIDE static void pass_down(struct twin_run *r, size_t i)
+WIDE static void pass_down(struct lines_run *r, size_t i)
 {
-    const struct twin_line *x = &r->code->line[i];
+    const struct line *x = &r->code->line[i];
     const int b = x->b >= 0 ? x->b : x->a;
     double *sa = r->slopes, *sb = r->slopes + TAPE_BLOCK;
     slope_of(x->gene, r->slope[i], r->value[i], r->value[x->a], r->value[b], sa, sb);
 }
 
-void twin_slopes(struct twin_run *r, int half)
+void lines_slopes(struct lines_run *r, int half)
 {
-    const struct twin_code *c = r->code;
+    const struct lines *c = r->code;
     double one[TAPE_BLOCK];
     for (size_t k = 0; k < TAPE_BLOCK; k++)
         one[k] = 1;
@@ -234,8 +254,8 @@ void twin_slopes(struct twin_run *r, int half)
         r->slope[i] = NULL;
     add_block(r, c->root[half], one);
     for (size_t i = c->lines; i-- > 0;) {
-        const struct twin_line *x = &c->line[i];
-        if (!r->slope[i] || !r->varies[i] || !is_operation(x))
+        const struct line *x = &c->line[i];
+        if (!r->slope[i] || !r->varies[i] || !line_is_operation(x))
             continue;
         pass_down(r, i);
         if (r->varies[x->a])

@@ -1,0 +1,42 @@
+/* Values, errors and derivatives of programs over the samples of a table, block by block. */
+#ifndef FOOTPOINT_LINES_RUN_H
+#define FOOTPOINT_LINES_RUN_H
+
+#include "../genotype/line_program.h"
+#include "kernel.h"
+
+/** Workspace for one table, whose last two columns are the true xi and eta. */
+struct lines_run {
+    const struct columns *table; /* not owned */
+    struct lines *code;          /* owned: the program */
+    const double **value;        /* owned: by line; blocks or rows of the table */
+    double **slope;              /* owned: by line; NULL where none is wanted */
+    double *block, *slopes;      /* owned */
+    size_t *place;               /* owned: by line; its block */
+    bool *varies;                /* owned: by line; what its slope is wanted for is among what it depends on */
+    size_t room, block_room, slope_room;
+    bool all;    /* every line keeps its block */
+    double work; /* lines times samples evaluated for errors so far */
+};
+struct lines_run *lines_run_new(const struct line_rules *t, const struct columns *table);
+void lines_run_free(struct lines_run *r);
+
+/** Sum over all samples of |xi - true xi| + |eta - true eta|.  INFINITY once it exceeds `bound`, or on the first samples
+ *  is far above what that leaves them, at the same block on every machine, and where a value is not finite.
+ *  @param[in] last  function that the program ends in; -1: none */
+double lines_error_sum(struct lines_run *r, const struct tree *t, int last, double bound);
+/** error[0..n-1] of xi, error[n..2n-1] of eta: absolute ones, INFINITY where a value is not a number. */
+void lines_errors(struct lines_run *r, const struct tree *t, int last, double *error);
+/** Whether the divisors of the program of lines_errors() are of one sign on all samples, each. */
+bool lines_keep_signs(struct lines_run *r);
+
+/** Take a program to be fitted: its numbers become line[number[i]].number.
+ *  @param[in] all  slopes of all lines are wanted, not only of those that a number is among */
+void lines_run_load(struct lines_run *r, const struct tree *t, int last, bool all);
+/** Values of all lines, in value[], for TAPE_BLOCK samples from `row` on. */
+void lines_values(struct lines_run *r, size_t row);
+/** slope[i] = d root / d line i at these samples, of all lines that lead to a number and from there to a root.
+ *  @param[in] half  which root: 0 xi, 1 eta */
+void lines_slopes(struct lines_run *r, int half);
+
+#endif

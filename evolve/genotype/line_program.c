@@ -1,0 +1,590 @@
+/* Programs; see line_program.h.  Equal values are found by a hash table of lines; a function of the frame is compiled once: the
+ * lets of its body become lines. */
+#include "line_program.h"
+
+#include "../common/decimal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NUMBER = LINE_NUMBER, PARAMETER = -2 }; /* genes of leaves; a parameter's half is its operand a */
+
+struct line_body {
+    struct line *line; /* owned */
+    size_t lines, room;
+    int to[2];
+};
+
+struct line_slot {
+    unsigned round;
+    int line;
+};
+
+/* ---- functions ---- */
+
+/* What compiles one function. */
+struct compiler {
+    const struct genome_file *program;
+    const struct genome_function *function;
+    struct line_body *body;
+    int *symbol, *local; /* owned: lines of symbols, and of the function's parameters and lets; -1: none yet */
+};
+
+static int add_body_line(struct line_body *b, struct line line)
+{
+    grow_array(&b->line, b->lines, &b->room, sizeof *b->line);
+    b->line[b->lines] = line;
+    return (int)b->lines++;
+}
+
+static int line_of_gene(struct compiler *c, int gene);
+
+static int line_of_let(struct compiler *c, const struct genome_expr *let)
+{
+    int *stack = new_array(let->length, sizeof *stack), *top = stack;
+    for (size_t i = let->length; i-- > 0;) {
+        const int arity = gene_arity(let->gene[i]);
+        if (arity == 0) {
+            *top++ = line_of_gene(c, let->gene[i]);
+        } else {
+            const int a = *--top, b = arity == 2 ? *--top : -1;
+            *top++ = add_body_line(c->body, (struct line){let->gene[i], a, b, 0});
+        }
+    }
+    const int root = *--top;
+    free(stack);
+    return root;
+}
+
+static int line_of_local(struct compiler *c, int local)
+{
+    const int lets = c->function->first_let - GENE_LOCAL;
+    if (local < lets)
+        return add_body_line(c->body, (struct line){PARAMETER, local, -1, 0});
+    return line_of_let(c, &c->function->let[local - lets]);
+}
+
+static int line_of_gene(struct compiler *c, int gene)
+{
+    if (gene < 0)
+        return add_body_line(c->body, (struct line){NUMBER, -1, -1, c->program->constant[-1 - gene].value});
+    int *line = gene >= GENE_LOCAL ? &c->local[gene - GENE_LOCAL] : &c->symbol[gene - GENE_SYMBOL];
+    if (*line < 0)
+        *line = gene >= GENE_LOCAL ? line_of_local(c, gene - GENE_LOCAL)
+                                   : add_body_line(c->body, (struct line){gene, -1, -1, 0});
+    return *line;
+}
+
+static int *no_lines(size_t n)
+{
+    int *line = new_array(n, sizeof *line);
+    for (size_t i = 0; i < n; i++)
+        line[i] = -1;
+    return line;
+}
+
+/* Functions that are not of a pair stay without a body. */
+static struct line_body compile(const struct genome_file *f, const struct genome_function *function)
+{
+    struct line_body b = {0};
+    if (!genome_function_of_pair(function))
+        return b;
+    const size_t locals = (size_t)(function->first_let - GENE_LOCAL) + function->lets;
+    struct compiler c = {f, function, &b, no_lines(f->inputs + f->lets), no_lines(locals)};
+    for (int k = 0; k < 2; k++)
+        b.to[k] = line_of_gene(&c, function->result[k].gene);
+    free(c.symbol);
+    free(c.local);
+    return b;
+}
+
+int line_function(const struct genome_file *program, const char *name)
+{
+    const long k = genome_find_function(program, name);
+    return k < 0 || !genome_function_of_pair(&program->function[k]) ? -1 : (int)k;
+}
+
+/* ---- lengths ---- */
+
+static int power_of(int gene, int a, int b)
+{
+    if (gene == GENE_SQRT)
+        return a == ANY_POWER || a % 2 != 0 ? ANY_POWER : a / 2;
+    if (gene_arity(gene) == 1)
+        return a;
+    if (gene == GENE_MUL || gene == GENE_DIV || gene == GENE_PDIV) {
+        const int sum = gene == GENE_MUL ? a + b : a - b;
+        return a == ANY_POWER || b == ANY_POWER || sum < -100 || sum > 100 ? ANY_POWER : sum;
+    }
+    return a == b ? a : ANY_POWER;
+}
+
+/* Lets of a frame; those of unlike sums are of any. */
+static void find_powers(struct line_rules *r)
+{
+    const struct genome_file *f = r->program;
+    for (size_t i = 0; i < f->inputs; i++)
+        r->power[i] = 1;
+    for (size_t k = 0; k < f->lets; k++) {
+        const struct genome_expr *let = &f->let[k];
+        int *stack = new_array(let->length, sizeof *stack), *top = stack;
+        for (size_t i = let->length; i-- > 0;) {
+            const int gene = let->gene[i], arity = gene_arity(gene);
+            if (arity == 0) {
+                *top++ = gene < 0 ? 0 : r->power[gene - GENE_SYMBOL];
+            } else {
+                const int a = *--top, b = arity == 2 ? *--top : a;
+                *top++ = power_of(gene, a, b);
+            }
+        }
+        r->power[f->inputs + k] = (signed char)stack[0];
+        free(stack);
+    }
+}
+
+void lines_powers(const struct lines *c, signed char *power)
+{
+    for (size_t i = 0; i < c->lines; i++) {
+        const struct line *x = &c->line[i];
+        if (line_is_operation(x))
+            power[i] = (signed char)power_of(x->gene, power[x->a], power[x->b >= 0 ? x->b : x->a]);
+        else
+            power[i] = x->gene < 0 ? (x->number == 0 ? ANY_POWER : 0) : c->rules->power[x->gene - GENE_SYMBOL];
+    }
+}
+
+/* ---- rules ---- */
+
+struct line_rules *line_rules_new(const struct genome_file *program)
+{
+    struct line_rules *r = new_array(1, sizeof *r);
+    *r = (struct line_rules){.program = program, .symbols = program->inputs + program->lets};
+    r->partner = new_array(r->symbols, sizeof *r->partner);
+    r->power = new_array(r->symbols, sizeof *r->power);
+    for (size_t i = 0; i < r->symbols; i++)
+        r->partner[i] = i;
+    for (size_t i = 0; i < program->exchanges; i++)
+        for (int k = 0; k < 2; k++)
+            r->partner[program->exchange[i][k]] = program->exchange[i][1 - k];
+    find_powers(r);
+    r->body = new_array(program->functions, sizeof *r->body);
+    for (size_t i = 0; i < program->functions; i++)
+        r->body[i] = compile(program, &program->function[i]);
+    return r;
+}
+
+void line_rules_free(struct line_rules *r)
+{
+    if (!r)
+        return;
+    for (size_t i = 0; i < r->program->functions; i++)
+        free(r->body[i].line);
+    free(r->body);
+    free(r->partner);
+    free(r->power);
+    free(r);
+}
+
+/* ---- lines ---- */
+
+struct lines *lines_new(const struct line_rules *r)
+{
+    struct lines *c = new_array(1, sizeof *c);
+    c->rules = r;
+    return c;
+}
+
+void lines_free(struct lines *c)
+{
+    if (!c)
+        return;
+    free(c->line);
+    free(c->needed);
+    free(c->divides);
+    free(c->number);
+    free(c->place);
+    free(c->slot);
+    free(c->map);
+    free(c);
+}
+
+static size_t place_of(const struct lines *c, const struct line *x)
+{
+    uint64_t bits, h;
+    memcpy(&bits, &x->number, sizeof bits);
+    h = ((uint64_t)(unsigned)x->gene * 0x9e3779b97f4a7c15u) ^ ((uint64_t)(unsigned)x->a * 0xbf58476d1ce4e5b9u) ^
+        ((uint64_t)(unsigned)x->b * 0x94d049bb133111ebu) ^ bits;
+    h = (h ^ h >> 31) * 0x9e3779b97f4a7c15u;
+    return (size_t)(h >> 32) & (c->slots - 1);
+}
+
+static bool same(const struct line *x, const struct line *y)
+{
+    return x->gene == y->gene && x->a == y->a && x->b == y->b && memcmp(&x->number, &y->number, sizeof x->number) == 0;
+}
+
+static void enlarge(struct lines *c)
+{
+    free(c->slot);
+    c->slots = c->slots ? 2 * c->slots : 512;
+    c->slot = new_array(c->slots, sizeof *c->slot);
+    c->round = 1;
+    for (size_t i = 0; i < c->lines; i++) {
+        size_t at = place_of(c, &c->line[i]);
+        while (c->slot[at].round == c->round)
+            at = (at + 1) & (c->slots - 1);
+        c->slot[at] = (struct line_slot){c->round, (int)i};
+    }
+}
+
+/* Its slot: that of an equal line, or a free one. */
+static struct line_slot *slot_of(struct lines *c, const struct line *x)
+{
+    size_t at = place_of(c, x);
+    while (c->slot[at].round == c->round && !same(&c->line[c->slot[at].line], x))
+        at = (at + 1) & (c->slots - 1);
+    return &c->slot[at];
+}
+
+/* Operations in their order, then leaves in one of their own: whatever the order in which leaves came. */
+static bool stands_before(const struct lines *c, int i, int j)
+{
+    const struct line *x = &c->line[i], *y = &c->line[j];
+    if (line_is_operation(x) || line_is_operation(y))
+        return line_is_operation(x) && (!line_is_operation(y) || i < j);
+    if (x->gene != y->gene)
+        return x->gene < y->gene;
+    return x->number != y->number ? x->number < y->number : i < j;
+}
+
+static struct line ordered(const struct lines *c, struct line x)
+{
+    if ((x.gene == GENE_ADD || x.gene == GENE_MUL) && stands_before(c, x.b, x.a)) {
+        const int a = x.a;
+        x.a = x.b;
+        x.b = a;
+    }
+    return x;
+}
+
+/* The line that is equal, or a new one. */
+static int line_of(struct lines *c, struct line x)
+{
+    x = ordered(c, x);
+    if (2 * (c->lines + 1) > c->slots)
+        enlarge(c);
+    struct line_slot *s = slot_of(c, &x);
+    if (s->round == c->round)
+        return s->line;
+    *s = (struct line_slot){c->round, (int)c->lines};
+    grow_array(&c->line, c->lines, &c->room, sizeof *c->line);
+    c->line[c->lines] = x;
+    return (int)c->lines++;
+}
+
+void lines_begin(struct lines *c)
+{
+    c->lines = c->numbers = 0;
+    c->round++;
+}
+
+int lines_symbol(struct lines *c, int gene)
+{
+    return line_of(c, (struct line){gene, -1, -1, 0});
+}
+
+int lines_number(struct lines *c, double value)
+{
+    return line_of(c, (struct line){NUMBER, -1, -1, value == 0 ? 0 : value});
+}
+
+/* Numbers that are to be fitted mean nothing yet. */
+static bool is_number(const struct lines *c, int i, double value)
+{
+    return i >= 0 && c->line[i].gene == NUMBER && c->line[i].a == -1 && c->line[i].number == value;
+}
+
+static bool is_known(const struct lines *c, int i)
+{
+    return c->line[i].gene == NUMBER && c->line[i].a == -1;
+}
+
+/* The line that an operation comes down to without one; -1: none. */
+static int simplified(struct lines *c, int gene, int a, int b)
+{
+    const bool product = gene == GENE_MUL, quotient = gene == GENE_DIV || gene == GENE_PDIV;
+    if (gene == GENE_NEG && c->line[a].gene == GENE_NEG)
+        return c->line[a].a;
+    if ((gene == GENE_ADD || product) && b >= 0 && is_known(c, a)) {
+        const int first = a;
+        a = b;
+        b = first;
+    }
+    if (((gene == GENE_ADD || gene == GENE_SUB) && is_number(c, b, 0)) || ((product || quotient) && is_number(c, b, 1)))
+        return a;
+    if ((product && is_number(c, b, 0)) || (quotient && is_number(c, a, 0)) || (gene == GENE_SUB && a == b))
+        return lines_number(c, 0);
+    if ((gene == GENE_MIN || gene == GENE_MAX) && a == b)
+        return a;
+    if (quotient && a == b)
+        return lines_number(c, 1);
+    return -1;
+}
+
+static double value_of_numbers(int gene, double a, double b)
+{
+    (void)b;
+#define VALUE(gene, text, value, ...)                                                                                  \
+    case GENE_##gene:                                                                                                  \
+        return value;
+    switch (gene) {
+        GENES_OF_ONE(VALUE)
+        GENES_OF_TWO(VALUE)
+    }
+#undef VALUE
+    return NAN;
+}
+
+int lines_operation(struct lines *c, int gene, int a, int b)
+{
+    const int simple = simplified(c, gene, a, b);
+    if (simple >= 0)
+        return simple;
+    if (is_known(c, a) && (b < 0 || is_known(c, b))) {
+        const double v = value_of_numbers(gene, c->line[a].number, b < 0 ? 0 : c->line[b].number);
+        if (isfinite(v) && decimal_value(decimal_gene(v)) == v)
+            return lines_number(c, v);
+    }
+    return line_of(c, (struct line){gene, a, b, 0});
+}
+
+static void reserve_map(struct lines *c, size_t n)
+{
+    if (c->map_room >= n)
+        return;
+    free(c->map);
+    c->map_room = 2 * n;
+    c->map = new_array(c->map_room, sizeof *c->map);
+}
+
+void lines_call(struct lines *c, int function, int x[2])
+{
+    const struct line_body *b = &c->rules->body[function];
+    reserve_map(c, b->lines);
+    for (size_t i = 0; i < b->lines; i++) {
+        const struct line *y = &b->line[i];
+        c->map[i] = y->gene == PARAMETER ? x[y->a]
+                    : y->gene == NUMBER  ? lines_number(c, y->number)
+                    : y->a < 0           ? lines_symbol(c, y->gene)
+                                         : lines_operation(c, y->gene, c->map[y->a], y->b >= 0 ? c->map[y->b] : -1);
+    }
+    x[0] = c->map[b->to[0]];
+    x[1] = c->map[b->to[1]];
+}
+
+int lines_take(struct lines *to, const struct lines *from, int i, int *map)
+{
+    if (map[i] >= 0)
+        return map[i];
+    const struct line *x = &from->line[i];
+    if (line_is_operation(x)) {
+        const int a = lines_take(to, from, x->a, map), b = x->b >= 0 ? lines_take(to, from, x->b, map) : -1;
+        return map[i] = lines_operation(to, x->gene, a, b);
+    }
+    return map[i] = x->gene == NUMBER ? lines_number(to, x->number) : lines_symbol(to, x->gene);
+}
+
+/* Line j is what a body's line i gives, for arguments x, of which -1 is still open. */
+static bool matches(const struct lines *c, const struct line_body *b, int i, int j, int x[2])
+{
+    const struct line *y = &b->line[i], *z = &c->line[j];
+    if (y->gene == PARAMETER) {
+        const bool good = x[y->a] < 0 || x[y->a] == j;
+        x[y->a] = j;
+        return good;
+    }
+    if (y->gene != z->gene || y->number != z->number || line_is_operation(y) != line_is_operation(z))
+        return false;
+    if (!line_is_operation(y))
+        return true;
+    const int before[2] = {x[0], x[1]};
+    if (matches(c, b, y->a, z->a, x) && (y->b < 0 || matches(c, b, y->b, z->b, x)))
+        return true;
+    memcpy(x, before, sizeof before);
+    return (y->gene == GENE_ADD || y->gene == GENE_MUL) && matches(c, b, y->a, z->b, x) && matches(c, b, y->b, z->a, x);
+}
+
+bool lines_strip(struct lines *c, int function)
+{
+    const struct line_body *b = &c->rules->body[function];
+    int x[2] = {-1, -1};
+    for (int k = 0; k < 2; k++)
+        if (!matches(c, b, b->to[k], c->root[k], x))
+            return false;
+    if (x[0] < 0 || x[1] < 0)
+        return false;
+    memcpy(c->root, x, sizeof x);
+    return true;
+}
+
+void lines_mark(struct lines *c)
+{
+    if (c->needed_room < c->lines) {
+        free(c->needed);
+        free(c->divides);
+        c->needed_room = 2 * c->lines;
+        c->needed = new_array(c->needed_room, sizeof *c->needed);
+        c->divides = new_array(c->needed_room, sizeof *c->divides);
+    }
+    memset(c->needed, 0, c->lines * sizeof *c->needed);
+    memset(c->divides, 0, c->lines * sizeof *c->divides);
+    c->needed[c->root[0]] = c->needed[c->root[1]] = true;
+    for (size_t i = c->lines; i-- > 0;)
+        if (c->needed[i]) {
+            const struct line *x = &c->line[i];
+            if (x->a >= 0)
+                c->needed[x->a] = true;
+            if (x->b >= 0)
+                c->needed[x->b] = true;
+            if (x->gene == GENE_DIV || x->gene == GENE_PDIV)
+                c->divides[x->b] = true;
+        }
+}
+
+void lines_images(struct lines *c, int *image)
+{
+    for (size_t i = 0; i < c->lines; i++) {
+        struct line x = c->line[i];
+        if (x.gene >= GENE_SYMBOL)
+            x.gene = GENE_SYMBOL + (int)c->rules->partner[x.gene - GENE_SYMBOL];
+        x.a = x.a >= 0 ? image[x.a] : x.a;
+        x.b = x.b >= 0 ? image[x.b] : x.b;
+        image[i] = -1;
+        if (line_is_operation(&c->line[i]) && (x.a < 0 || (c->line[i].b >= 0 && x.b < 0)))
+            continue;
+        x = ordered(c, x);
+        const struct line_slot *s = slot_of(c, &x);
+        if (s->round == c->round)
+            image[i] = s->line;
+    }
+}
+
+/* ---- genes ---- */
+
+bool line_number_is_kept(double value)
+{
+    const double twelve = 12 * value;
+    return fabs(value) <= 64 && twelve == rint(twelve);
+}
+
+static bool valid_operand(const struct line_rules *r, int gene, size_t line)
+{
+    if (gene >= LINE_GENE)
+        return (size_t)(gene - LINE_GENE) < line;
+    return gene < 0 ? decimal_valid(gene) : gene >= GENE_SYMBOL && (size_t)(gene - GENE_SYMBOL) < r->symbols;
+}
+
+bool lines_valid(const struct line_rules *r, const int *gene, size_t length)
+{
+    if (length < 2 || (length - 2) % LINE_GENES != 0)
+        return false;
+    const size_t lines = (length - 2) / LINE_GENES;
+    bool good = valid_operand(r, gene[0], lines) && valid_operand(r, gene[1], lines);
+    for (size_t i = 0; good && i < lines; i++) {
+        const int *g = gene + 2 + LINE_GENES * i;
+        good = g[0] >= 0 && g[0] < GENE_OPERATORS && valid_operand(r, g[1], i) &&
+               (gene_arity(g[0]) == 1 ? g[2] == -1 : valid_operand(r, g[2], i));
+    }
+    return good;
+}
+
+/* An operand; a number that is kept apart has the place of its gene as a mark. */
+static int load_operand(struct lines *c, const struct tree *t, size_t at, const int *line, bool apart)
+{
+    const int gene = t->gene[at];
+    if (gene >= LINE_GENE)
+        return line[gene - LINE_GENE];
+    if (gene >= 0)
+        return lines_symbol(c, gene);
+    const double value = decimal_value(gene);
+    if (!apart || line_number_is_kept(value))
+        return lines_number(c, value);
+    const int own = line_of(c, (struct line){NUMBER, -2 - (int)at, -1, value});
+    for (size_t i = 0; i < c->numbers; i++)
+        if (c->number[i] == (size_t)own)
+            return own;
+    size_t room = c->number_room;
+    grow_array(&c->number, c->numbers, &c->number_room, sizeof *c->number);
+    grow_array(&c->place, c->numbers, &room, sizeof *c->place);
+    c->number[c->numbers] = (size_t)own;
+    c->place[c->numbers++] = at;
+    return own;
+}
+
+void lines_load(struct lines *c, const struct tree *t, int last, enum lines_use use)
+{
+    const size_t n = (t->length - 2) / LINE_GENES;
+    int *line = new_array(n, sizeof *line);
+    const bool apart = use == LINES_APART;
+    lines_begin(c);
+    for (size_t i = 0; i < n; i++) {
+        const size_t at = 2 + LINE_GENES * i;
+        const int a = load_operand(c, t, at + 1, line, apart);
+        const int b = gene_arity(t->gene[at]) == 2 ? load_operand(c, t, at + 2, line, apart) : -1;
+        line[i] = lines_operation(c, t->gene[at], a, b);
+    }
+    for (size_t k = 0; k < 2; k++)
+        c->root[k] = load_operand(c, t, k, line, apart);
+    if (last >= 0 && use != LINES_INNER)
+        lines_call(c, last, c->root);
+    lines_mark(c);
+    free(line);
+}
+
+static int operand_gene(const struct lines *c, int i, const int *number)
+{
+    const struct line *x = &c->line[i];
+    return line_is_operation(x) ? LINE_GENE + number[i] : x->gene == NUMBER ? decimal_gene(x->number) : x->gene;
+}
+
+/* Operations in the order in which the answers lead to them: the same for equal programs. */
+static void number_operation(struct lines *c, int i, int *order, int *n)
+{
+    const struct line *x = &c->line[i];
+    if (c->map[i] >= 0 || !line_is_operation(x))
+        return;
+    number_operation(c, x->a, order, n);
+    if (x->b >= 0)
+        number_operation(c, x->b, order, n);
+    c->map[i] = *n;
+    order[(*n)++] = i;
+}
+
+bool lines_store(struct lines *c, size_t max, struct tree *t)
+{
+    int *order = new_array(c->lines, sizeof *order), n = 0;
+    reserve_map(c, c->lines);
+    for (size_t i = 0; i < c->lines; i++)
+        c->map[i] = -1;
+    for (int k = 0; k < 2; k++)
+        number_operation(c, c->root[k], order, &n);
+    const bool good = 2 + LINE_GENES * (size_t)n <= max;
+    for (int i = 0; good && i < n; i++) {
+        const struct line *x = &c->line[order[i]];
+        int *gene = t->gene + 2 + LINE_GENES * i;
+        gene[0] = x->gene;
+        gene[1] = operand_gene(c, x->a, c->map);
+        gene[2] = x->b >= 0 ? operand_gene(c, x->b, c->map) : -1;
+        if ((x->gene == GENE_ADD || x->gene == GENE_MUL) && gene[2] >= LINE_GENE && gene[1] > gene[2]) {
+            const int first = gene[1];
+            gene[1] = gene[2];
+            gene[2] = first;
+        }
+    }
+    for (int k = 0; good && k < 2; k++)
+        t->gene[k] = operand_gene(c, c->root[k], c->map);
+    t->length = 2 + LINE_GENES * (size_t)n;
+    free(order);
+    return good;
+}

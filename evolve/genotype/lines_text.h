@@ -1,0 +1,23 @@
+/* Programs and genome files: read from a genome's lets and outputs, and written as such. */
+#ifndef FOOTPOINT_LINES_TEXT_H
+#define FOOTPOINT_LINES_TEXT_H
+
+#include "line_program.h"
+
+/** The program that two expressions of a file make, of those values of c's program alone that are among the set's
+ *  symbols, by name.  Numbers are rounded to decimals.
+ *  @param[in] last  function that it ends in, which is left away; -1: none
+ *  @returns false, with *t undefined, where it needs other inputs, does not end so, or has more than max genes */
+bool lines_read(struct lines *c, const struct genome_file *f, const struct genome_expr *const out[2],
+                const struct gene_set *genes, int last, size_t max, struct tree *t);
+
+/** Write a program as expressions of the file that the rules are of: values that are used twice, and divisors, become
+ *  lets <name>_1, <name>_2, ..., from which xi and eta follow; divisors are measured as least_<name>_1, ...
+ *  @param[out] out  genes owned by the caller; constants are the file's */
+void lines_expand(struct lines *c, const struct tree *t, int last, struct genome_file *f, const char *name,
+                  struct tree out[2]);
+
+/** The program in one line of text; owned by the caller. */
+char *lines_print(struct lines *c, const struct tree *t, int last);
+
+#endif

@@ -1,0 +1,459 @@
+/* Programs and the functions of frames: values against those of the genome text they are written as, derivatives against
+ * differences, operations counted by hand, changes, hand-written methods among the seeds, and evolution from them. */
+#include "../../evolve/archive/archive.h"
+#include "../../evolve/common/decimal.h"
+#include "../../evolve/common/stream.h"
+#include "../../evolve/eval/frame.h"
+#include "../../evolve/eval/tape.h"
+#include "../../evolve/fit/compose.h"
+#include "../../evolve/fit/fit_lines.h"
+#include "../../evolve/fit/fits.h"
+#include "../../evolve/genotype/lines_edit.h"
+#include "../../evolve/genotype/lines_text.h"
+#include "../../evolve/island/island.h"
+#include "../../evolve/samples/samples.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { LONGEST = 2 + LINE_GENES * 150 };
+
+struct fixture {
+    struct scene *scene;
+    struct archive *archive;
+    struct genome_file *program; /* the archive's */
+    struct sample_set set;
+    struct columns table;
+    struct objective *objective;
+    struct gene_set genes;
+    struct plan plan;
+    struct lines *lines;
+    int last; /* place */
+    size_t target, bare_target;
+};
+
+static int setup(void **state)
+{
+    struct fixture *f = new_array(1, sizeof *f);
+    struct diag d;
+    f->scene = scene_read(".", "tests/scenes/steps.scene", &d);
+    assert_non_null(f->scene);
+    f->program = frame_program(".", f->scene, "steps", &d);
+    assert_non_null(f->program);
+    f->archive = archive_new(f->scene, f->program, NULL, &d);
+    assert_true(f->archive && scene_samples(f->scene, PART_TRAINING, &f->set, &d));
+    struct kernel *kernel = kernel_new_widest();
+    f->table = frame_columns(kernel, f->program, f->set.s, f->set.n);
+    kernel_free(kernel);
+    f->objective = objective_new(f->program, &f->table, NORM_MEAN);
+    f->objective->decimal = true;
+    f->genes = archive_genes(f->archive, 0, false);
+    f->plan = plan_default();
+    f->lines = lines_new(f->objective->rules);
+    f->last = line_function(f->program, "place");
+    f->target = objective_target_of_both(&f->table, f->last);
+    f->bare_target = objective_target_of_both(&f->table, -1);
+    *state = f;
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    struct fixture *f = *state;
+    gene_set_free(&f->genes);
+    lines_free(f->lines);
+    objective_free(f->objective);
+    columns_free(&f->table);
+    sample_set_free(&f->set);
+    archive_free(f->archive);
+    scene_free(f->scene);
+    free(f);
+    return 0;
+}
+
+/* The program of two answers, after lets of its own; its genes are the caller's.  Length 0: it is none. */
+static struct tree read_program(const struct fixture *f, const char *lets, const char *xi, const char *eta, int last)
+{
+    char *text = NULL;
+    size_t size;
+    struct diag d;
+    FILE *stream = open_memstream(&text, &size);
+    genome_print(f->program, stream);
+    fprintf(stream, "%s\ngenome one\nxi = %s\neta = %s\nend\n", lets, xi, eta);
+    fclose(stream);
+    struct genome_file *g = genome_parse("text", text, size, &d);
+    assert_non_null(g);
+    const struct genome_expr *const out[2] = {&g->genome[0].out[0], &g->genome[0].out[1]};
+    struct tree t = {new_array(LONGEST, sizeof *t.gene), 0};
+    if (!lines_read(f->lines, g, out, &f->genes, last, LONGEST, &t))
+        t.length = 0;
+    genome_file_free(g);
+    free(text);
+    return t;
+}
+
+/* A chain of functions from p, q: "let u v = newton p q\nlet ..." */
+static struct tree program_of(const struct fixture *f, const char *lets, const char *xi, const char *eta)
+{
+    const struct tree t = read_program(f, lets, xi, eta, -1);
+    assert_true(t.length > 0 && lines_valid(f->objective->rules, t.gene, t.length));
+    return t;
+}
+
+static double error_of(const struct fixture *f, const struct tree *t)
+{
+    return objective_error(f->objective, t, f->target, INFINITY);
+}
+
+static double cost_of(const struct fixture *f, const struct tree *t)
+{
+    struct lines_counter *c = lines_counter_new(f->objective->rules);
+    const struct operation_count o = count_lines(c, t, -1);
+    lines_counter_free(c);
+    return operations_price(&o, &f->plan.prices);
+}
+
+/* Bit by bit, or both infinite: errors of a program against those of its expressions in a copy of the frame, from which
+ * the same program is read again. */
+static void check_against_text(const struct fixture *f, const struct tree *t)
+{
+    const size_t n = f->set.n;
+    double *error = new_array(2 * n, sizeof *error), *value = new_array(n, sizeof *value);
+    char *text = NULL;
+    size_t size;
+    struct diag d;
+    struct tree out[2];
+    FILE *stream = open_memstream(&text, &size);
+    genome_print(f->program, stream);
+    fclose(stream);
+    struct genome_file *copy = genome_parse("copy", text, size, &d);
+    assert_non_null(copy);
+    lines_expand(f->lines, t, f->last, copy, "value", out);
+    struct kernel *kernel = kernel_new_widest();
+    struct columns table = frame_columns(kernel, copy, f->set.s, n);
+    lines_errors(f->objective->lines, t, f->last, error);
+    for (size_t half = 0; half < 2; half++) {
+        const struct kernel_task task = {out[half].gene, out[half].length, copy->constant, &table};
+        kernel_values(kernel, &task, value);
+        for (size_t i = 0; i < n; i++) {
+            const double e = fabs(value[i] - columns_at(&table, frame_target(copy, (int)half))[i]);
+            assert_true(isnan(e) ? error[half * n + i] == INFINITY : error[half * n + i] == e);
+        }
+    }
+    const struct genome_expr answer[2] = {{"xi", out[0].gene, out[0].length, 0},
+                                          {"eta", out[1].gene, out[1].length, 0}};
+    const struct genome_expr *const both[2] = {&answer[0], &answer[1]};
+    struct tree again = {new_array(LONGEST, sizeof *again.gene), 0};
+    const bool folded = t->gene[0] < 0 || t->gene[1] < 0; /* a number, so that `place` is none of its answers' lines */
+    assert_true(folded ||
+                (lines_read(f->lines, copy, both, &f->genes, f->last, LONGEST, &again) && tree_equal(t, &again)));
+    free(again.gene);
+    free(out[0].gene);
+    free(out[1].gene);
+    columns_free(&table);
+    kernel_free(kernel);
+    genome_file_free(copy);
+    free(text);
+    free(error);
+    free(value);
+}
+
+/* Whatever changes make of them: valid, the same as text, in equal powers of a length as their parents. */
+static void test_changes(void **state)
+{
+    const struct fixture *f = *state;
+    struct line_editor *e = line_editor_new(f->objective->rules);
+    struct fits *fits = fits_new(f->objective);
+    const struct fitting hooks = fits_hooks(fits);
+    struct tree mate = program_of(f, "let u v = newton_kept ut vt", "u", "v");
+    struct tree t = program_of(f, "let u1 v1 = newton p q\nlet u v = solve_u u1 v1", "u", "v");
+    struct tree child = {new_array(LONGEST, sizeof *child.gene), 0};
+    const struct tree parents[2] = {t, mate};
+    struct tree now = {new_array(LONGEST, sizeof *now.gene), 0};
+    gsl_rng *rng = stream_new();
+    size_t changed = 0;
+    for (uint64_t k = 0; k < 400; k++) {
+        stream_key(rng, 7, k, 0, 0);
+        if (k % 8 == 0)
+            tree_copy(&parents[k / 8 % 2], &now);
+        if (!hooks.change(fits, rng, &f->genes, &now, &mate, f->target, LONGEST, &child))
+            continue;
+        assert_true(lines_valid(f->objective->rules, child.gene, child.length) && child.length <= LONGEST);
+        signed char power[4 * LONGEST];
+        lines_load(f->lines, &child, -1, LINES_INNER);
+        lines_powers(f->lines, power);
+        for (int h = 0; h < 2; h++)
+            assert_true(power[f->lines->root[h]] == 0 || power[f->lines->root[h]] == ANY_POWER);
+        if (k % 4 == 0)
+            check_against_text(f, &child);
+        tree_copy(&child, &now);
+        changed++;
+    }
+    assert_true(changed > 200);
+    gsl_rng_free(rng);
+    fits_free(fits);
+    line_editor_free(e);
+    free(t.gene);
+    free(mate.gene);
+    free(child.gene);
+    free(now.gene);
+}
+
+/* Equal values are there once, and what comes to nothing is left away. */
+static void test_equal(void **state)
+{
+    const struct fixture *f = *state;
+    static const char *const equal[][4] = {
+        {"", "+ p 0", "* 1 q", ""},
+        {"let a1 = * d1 e11\nlet a2 = * e11 d1", "+ p - a1 a2", "q", ""},
+        {"let u v = solve_u p q\nlet un2 vn2 = solve_u u v", "un2", "vn2", "let u v = solve_u p q"},
+        {"let b1 = - d1 d1", "+ p * b1 e22", "/ q 1", ""}};
+    for (size_t i = 0; i < sizeof equal / sizeof *equal; i++) {
+        struct tree a = program_of(f, equal[i][0], equal[i][1], equal[i][2]);
+        struct tree b = *equal[i][3] ? program_of(f, equal[i][3], "u", "v") : program_of(f, "", "p", "q");
+        assert_true(tree_equal(&a, &b) && tree_hash(&a) == tree_hash(&b));
+        free(a.gene);
+        free(b.gene);
+    }
+}
+
+/* What programs end in is taken away where they are read, and only there. */
+static void test_last(void **state)
+{
+    const struct fixture *f = *state;
+    struct tree inner = program_of(f, "let u v = newton p q", "u", "v");
+    struct tree whole = read_program(f, "let u v = newton p q\nlet x y = place u v", "x", "y", f->last);
+    struct tree other = read_program(f, "let u v = newton p q", "u", "v", f->last);
+    struct tree unknown = read_program(f, "", "xB", "q", -1);
+    assert_true(tree_equal(&inner, &whole));
+    assert_int_equal(other.length, 0);
+    assert_int_equal(unknown.length, 0);
+    assert_true(objective_error(f->objective, &inner, f->bare_target, INFINITY) != error_of(f, &inner));
+    free(inner.gene);
+    free(whole.gene);
+    free(other.gene);
+    free(unknown.gene);
+}
+
+/* What is none: from checkpoints, say. */
+static void test_valid(void **state)
+{
+    const struct fixture *f = *state;
+    const struct line_rules *r = f->objective->rules;
+    const int symbol = f->genes.symbol[0];
+    const int good[] = {LINE_GENE, LINE_GENE + 1, GENE_ADD, symbol, -1, GENE_NEG, LINE_GENE, -1};
+    assert_true(lines_valid(r, good, 8));
+    for (size_t at = 0; at < 8; at++)
+        for (int k = 0; k < 5; k++) {
+            const int wrong[] = {LINE_GENE + 2, GENE_OPERATORS, GENE_SYMBOL + (int)r->symbols, GENE_SYMBOL - 1,
+                                 -2147483647 - 1};
+            int gene[8];
+            memcpy(gene, good, sizeof gene);
+            gene[at] = wrong[k];
+            assert_false(lines_valid(r, gene, 8));
+        }
+    for (size_t n = 0; n < 8; n++)
+        assert_true(lines_valid(r, good, n) == false);
+}
+
+/* d root / d number by central differences, sample by sample. */
+static void test_derivatives(void **state)
+{
+    const struct fixture *f = *state;
+    static const char *const text[][3] = {
+        {"", "* 0.93 p", "* 0.93 q"},
+        {"let u v = newton_kept * 0.83 ut * 0.83 vt\nlet ui vi = inside u v", "+ ui 0.023", "- vi 0.031"},
+        {"let u v = solve_v - p 0.051 - q 0.051\nlet us vs = solve_u u v", "max -0.213 + 0.103 us", "vs"},
+        {"let u v = newton p q\nlet us vs = newton * 0.71 u * 0.71 v", "us", "vs"}};
+    const double step = 1e-6;
+    struct lines_run *r = lines_run_new(f->objective->rules, &f->table);
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
+        struct tree t = program_of(f, text[i][0], text[i][1], text[i][2]);
+        lines_run_load(r, &t, f->last, false);
+        assert_true(r->code->numbers > 0);
+        for (size_t k = 0; k < r->code->numbers; k++)
+            for (int half = 0; half < 2; half++) {
+                double *number = &r->code->line[r->code->number[k]].number, slope[TAPE_BLOCK] = {0},
+                       value[2][TAPE_BLOCK];
+                const double kept = *number;
+                size_t far = 0;
+                lines_values(r, 0);
+                lines_slopes(r, half);
+                if (r->slope[r->code->number[k]])
+                    memcpy(slope, r->slope[r->code->number[k]], sizeof slope);
+                for (int side = 0; side < 2; side++) {
+                    *number = kept + (side ? step : -step);
+                    lines_values(r, 0);
+                    memcpy(value[side], r->value[r->code->root[half]], sizeof *value);
+                }
+                *number = kept;
+                for (size_t j = 0; j < TAPE_BLOCK; j++)
+                    far += !(fabs((value[1][j] - value[0][j]) / (2 * step) - slope[j]) < 1e-3 * (1 + fabs(slope[j])));
+                assert_true(far <= TAPE_BLOCK / 20); /* kinks and poles */
+            }
+        free(t.gene);
+    }
+    lines_run_free(r);
+}
+
+static double cost_of_text(const struct fixture *f, const char *lets, const char *xi, const char *eta)
+{
+    struct tree t = program_of(f, lets, xi, eta);
+    const double cost = cost_of(f, &t);
+    free(t.gene);
+    return cost;
+}
+
+/* Prices: a product and a sum 1, a quotient 8. */
+static void test_costs(void **state)
+{
+    const struct fixture *f = *state;
+    /* (d1 + v (cd - (e12 + v c2))) / (e11 + v (c1 + (c1 + v cc))): 4 products, 6 sums and a quotient; c1, c2, cc and
+     * cd, which p does not need, are 12 products and 8 sums; 3 products and a sum made p, which is not needed. */
+    assert_true(cost_of_text(f, "let u v = solve_u p q", "u", "v") - cost_of_text(f, "", "p", "q") ==
+                4 + 6 + 8 + 12 + 8 - 3 - 1);
+    /* A step costs a step. */
+    const double one = cost_of_text(f, "let u1 v1 = newton p q", "u1", "v1"),
+                 two = cost_of_text(f, "let u1 v1 = newton p q\nlet u2n v2n = newton u1 v1", "u2n", "v2n");
+    assert_true(two - one == 2 + 2 + 3 + 1 + 3 + 3 + 3 + 4 + 4 + 3 + 8 + 4 + 4); /* line by line of the frame */
+}
+
+/* Truncated iterations that a programmer would write: for the cost of each there is a seed that is as good. */
+static void test_seeds(void **state)
+{
+    const struct fixture *f = *state;
+    static const char *const method[][3] = {
+        {"", "p", "q"},
+        {"let u v = inside p q", "u", "v"},
+        {"let u v = newton_kept p q", "u", "v"},
+        {"let u0 v0 = inside ut vt\nlet u1 v1 = newton_kept u0 v0\nlet u v = inside u1 v1", "u", "v"},
+        {"let u1 v1 = newton_kept p q\nlet u v = newton_kept u1 v1", "u", "v"},
+        {"let u0 v0 = inside ut vt\nlet u1 v1 = solve_u u0 v0\nlet u v = solve_v u1 v1", "u", "v"}};
+    struct front *found = front_new(f->plan.front_limit, LONGEST);
+    compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->target, &f->plan.prices, found);
+    struct lines_counter *c = lines_counter_new(f->objective->rules);
+    for (size_t i = 0; i < sizeof method / sizeof *method; i++) {
+        struct tree t = program_of(f, method[i][0], method[i][1], method[i][2]);
+        const struct operation_count o = count_lines(c, &t, f->last);
+        assert_true(front_error(found, operations_price(&o, &f->plan.prices)) <= error_of(f, &t));
+        free(t.gene);
+    }
+    lines_counter_free(c);
+    front_free(found);
+}
+
+/* From the seeds evolution goes on: it keeps all of them and betters some, and the whole front is there. */
+static void test_evolution(void **state)
+{
+    const struct fixture *f = *state;
+    struct front *found = front_new(f->plan.front_limit, LONGEST);
+    struct fits *fits = fits_new(f->objective);
+    const struct fitting hooks = fits_hooks(fits);
+    struct plan plan = f->plan;
+    plan.population = 60;
+    plan.migrants = 0;
+    compose_programs(&f->scene->tier[0], &f->genes, f->objective, f->target, &plan.times, found);
+    struct tree *seed = new_array(front_count(found), sizeof *seed);
+    for (size_t i = 0; i < front_count(found); i++)
+        seed[i] = front_member(found, i)->tree;
+    const struct goal goal = {.target = f->target, .max_length = LONGEST, .genes = &f->genes, .fit = &hooks};
+    struct island *is = island_new(&plan, &goal, f->objective);
+    island_start(is, seed, front_count(found));
+    for (int k = 0; k < 15; k++)
+        island_step(is);
+    const struct front *all = island_front(is);
+    size_t better = 0;
+    for (size_t i = 0; i < front_count(found); i++) {
+        const struct member *m = front_member(found, i);
+        assert_true(front_error(all, m->cost) <= m->error);
+        better += front_error(all, m->cost) < 0.9 * m->error;
+    }
+    assert_true(better >= 3);
+    for (size_t i = 0; i + 1 < front_count(all); i++) {
+        const struct member *m = front_member(all, i), *next = front_member(all, i + 1);
+        assert_true(m->cost < next->cost && m->error > next->error && m->error == error_of(f, &m->tree));
+    }
+    unsigned char *saved = new_array(island_state_size(is), 1);
+    island_save(is, saved);
+    assert_true(island_load(is, saved));
+    free(saved);
+    island_free(is);
+    fits_free(fits);
+    free(seed);
+    front_free(found);
+}
+
+/* Beyond what its largest errors may be, a program is charged for them. */
+static void test_tails(void **state)
+{
+    const struct fixture *f = *state;
+    struct tree t = program_of(f, "", "ut", "vt");
+    const double error = error_of(f, &t);
+    const struct tails own = objective_tails(f->objective, &t, f->target), any = {0, 0};
+    const struct tails less = {own.p99 / 2, own.max / 3}, more = {2 * own.p99, 3 * own.max};
+    assert_true(own.max >= own.p99 && own.p99 >= error);
+    assert_true(objective_error_in_tails(f->objective, &t, f->target, &own, INFINITY) == error);
+    assert_true(objective_error_in_tails(f->objective, &t, f->target, &any, INFINITY) == error);
+    assert_true(objective_error_in_tails(f->objective, &t, f->target, &more, INFINITY) == error);
+    assert_true(fabs(objective_error_in_tails(f->objective, &t, f->target, &less, INFINITY) / error - 6) < 1e-9);
+    free(t.gene);
+}
+
+/* The best numbers are found again, in each norm; those that stand for a structure stay. */
+static void test_fit(void **state)
+{
+    const struct fixture *f = *state;
+    struct tree fitted = {new_array(LONGEST, sizeof *fitted.gene), 0};
+    struct tree t = program_of(f, "let u v = inside + 0.1001 p - q 0.1001", "* 0.5101 u", "* 0.5101 v");
+    struct lines_run *r = lines_run_new(f->objective->rules, &f->table);
+    for (enum scene_norm norm = NORM_MEAN; norm <= NORM_MAX; norm++) {
+        f->objective->norm = norm;
+        assert_true(lines_fit(r, &t, f->last, norm, 20, &fitted));
+        assert_int_equal(fitted.length, t.length);
+        assert_true(error_of(f, &fitted) < 0.9 * error_of(f, &t));
+    }
+    f->objective->norm = NORM_MEAN;
+    struct tree none = program_of(f, "let u v = newton p q", "* 0.5 u", "* 2 v");
+    assert_false(lines_fit(r, &none, f->last, NORM_MEAN, 5, &fitted));
+    free(none.gene);
+    lines_run_free(r);
+    free(t.gene);
+    free(fitted.gene);
+}
+
+/* Minima and maxima in trees of one output: |x| and a clamp are found. */
+static void test_clamps(void **state)
+{
+    const struct fixture *f = *state;
+    const struct gene_set genes = archive_genes(f->archive, 1, false);
+    int gene[LONGEST];
+    struct tree t = {gene, 0};
+    size_t clamps = 0;
+    gsl_rng *rng = stream_new();
+    assert_true(genes.operations == 5 && genes.functions == 0);
+    for (uint64_t k = 0; k < 50; k++) {
+        stream_key(rng, 8, k, 0, 0);
+        tree_random(rng, &genes, 4, true, LONGEST, &t);
+        for (size_t i = 0; i < t.length; i++)
+            clamps += t.gene[i] == GENE_MIN || t.gene[i] == GENE_MAX;
+    }
+    assert_true(clamps > 100);
+    gsl_rng_free(rng);
+    struct gene_set set = genes;
+    gene_set_free(&set);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_changes), cmocka_unit_test(test_equal),       cmocka_unit_test(test_last),
+        cmocka_unit_test(test_valid),   cmocka_unit_test(test_derivatives), cmocka_unit_test(test_costs),
+        cmocka_unit_test(test_seeds),   cmocka_unit_test(test_tails),       cmocka_unit_test(test_fit),
+        cmocka_unit_test(test_clamps),  cmocka_unit_test(test_evolution)};
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
