@@ -3,13 +3,14 @@
 #ifndef FOOTPOINT_RIVALS_CLOSED_H
 #define FOOTPOINT_RIVALS_CLOSED_H
 
-#include "rivals.h"
+#include "rivals_hand.h"
 
 /** Closed forms: R(name). */
 #define RIVAL_CLOSED_FORMS(R)                                                                                          \
     R(area)                                                                                                            \
     R(centroid)                                                                                                        \
-    R(plane)
+    R(plane)                                                                                                           \
+    RIVAL_HAND(R)
 
 /* Twice the area of the triangle of the origin, a and b. */
 RIVAL_FN FOOTPOINT_REAL rival_triangle(const FOOTPOINT_REAL a[3], const FOOTPOINT_REAL b[3])
