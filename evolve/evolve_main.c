@@ -9,6 +9,9 @@
 
 #include <stdlib.h>
 #include <string.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 /* A run goes on where a checkpoint tells; its options are the checkpoint's and, over them, those given.  Collective. */
 static bool evolve(int argc, char **argv, const struct evolve_options *given, const struct team *team, int *status,
@@ -31,8 +34,18 @@ static bool evolve(int argc, char **argv, const struct evolve_options *given, co
     return good;
 }
 
+/* Tables of samples come and go: their memory is kept, as getting it anew costs more than what is computed in it. */
+static void keep_memory(void)
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+#endif
+}
+
 int main(int argc, char **argv)
 {
+    keep_memory();
     struct evolve_options o;
     struct diag d = {.code = EXIT_DONE};
     int status = EXIT_DONE;

@@ -198,15 +198,17 @@ static bool read_seed(struct archive *a, const struct genome_file *f, const stru
 static bool read_seeds(struct archive *a, const struct genome_file *f, const struct genome *g, struct diag *d)
 {
     const long own = tier_of_name(a->scene, g->name);
+    bool programs = false;
     for (size_t i = 0; i < a->scene->tiers; i++) {
         if (!a->scene->tier[i].program || (own >= 0 && own != (long)i))
             continue;
         const struct tree t = read_program(a, f, output_of(g, 0), output_of(g, 1), i);
         if (t.length > 0)
             archive_add_seed(a, (long)i, TIER_BOTH, &t);
+        programs = programs || t.length > 0;
         free(t.gene);
     }
-    if (own >= 0 && a->scene->tier[own].program)
+    if (programs || (own >= 0 && a->scene->tier[own].program))
         return true;
     for (size_t k = 0; k < g->outs; k++)
         if (!read_seed(a, f, g, &g->out[k], d))

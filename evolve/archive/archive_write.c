@@ -187,7 +187,7 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     return outfile_commit(&f, d);
 }
 
-static void add_member_output(const struct genome_file *f, struct kernel *kernel, struct genome *g, int output,
+static void add_member_errors(const struct genome_file *f, struct kernel *kernel, struct genome *g, int output,
                               const struct tree *t, const struct heldout *heldout)
 {
     char key[40];
@@ -196,10 +196,10 @@ static void add_member_output(const struct genome_file *f, struct kernel *kernel
         note_key(heldout_part[part].name, output, key);
         NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
-    genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[output], t->gene, t->length);
 }
 
-/* The genome of one member, with its cost, where it comes from, and its errors. */
+/* The genome of one member, with its cost, where it comes from, and its errors; of programs, of which hundreds stand on
+ * a front with lets of their own, those on the training samples alone. */
 static void add_member(const struct archive *a, struct kernel *kernel, const struct member *m, size_t tier, int output,
                        const struct heldout *heldout, struct genome_file *f)
 {
@@ -218,7 +218,9 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
     NOTE("origin", "%s", origin_name[m->origin]);
     NOTE("training", "genes %zu %s %.3e", m->tree.length, norm_name[a->scene->norm], m->error);
     for (int k = first; k <= last; k++) {
-        add_member_output(f, kernel, g, k, &out[k], heldout);
+        if (output != TIER_BOTH)
+            add_member_errors(f, kernel, g, k, &out[k], heldout);
+        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
         free(out[k].gene);
     }
 }
@@ -232,6 +234,9 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
     if (length > 4 && strcmp(path + length - 4, ".csv") == 0)
         return archive_write_csv(a, path, heldout, d);
     struct genome_file *f = genome_parse(path, a->bare, strlen(a->bare), d);
+    bool programs = false;
+    for (size_t i = 0; i < a->scene->tiers; i++)
+        programs = programs || a->scene->tier[i].program;
     if (!f || !outfile_open(&out, path, d)) {
         genome_file_free(f);
         return false;
@@ -244,7 +249,8 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
                 if (a->front[i][k]->member[c].tree.length > 0)
                     add_member(a, kernel, &a->front[i][k]->member[c], i, k, heldout, f);
     kernel_free(kernel);
-    scene_region_add(f, heldout->part, 2);
+    if (!programs)
+        scene_region_add(f, heldout->part, 2);
     genome_print_needed(f, out.stream);
     genome_file_free(f);
     return outfile_commit(&out, d);
