@@ -11,6 +11,7 @@
 
 #include "../genome/text.h"
 #include "../program/degree.h"
+#include "header_closest.h"
 #include "templates.h"
 
 #include <ctype.h>
@@ -89,5 +90,7 @@ void helpers_print(const struct unit *u, FILE *out)
     print_kind(u->file->segment, precision, out);
     if (u->file->order != CORNERS_ANY)
         templates_print("FOOTPOINT_DETAIL_CORNERS", (const char *const[]){"corners", NULL}, precision, NULL, out);
+    if (closest_exists(u))
+        closest_print_helpers(u, out);
     print_least(u, out);
 }
