@@ -4,27 +4,26 @@
 #define FOOTPOINT_ERR_DOMAIN 3
 #endif
 
-/* Of the nearest point found, near being the square of its distance: FOOTPOINT_ERR_DOMAIN beyond the longest edge;
- * FOOTPOINT_ERR_DEGENERATE if there is a flaw: in `flaw`, something not finite in `all`, size, the sum of the squares of
- * edges, not between least and 1 / least, or no area, whose vector is n. */
+/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
+ * `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, whose vector is
+ * n; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw. */
 FOOTPOINT_PART int footpoint_detail_closest_status(REAL_BITS flaw, REAL all, const REAL n[3],
-                                                   REAL size, REAL least, REAL near, REAL longest)
+                                                   REAL size, REAL least, REAL dd, REAL longest)
 {
     const REAL nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    const REAL_BITS far = footpoint_detail_below(longest, near);
-    int flawed;
-    flaw |= footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
-            footpoint_detail_bits(nn - REAL_FLAT * (size * size)) | footpoint_detail_infinite(all);
-    flawed = (int)(flaw >> REAL_TOP);
-    return FOOTPOINT_ERR_DEGENERATE * flawed +
-           FOOTPOINT_ERR_DOMAIN * ((int)(far >> REAL_TOP) & (1 - flawed));
+    const REAL_BITS away = footpoint_detail_below(longest, dd);
+    const REAL_BITS nodes =
+        footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
+        footpoint_detail_bits(nn - REAL_FLAT * (size * size)) | footpoint_detail_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> REAL_TOP) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> REAL_TOP);
 }
 
 /* The root of the square of a distance, with its sign. */
-FOOTPOINT_PART REAL footpoint_detail_signed_root(REAL square)
+FOOTPOINT_PART REAL footpoint_detail_signed_root(REAL dd)
 {
-    const REAL root = sqrt(fabs(square));
-    return square < 0.0 ? -root : root;
+    const REAL root = sqrt(fabs(dd));
+    return dd < 0.0 ? -root : root;
 }
 
 /* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
