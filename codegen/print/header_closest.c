@@ -8,8 +8,8 @@
 
 #include "../genome/text.h"
 #include "c_text.h"
-#include "header_helpers.h"
 #include "header_lines.h"
+#include "header_sizes.h"
 #include "templates.h"
 
 #include <stdlib.h>
@@ -79,7 +79,7 @@ static void print_nearest(const struct unit *u, const struct function *f, const 
     struct memory *m = memory_open();
     for (size_t k = 0; k <= nodes; k++)
         fprintf(m->stream, "%sx[%zu]", k ? ", " : "", k);
-    char *vectors = memory_close(m), *least = helpers_least_name(u);
+    char *vectors = memory_close(m), *least = sizes_least_name(u);
     char *nearest = new_format("    return footpoint_detail_%s_nearest(x, flaw, ", u->file->segment->name);
     fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s at[3],\n%*sint *region)\n{\n", name, lines_real(u),
             lines_real(u), (int)strlen(name) + 20, "");
@@ -97,7 +97,7 @@ static void print_nearest(const struct unit *u, const struct function *f, const 
 /* How many vectors another unit of length changes. */
 static size_t scaled_nodes(const struct unit *u, const struct function *f)
 {
-    return helpers_scalable(f, u->file->segment) ? strlen(u->file->segment->nodes) : 0;
+    return sizes_scalable(f, u->file->segment) ? strlen(u->file->segment->nodes) : 0;
 }
 
 static void print_checked(const struct unit *u, const struct function *f, const char *name, const char *vectors,

@@ -3,7 +3,7 @@
 
 #include "../genome/text.h"
 #include "c_text.h"
-#include "header_helpers.h"
+#include "header_sizes.h"
 #include "templates.h"
 
 #include <stdlib.h>
@@ -97,7 +97,7 @@ void lines_print_again(const struct unit *u, const struct function *f, FILE *out
     char *text =
         new_format("        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, %zu, %zu, y, "
                    "&exponent);\n",
-                   helpers_scalable(f, k) ? strlen(k->nodes) : 0, segment_vectors(k) + 1);
+                   sizes_scalable(f, k) ? strlen(k->nodes) : 0, segment_vectors(k) + 1);
     c_print(text, u->options.precision, out);
     fputs("        if (status != FOOTPOINT_OK)\n            return status;\n        ", out);
     for (size_t i = 0; i <= segment_vectors(k); i++) {

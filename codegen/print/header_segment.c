@@ -9,8 +9,8 @@
 #include "c_text.h"
 #include "header_closest.h"
 #include "header_float.h"
-#include "header_helpers.h"
 #include "header_lines.h"
+#include "header_sizes.h"
 #include "templates.h"
 
 #include <ctype.h>
@@ -84,7 +84,7 @@ static void print_checked(const struct unit *u, const struct function *f, const 
     fputs("    int exponent = 0, turn = 0, status;\n    for (;;) {\n", out);
     fprintf(out, "        const %s *const x[%zu] = {%s};\n", real, n, vectors);
     lines_print_search(u, f, vectors, "        ", out);
-    char *least = helpers_least_name(u), *gap = new_format("footpoint_detail_%s_gap", u->file->segment->name);
+    char *least = sizes_least_name(u), *gap = new_format("footpoint_detail_%s_gap", u->file->segment->name);
     fputs("        flaw |= ", out);
     c_print(gap, precision, out);
     fprintf(out, "(x, xi, eta, %s, &g);\n", least);
