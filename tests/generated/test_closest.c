@@ -7,6 +7,7 @@
 #include "../../generated/footpoint_parallelogram_quad4.h"
 #include "../../generated/footpoint_plane_quad4.h"
 #include "../../generated/footpoint_quad4.h"
+#include "../../generated/footpoint_quad4_float.h"
 #include "../../generated/footpoint_rectangle_quad4.h"
 #include "../../generated/footpoint_tri3.h"
 #include "../../runtime/footpoint.h"
@@ -393,13 +394,42 @@ static void a_collapsed_edge_is_a_corner(void **state)
         }
 }
 
+/* In single precision the same region, but near its end, and distances to some units of the last place. */
+static void in_single_precision(void **state)
+{
+    (void)state;
+    struct diag d;
+    struct scene *scene = scene_read(".", "quad4", &d);
+    assert_non_null(scene);
+    const struct face f = {scene, surface_find(scene->segment), 4, stream_new()};
+    for (int i = 0; i < SAMPLES; i++) {
+        struct question q;
+        float x[5][3], loc[2], dist;
+        int region;
+        stream_key(f.stream, SEED, 2, (uint64_t)i, 0);
+        draw(&f, i % 2, &q);
+        for (int k = 0; k < 15; k++)
+            q.x[k / 3][k % 3] = (double)(x[k / 3][k % 3] = (float)q.x[k / 3][k % 3]);
+        if (!answer(&f, &q) || fabs(q.dist) > 0.999 * q.longest)
+            continue;
+        assert_int_equal(footpoint_quad4_float_precise_closest(x[0], x[1], x[2], x[3], x[4], loc, &dist, &region),
+                         FOOTPOINT_OK);
+        const double off = fmax(fabs((double)loc[0] - q.loc[0]), fabs((double)loc[1] - q.loc[1]));
+        if (!(fabs(fabs((double)dist) - fabs(q.dist)) < 1e-6 * q.longest && off < 1e-2 &&
+              (region == q.region || off < 1e-3)))
+            fail_msg("sample %d: (%g,%g) %d, certain (%g,%g) %d, distance %g, %g", i, (double)loc[0], (double)loc[1],
+                     region, q.loc[0], q.loc[1], q.region, (double)dist, q.dist);
+    }
+    gsl_rng_free(f.stream);
+    scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_footpoint_robust),
-        cmocka_unit_test(arrays_are_answered_as_one),
-        cmocka_unit_test(size_does_not_matter),
-        cmocka_unit_test(a_collapsed_edge_is_a_corner),
+        cmocka_unit_test(as_footpoint_robust),  cmocka_unit_test(arrays_are_answered_as_one),
+        cmocka_unit_test(size_does_not_matter), cmocka_unit_test(a_collapsed_edge_is_a_corner),
+        cmocka_unit_test(in_single_precision),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
