@@ -18,7 +18,7 @@
 bool closest_exists(const struct unit *u)
 {
     const struct segment_kind *k = u->file->segment;
-    return k->bilinear || strcmp(k->name, "tri3") == 0;
+    return u->file->order == CORNERS_ANY && (k->bilinear || strcmp(k->name, "tri3") == 0);
 }
 
 /* What p, the n vectors of row i, is made of. */
@@ -74,7 +74,6 @@ void closest_print_contract(const struct unit *u, FILE *out)
 static void print_nearest(const struct unit *u, const struct function *f, const char *name, FILE *out)
 {
     const enum precision precision = u->options.precision;
-    const bool ordered = u->file->order != CORNERS_ANY;
     const size_t nodes = segment_vectors(u->file->segment);
     struct memory *m = memory_open();
     for (size_t k = 0; k <= nodes; k++)
@@ -83,9 +82,7 @@ static void print_nearest(const struct unit *u, const struct function *f, const 
     char *nearest = new_format("    return footpoint_detail_%s_nearest(x, flaw, ", u->file->segment->name);
     fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s at[3],\n%*sint *region)\n{\n", name, lines_real(u),
             lines_real(u), (int)strlen(name) + 20, "");
-    if (ordered)
-        fprintf(out, "    const %s *const xS = x[%zu];\n", lines_real(u), nodes);
-    fprintf(out, "    %s xi, eta%s;\n", lines_real(u), ordered ? ", u, v" : "");
+    fprintf(out, "    %s xi, eta;\n", lines_real(u));
     lines_print_search(u, f, vectors, "    ", out);
     c_print(nearest, precision, out);
     fprintf(out, "%s, xi, eta, at, region);\n}\n", least);

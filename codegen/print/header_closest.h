@@ -4,7 +4,7 @@
 
 #include "../compile/compiled_file.h"
 
-/** Whether there are such functions for this kind of segment. */
+/** Whether there are such functions: of bilinear segments and flat triangles, with corners in any order. */
 bool closest_exists(const struct unit *u);
 
 /** What they share, and what they do, said once for all genomes. */

@@ -41,7 +41,7 @@ for header in generated/*.h; do
         for f in $functions; do
             echo "    if ($f($arguments, loc, &gap) != FOOTPOINT_OK || !(loc[0] > $least && loc[0] < $most && loc[1] > $least && loc[1] < $most))"
             echo '        return 1;'
-            case $kind in quad4 | tri3) ;; *) continue ;; esac
+            grep -q "${f}_closest(" "$header" || continue
             [ "$f" = "${f%_sure}" ] || continue
             echo "    if (${f}_closest($arguments, loc, &gap, &region) != FOOTPOINT_OK || region != 0 || !(loc[0] > $least && loc[0] < $most && gap != 7))"
             echo '        return 1;'
