@@ -298,6 +298,178 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_gap(const float *const *x, 
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_CLOSEST_F
+#define FOOTPOINT_DETAIL_CLOSEST_F
+/* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
+ * lies, from 0 to 1; returns the square of their distance. */
+FOOTPOINT_PART float footpoint_detail_f_edge(const float a[3], const float b[3], const float s[3],
+                                             float e[3], float p[3], float *ee, float *t)
+{
+    float ahead = 0.0f, ss = 0.0f, dd = 0.0f;
+    int i;
+    for (i = 0; i < 3; i++) {
+        e[i] = b[i] - a[i];
+        p[i] = s[i] - a[i];
+        ss += e[i] * e[i];
+        ahead += p[i] * e[i];
+    }
+    ahead = 0.5f * (ahead + fabsf(ahead));
+    *ee = ss;
+    *t = (ahead < ss ? ahead : ss) / (ss + 1.1754944e-38f);
+    for (i = 0; i < 3; i++) {
+        const float d = p[i] - *t * e[i];
+        dd += d * d;
+    }
+    return dd;
+}
+
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN 3
+#endif
+
+/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
+ * `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, whose vector is
+ * n; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw. */
+FOOTPOINT_PART int footpoint_detail_f_closest_status(unsigned int flaw, float all, const float n[3],
+                                                     float size, float least, float dd, float longest)
+{
+    const float nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    const unsigned int away = footpoint_detail_f_below(longest, dd);
+    const unsigned int nodes =
+        footpoint_detail_f_below(size, least) | footpoint_detail_f_below(1.0f / least, size) |
+        footpoint_detail_f_bits(nn - 1e-9f * (size * size)) | footpoint_detail_f_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 31) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 31);
+}
+
+/* The root of the square of a distance, with its sign. */
+FOOTPOINT_PART float footpoint_detail_f_signed_root(float dd)
+{
+    const float root = sqrtf(fabsf(dd));
+    return dd < 0.0f ? -root : root;
+}
+
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+typedef int footpoint_detail_f_nearest(const float *const *x, float at[3], int *region);
+
+/* NAME_closest: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_PART int footpoint_detail_f_closest(footpoint_detail_f_nearest *nearest, const float *const *x,
+                                              int nodes, int vectors, float loc[2], float *dist,
+                                              int *region)
+{
+    float y[5][3], at[3], d;
+    const float *const z[5] = {y[0], y[1], y[2], y[3], y[4]};
+    int exponent = 0, where, status = nearest(x, at, &where);
+    if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_f_scale(x, nodes, vectors, y, &exponent);
+        if (status == FOOTPOINT_OK)
+            status = nearest(z, at, &where);
+    }
+    if (status != FOOTPOINT_OK)
+        return status;
+    d = footpoint_detail_f_signed_root(at[2]);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = exponent ? ldexpf(d, exponent) : d;
+    *region = where;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_NEAREST_F
+#define FOOTPOINT_QUAD4_NEAREST_F
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at = {xi, eta,
+ * square of the distance, < 0 behind}.  A point inside is taken where rounding hides which is nearer.  n, the product of
+ * the diagonals, is at right angles to both, so that the height of r over A is warp times a function of xi and eta. */
+FOOTPOINT_PART int footpoint_detail_f_quad4_nearest(const float *const *x, unsigned int flaw, float least,
+                                                    float xi, float eta, float at[3], int *region)
+{
+    float e[4][3], p[4][3], ee[4], t[4], dd[4], n[3], f[3], g[3], all = 0.0f;
+    float size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v,
+        inner = 0.0f, side = 0.0f, warp = 0.0f;
+    int i, inside, left, right, below, above;
+    flaw |= footpoint_detail_f_infinite(xi + eta);
+    dd[0] = footpoint_detail_f_edge(x[0], x[1], x[4], e[0], p[0], &ee[0], &t[0]);
+    dd[1] = footpoint_detail_f_edge(x[1], x[2], x[4], e[1], p[1], &ee[1], &t[1]);
+    dd[2] = footpoint_detail_f_edge(x[2], x[3], x[4], e[2], p[2], &ee[2], &t[2]);
+    dd[3] = footpoint_detail_f_edge(x[3], x[0], x[4], e[3], p[3], &ee[3], &t[3]);
+    size = (ee[0] + ee[1]) + (ee[2] + ee[3]);
+    longest = ee[0] > ee[1] ? ee[0] : ee[1];
+    other = ee[2] > ee[3] ? ee[2] : ee[3];
+    longest = longest > other ? longest : other;
+    u = 2.0f * t[0] - 1.0f;
+    v = 2.0f * t[1] - 1.0f;
+    edge_u = dd[1] < dd[0] ? 1.0f : u;
+    edge_v = dd[1] < dd[0] ? v : -1.0f;
+    best = dd[1] < dd[0] ? dd[1] : dd[0];
+    u = 1.0f - 2.0f * t[2];
+    v = 1.0f - 2.0f * t[3];
+    far_u = dd[3] < dd[2] ? -1.0f : u;
+    far_v = dd[3] < dd[2] ? v : 1.0f;
+    rest = dd[3] < dd[2] ? dd[3] : dd[2];
+    edge_u = rest < best ? far_u : edge_u;
+    edge_v = rest < best ? far_v : edge_v;
+    best = rest < best ? rest : best;
+    u = 0.5f * (1.0f + xi);
+    v = 0.5f * (1.0f + eta);
+    for (i = 0; i < 3; i++) {
+        const float d = p[0][i] - u * e[0][i] + v * (e[3][i] + u * (e[0][i] + e[2][i]));
+        inner += d * d;
+        f[i] = e[0][i] + e[1][i];
+        g[i] = e[1][i] + e[2][i];
+        all += p[0][i];
+    }
+    inside = (fabsf(xi) < 1.0f) & (fabsf(eta) < 1.0f) & (inner <= best + 2e-7f * (best + size));
+    best = inside ? inner : best;
+    xi = inside ? xi : edge_u;
+    eta = inside ? eta : edge_v;
+    u = 0.5f * (1.0f + xi);
+    v = 0.5f * (1.0f + eta);
+    n[0] = f[1] * g[2] - f[2] * g[1];
+    n[1] = f[2] * g[0] - f[0] * g[2];
+    n[2] = f[0] * g[1] - f[1] * g[0];
+    for (i = 0; i < 3; i++) {
+        side += n[i] * p[0][i];
+        warp += n[i] * e[0][i];
+    }
+    side -= warp * (u + v - 2.0f * u * v);
+    at[0] = xi;
+    at[1] = eta;
+    at[2] = side < 0.0f ? -best : best;
+    left = xi <= -1.0f;
+    right = xi >= 1.0f;
+    below = eta <= -1.0f;
+    above = eta >= 1.0f;
+    *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
+    return footpoint_detail_f_closest_status(flaw, all, n, size, least, best, longest);
+}
+
+/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_closest_rest(footpoint_detail_f_nearest *nearest, size_t n,
+                                                          const float *const *x, int nodes, float *xi,
+                                                          float *eta, float *dist, int *region,
+                                                          int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        dist[i] = footpoint_detail_f_signed_root(dist[i]);
+    for (i = 0; i < n; i++)
+        if (status[i] == FOOTPOINT_ERR_DEGENERATE) {
+            const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+            const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            float loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] =
+                footpoint_detail_f_closest(nearest, row, nodes, 5, loc, &dist[i], &region[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
+#endif
+
 /* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
  * scaled by a power of 2. */
 #define FOOTPOINT_QUAD4_FLOAT_LEAST 2.3283064365386963e-10f
@@ -308,6 +480,14 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_gap(const float *const *x, 
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else. */
+
+/* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
+ *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AC x BD) is), and region, where it lies:
+ *           0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+ *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
+ *           an edge is nearer.  On error all untouched: as NAME, and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
+ *           the longest edge is long, slave nodes for which no search was measured.
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten. */
 
 /* footpoint_quad4_float_fast
  *   operations:     26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
@@ -389,6 +569,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_fast_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fast(const float *const *x, float at[3],
+                                                                       int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fast(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_fast_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                    const float xD[3], const float xS[3], float loc[2], float *dist,
+                                                    int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_fast,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_fast_closest_n(size_t n, const float *const x[15],
+                                                         float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                         float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_fast(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_fast, n, x, 4,
+        xi, eta, dist, region, status);
 }
 
 /* footpoint_quad4_float_coarse
@@ -474,6 +692,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const 
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_coarse_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_coarse(const float *const *x, float at[3],
+                                                                         int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_coarse(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_coarse_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                      const float xD[3], const float xS[3], float loc[2], float *dist,
+                                                      int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_coarse,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_coarse_closest_n(size_t n, const float *const x[15],
+                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_coarse(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_coarse, n, x, 4,
+        xi, eta, dist, region, status);
 }
 
 /* footpoint_quad4_float_gauss2
@@ -565,6 +821,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const 
     }
 }
 
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_gauss2(const float *const *x, float at[3],
+                                                                         int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_gauss2(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                      const float xD[3], const float xS[3], float loc[2], float *dist,
+                                                      int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_gauss2,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_closest_n(size_t n, const float *const x[15],
+                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_gauss2(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_gauss2, n, x, 4,
+        xi, eta, dist, region, status);
+}
+
 /* footpoint_quad4_float_medium
  *   operations:     66 mul, 2 div, 67 add, 0 sqrt, 0 compare; 39 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
@@ -653,6 +947,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const 
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_medium_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_medium(const float *const *x, float at[3],
+                                                                         int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_medium(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_medium_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                      const float xD[3], const float xS[3], float loc[2], float *dist,
+                                                      int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_medium,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_medium_closest_n(size_t n, const float *const x[15],
+                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_medium(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_medium, n, x, 4,
+        xi, eta, dist, region, status);
 }
 
 /* footpoint_quad4_float_balanced
@@ -747,6 +1079,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_n(size_t n, const float *cons
     }
 }
 
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_balanced(const float *const *x, float at[3],
+                                                                           int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_balanced(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_balanced_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                        const float xD[3], const float xS[3], float loc[2],
+                                                        float *dist, int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_balanced,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_balanced_closest_n(size_t n, const float *const x[15],
+                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_balanced(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_balanced, n, x, 4,
+        xi, eta, dist, region, status);
+}
+
 /* footpoint_quad4_float_fine
  *   operations:     88 mul, 2 div, 79 add, 0 sqrt, 0 compare; 56 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
@@ -839,6 +1209,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_fine_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fine(const float *const *x, float at[3],
+                                                                       int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fine(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_fine_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                    const float xD[3], const float xS[3], float loc[2], float *dist,
+                                                    int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_fine,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_fine_closest_n(size_t n, const float *const x[15],
+                                                         float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                         float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_fine(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_fine, n, x, 4,
+        xi, eta, dist, region, status);
 }
 
 /* footpoint_quad4_float_precise
@@ -937,6 +1345,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_precise_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_precise(const float *const *x, float at[3],
+                                                                          int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_precise(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_precise_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                       const float xD[3], const float xS[3], float loc[2],
+                                                       float *dist, int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_precise,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_precise_closest_n(size_t n, const float *const x[15],
+                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                            int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_precise(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_precise, n, x, 4,
+        xi, eta, dist, region, status);
 }
 
 /* footpoint_quad4_float_accurate
@@ -1040,6 +1486,44 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_n(size_t n, const float *cons
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_accurate_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_accurate(const float *const *x, float at[3],
+                                                                           int *region)
+{
+    float xi, eta;
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_accurate(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_f_quad4_nearest(x, flaw, FOOTPOINT_QUAD4_FLOAT_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_accurate_closest(const float xA[3], const float xB[3], const float xC[3],
+                                                        const float xD[3], const float xS[3], float loc[2],
+                                                        float *dist, int *region)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_accurate,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_accurate_closest_n(size_t n, const float *const x[15],
+                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                             int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        status[i] = footpoint_detail_closest_footpoint_quad4_float_accurate(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_accurate, n, x, 4,
+        xi, eta, dist, region, status);
 }
 
 #endif

@@ -195,6 +195,178 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_gap(const double *const
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_CLOSEST
+#define FOOTPOINT_DETAIL_CLOSEST
+/* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
+ * lies, from 0 to 1; returns the square of their distance. */
+FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3], const double s[3],
+                                            double e[3], double p[3], double *ee, double *t)
+{
+    double ahead = 0.0, ss = 0.0, dd = 0.0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        e[i] = b[i] - a[i];
+        p[i] = s[i] - a[i];
+        ss += e[i] * e[i];
+        ahead += p[i] * e[i];
+    }
+    ahead = 0.5 * (ahead + fabs(ahead));
+    *ee = ss;
+    *t = (ahead < ss ? ahead : ss) / (ss + 2.2250738585072014e-308);
+    for (i = 0; i < 3; i++) {
+        const double d = p[i] - *t * e[i];
+        dd += d * d;
+    }
+    return dd;
+}
+
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN 3
+#endif
+
+/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
+ * `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, whose vector is
+ * n; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw. */
+FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, const double n[3],
+                                                   double size, double least, double dd, double longest)
+{
+    const double nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    const unsigned long long away = footpoint_detail_below(longest, dd);
+    const unsigned long long nodes =
+        footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
+        footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 63) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 63);
+}
+
+/* The root of the square of a distance, with its sign. */
+FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
+{
+    const double root = sqrt(fabs(dd));
+    return dd < 0.0 ? -root : root;
+}
+
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+typedef int footpoint_detail_nearest(const double *const *x, double at[3], int *region);
+
+/* NAME_closest: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, const double *const *x,
+                                            int nodes, int vectors, double loc[2], double *dist,
+                                            int *region)
+{
+    double y[5][3], at[3], d;
+    const double *const z[5] = {y[0], y[1], y[2], y[3], y[4]};
+    int exponent = 0, where, status = nearest(x, at, &where);
+    if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        if (status == FOOTPOINT_OK)
+            status = nearest(z, at, &where);
+    }
+    if (status != FOOTPOINT_OK)
+        return status;
+    d = footpoint_detail_signed_root(at[2]);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = exponent ? ldexp(d, exponent) : d;
+    *region = where;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_NEAREST
+#define FOOTPOINT_QUAD4_NEAREST
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at = {xi, eta,
+ * square of the distance, < 0 behind}.  A point inside is taken where rounding hides which is nearer.  n, the product of
+ * the diagonals, is at right angles to both, so that the height of r over A is warp times a function of xi and eta. */
+FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsigned long long flaw, double least,
+                                                  double xi, double eta, double at[3], int *region)
+{
+    double e[4][3], p[4][3], ee[4], t[4], dd[4], n[3], f[3], g[3], all = 0.0;
+    double size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v,
+        inner = 0.0, side = 0.0, warp = 0.0;
+    int i, inside, left, right, below, above;
+    flaw |= footpoint_detail_infinite(xi + eta);
+    dd[0] = footpoint_detail_edge(x[0], x[1], x[4], e[0], p[0], &ee[0], &t[0]);
+    dd[1] = footpoint_detail_edge(x[1], x[2], x[4], e[1], p[1], &ee[1], &t[1]);
+    dd[2] = footpoint_detail_edge(x[2], x[3], x[4], e[2], p[2], &ee[2], &t[2]);
+    dd[3] = footpoint_detail_edge(x[3], x[0], x[4], e[3], p[3], &ee[3], &t[3]);
+    size = (ee[0] + ee[1]) + (ee[2] + ee[3]);
+    longest = ee[0] > ee[1] ? ee[0] : ee[1];
+    other = ee[2] > ee[3] ? ee[2] : ee[3];
+    longest = longest > other ? longest : other;
+    u = 2.0 * t[0] - 1.0;
+    v = 2.0 * t[1] - 1.0;
+    edge_u = dd[1] < dd[0] ? 1.0 : u;
+    edge_v = dd[1] < dd[0] ? v : -1.0;
+    best = dd[1] < dd[0] ? dd[1] : dd[0];
+    u = 1.0 - 2.0 * t[2];
+    v = 1.0 - 2.0 * t[3];
+    far_u = dd[3] < dd[2] ? -1.0 : u;
+    far_v = dd[3] < dd[2] ? v : 1.0;
+    rest = dd[3] < dd[2] ? dd[3] : dd[2];
+    edge_u = rest < best ? far_u : edge_u;
+    edge_v = rest < best ? far_v : edge_v;
+    best = rest < best ? rest : best;
+    u = 0.5 * (1.0 + xi);
+    v = 0.5 * (1.0 + eta);
+    for (i = 0; i < 3; i++) {
+        const double d = p[0][i] - u * e[0][i] + v * (e[3][i] + u * (e[0][i] + e[2][i]));
+        inner += d * d;
+        f[i] = e[0][i] + e[1][i];
+        g[i] = e[1][i] + e[2][i];
+        all += p[0][i];
+    }
+    inside = (fabs(xi) < 1.0) & (fabs(eta) < 1.0) & (inner <= best + 4e-16 * (best + size));
+    best = inside ? inner : best;
+    xi = inside ? xi : edge_u;
+    eta = inside ? eta : edge_v;
+    u = 0.5 * (1.0 + xi);
+    v = 0.5 * (1.0 + eta);
+    n[0] = f[1] * g[2] - f[2] * g[1];
+    n[1] = f[2] * g[0] - f[0] * g[2];
+    n[2] = f[0] * g[1] - f[1] * g[0];
+    for (i = 0; i < 3; i++) {
+        side += n[i] * p[0][i];
+        warp += n[i] * e[0][i];
+    }
+    side -= warp * (u + v - 2.0 * u * v);
+    at[0] = xi;
+    at[1] = eta;
+    at[2] = side < 0.0 ? -best : best;
+    left = xi <= -1.0;
+    right = xi >= 1.0;
+    below = eta <= -1.0;
+    above = eta >= 1.0;
+    *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
+    return footpoint_detail_closest_status(flaw, all, n, size, least, best, longest);
+}
+
+/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length. */
+FOOTPOINT_PART void footpoint_detail_quad4_closest_rest(footpoint_detail_nearest *nearest, size_t n,
+                                                        const double *const *x, int nodes, double *xi,
+                                                        double *eta, double *dist, int *region,
+                                                        int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        dist[i] = footpoint_detail_signed_root(dist[i]);
+    for (i = 0; i < n; i++)
+        if (status[i] == FOOTPOINT_ERR_DEGENERATE) {
+            const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] =
+                footpoint_detail_closest(nearest, row, nodes, 5, loc, &dist[i], &region[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
+#endif
+
 /* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
  * scaled by a power of 2. */
 #define FOOTPOINT_RECTANGLE_QUAD4_LEAST 2.9387358770557188e-39
@@ -205,6 +377,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_gap(const double *const
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else. */
+
+/* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
+ *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AC x BD) is), and region, where it lies:
+ *           0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+ *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
+ *           an edge is nearer.  On error all untouched: as NAME, and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
+ *           the longest edge is long, slave nodes for which no search was measured.
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten. */
 
 /* footpoint_rectangle_quad4_exact
  *   operations:     17 mul, 1 div, 19 add, 0 sqrt, 0 compare; 13 temporaries
@@ -265,6 +445,44 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_n(size_t n, const double *co
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_rectangle_quad4_exact_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_rectangle_quad4_exact(const double *const *x, double at[3],
+                                                                            int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_rectangle_quad4_exact(
+        x[0], x[1], x[2], x[3], x[4], &xi, &eta);
+    return footpoint_detail_quad4_nearest(x, flaw, FOOTPOINT_RECTANGLE_QUAD4_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_rectangle_quad4_exact_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                         const double xD[3], const double xS[3], double loc[2],
+                                                         double *dist, int *region)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    return footpoint_detail_closest(footpoint_detail_closest_footpoint_rectangle_quad4_exact,
+                                    x, 4, 5, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_closest_n(size_t n, const double *const x[15],
+                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                              int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double at[3];
+        status[i] = footpoint_detail_closest_footpoint_rectangle_quad4_exact(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_quad4_closest_rest(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, 4,
+        xi, eta, dist, region, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */

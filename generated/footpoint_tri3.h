@@ -214,6 +214,160 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_gap(const double *const 
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_CLOSEST
+#define FOOTPOINT_DETAIL_CLOSEST
+/* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
+ * lies, from 0 to 1; returns the square of their distance. */
+FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3], const double s[3],
+                                            double e[3], double p[3], double *ee, double *t)
+{
+    double ahead = 0.0, ss = 0.0, dd = 0.0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        e[i] = b[i] - a[i];
+        p[i] = s[i] - a[i];
+        ss += e[i] * e[i];
+        ahead += p[i] * e[i];
+    }
+    ahead = 0.5 * (ahead + fabs(ahead));
+    *ee = ss;
+    *t = (ahead < ss ? ahead : ss) / (ss + 2.2250738585072014e-308);
+    for (i = 0; i < 3; i++) {
+        const double d = p[i] - *t * e[i];
+        dd += d * d;
+    }
+    return dd;
+}
+
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN 3
+#endif
+
+/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
+ * `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, whose vector is
+ * n; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw. */
+FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, const double n[3],
+                                                   double size, double least, double dd, double longest)
+{
+    const double nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    const unsigned long long away = footpoint_detail_below(longest, dd);
+    const unsigned long long nodes =
+        footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
+        footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 63) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 63);
+}
+
+/* The root of the square of a distance, with its sign. */
+FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
+{
+    const double root = sqrt(fabs(dd));
+    return dd < 0.0 ? -root : root;
+}
+
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
+typedef int footpoint_detail_nearest(const double *const *x, double at[3], int *region);
+
+/* NAME_closest: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, const double *const *x,
+                                            int nodes, int vectors, double loc[2], double *dist,
+                                            int *region)
+{
+    double y[5][3], at[3], d;
+    const double *const z[5] = {y[0], y[1], y[2], y[3], y[4]};
+    int exponent = 0, where, status = nearest(x, at, &where);
+    if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        if (status == FOOTPOINT_OK)
+            status = nearest(z, at, &where);
+    }
+    if (status != FOOTPOINT_OK)
+        return status;
+    d = footpoint_detail_signed_root(at[2]);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = exponent ? ldexp(d, exponent) : d;
+    *region = where;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_TRI3_NEAREST
+#define FOOTPOINT_TRI3_NEAREST
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at = {xi, eta,
+ * square of the distance, < 0 behind}.  A point inside is taken where rounding hides which is nearer. */
+FOOTPOINT_PART int footpoint_detail_tri3_nearest(const double *const *x, unsigned long long flaw, double least,
+                                                 double xi, double eta, double at[3], int *region)
+{
+    double e[3][3], p[3][3], ee[4], t[4], dd[4], n[3], all = 0.0;
+    double size, longest, best, u, v, along, other, inner = 0.0, side = 0.0;
+    int i, k, last, inside;
+    flaw |= footpoint_detail_infinite(xi + eta);
+    dd[0] = footpoint_detail_edge(x[0], x[1], x[3], e[0], p[0], &ee[0], &t[0]);
+    dd[1] = footpoint_detail_edge(x[1], x[2], x[3], e[1], p[1], &ee[1], &t[1]);
+    dd[2] = footpoint_detail_edge(x[2], x[0], x[3], e[2], p[2], &ee[2], &t[2]);
+    size = ee[0] + ee[1] + ee[2];
+    longest = ee[0] > ee[1] ? ee[0] : ee[1];
+    longest = longest > ee[2] ? longest : ee[2];
+    u = 1.0 - t[1];
+    v = 1.0 - t[2];
+    k = dd[1] < dd[0];
+    u = dd[1] < dd[0] ? u : t[0];
+    along = dd[1] < dd[0] ? t[1] : t[0];
+    best = dd[1] < dd[0] ? dd[1] : dd[0];
+    last = dd[2] < best;
+    other = dd[1] < dd[0] ? t[1] : 0.0;
+    v = dd[2] < best ? v : other;
+    u = dd[2] < best ? 0.0 : u;
+    along = dd[2] < best ? t[2] : along;
+    best = dd[2] < best ? dd[2] : best;
+    for (i = 0; i < 3; i++) {
+        const double d = p[0][i] - xi * e[0][i] + eta * e[2][i];
+        inner += d * d;
+        all += p[0][i];
+    }
+    n[0] = e[0][2] * e[2][1] - e[0][1] * e[2][2];
+    n[1] = e[0][0] * e[2][2] - e[0][2] * e[2][0];
+    n[2] = e[0][1] * e[2][0] - e[0][0] * e[2][1];
+    for (i = 0; i < 3; i++)
+        side += n[i] * p[0][i];
+    inside =
+        (xi > 0.0) & (eta > 0.0) & (xi + eta < 1.0) & (inner <= best + 4e-16 * (best + size));
+    best = inside ? inner : best;
+    at[0] = inside ? xi : u;
+    at[1] = inside ? eta : v;
+    at[2] = side < 0.0 ? -best : best;
+    k += last * (2 - k);
+    *region = (1 - inside) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));
+    return footpoint_detail_closest_status(flaw, all, n, size, least, best, longest);
+}
+
+/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length. */
+FOOTPOINT_PART void footpoint_detail_tri3_closest_rest(footpoint_detail_nearest *nearest, size_t n,
+                                                       const double *const *x, int nodes, double *xi,
+                                                       double *eta, double *dist, int *region,
+                                                       int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        dist[i] = footpoint_detail_signed_root(dist[i]);
+    for (i = 0; i < n; i++)
+        if (status[i] == FOOTPOINT_ERR_DEGENERATE) {
+            const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}};
+            const double *const row[4] = {p[0], p[1], p[2], p[3]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] =
+                footpoint_detail_closest(nearest, row, nodes, 4, loc, &dist[i], &region[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
+#endif
+
 /* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
  * scaled by a power of 2. */
 #define FOOTPOINT_TRI3_LEAST 2.9387358770557188e-39
@@ -224,6 +378,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_gap(const double *const 
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xS;
  *           xi and eta overlap nothing else. */
+
+/* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
+ *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AB x AC) is), and region, where it lies:
+ *           0 inside, 1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C.
+ *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
+ *           an edge is nearer.  On error all untouched: as NAME, and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
+ *           the longest edge is long, slave nodes for which no search was measured.
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten. */
 
 /* footpoint_tri3_exact
  *   operations:     23 mul, 1 div, 22 add, 0 sqrt, 0 compare; 15 temporaries
@@ -284,6 +446,42 @@ FOOTPOINT_LOOP void footpoint_tri3_exact_n(size_t n, const double *const x[12],
             {x[9][i], x[10][i], x[11][i]}};
         footpoint_tri3_exact_at(p[0], p[1], p[2], p[3], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri3_exact(const double *const *x, double at[3],
+                                                                 int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_tri3_exact(x[0], x[1], x[2], x[3], &xi, &eta);
+    return footpoint_detail_tri3_nearest(x, flaw, FOOTPOINT_TRI3_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_tri3_exact_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xS[3], double loc[2], double *dist, int *region)
+{
+    const double *const x[4] = {xA, xB, xC, xS};
+    return footpoint_detail_closest(footpoint_detail_closest_footpoint_tri3_exact,
+                                    x, 3, 4, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_tri3_exact_closest_n(size_t n, const double *const x[12],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}};
+        const double *const row[4] = {p[0], p[1], p[2], p[3]};
+        double at[3];
+        status[i] = footpoint_detail_closest_footpoint_tri3_exact(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    footpoint_detail_tri3_closest_rest(footpoint_detail_closest_footpoint_tri3_exact, n, x, 3,
+        xi, eta, dist, region, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */

@@ -65,12 +65,13 @@ bool *function_reads(const struct function *f)
     return reads;
 }
 
-/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at and NAME_sure. */
+/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_sure, NAME_closest
+ * and NAME_closest_n. */
 static bool check_names(const struct genome_file *f, struct diag *d)
 {
-    static const char *const suffix[] = {"_n", "_points", "_at", "_sure"};
+    static const char *const suffix[] = {"_n", "_points", "_at", "_sure", "_closest", "_closest_n"};
     for (size_t k = 0; k < f->genomes; k++)
-        for (size_t s = 0; s < (f->segment ? 4 : 2); s++) {
+        for (size_t s = 0; s < (f->segment ? sizeof suffix / sizeof *suffix : 2); s++) {
             const char *name = f->genome[k].name;
             const size_t n = strlen(name), tail = strlen(suffix[s]);
             for (size_t i = 0; n > tail && strcmp(name + n - tail, suffix[s]) == 0 && i < f->genomes; i++)

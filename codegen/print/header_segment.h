@@ -10,7 +10,7 @@ bool search_hides_poles(const struct function *f);
 /** What each of the functions does, said once for all genomes. */
 void search_print_contract(const struct unit *u, FILE *out);
 
-/** NAME_at, NAME and NAME_n; in float, where there were samples, NAME_sure. */
+/** NAME_at, NAME and NAME_n; in float, where there were samples, NAME_sure; those of header_closest.h. */
 void search_print(const struct unit *u, const struct function *f, FILE *out);
 
 #endif

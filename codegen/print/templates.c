@@ -23,7 +23,8 @@ static const struct {
             {"REAL_MIDDLE", {"511", "31"}}, /* exponents, biased: about the half of them, from 2^-LOW to 2^HIGH */
             {"REAL_LOW", {"512", "96"}},
             {"REAL_HIGH", {"512", "32"}},
-            {"REAL_FLAT", {"1e-20", "1e-9f"}}, /* the square of the sine below which tangents are parallel */
+            {"REAL_FLAT", {"1e-20", "1e-9f"}},   /* the square of the sine below which tangents are parallel */
+            {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
             {"fabs", {"fabs", "fabsf"}},
             {"frexp", {"frexp", "frexpf"}},
             {"ldexp", {"ldexp", "ldexpf"}},

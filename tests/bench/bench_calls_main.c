@@ -1,15 +1,22 @@
 /* What a caller pays: functions of generated/footpoint_quad4.h bare (NAME_at), checked with gap and status (NAME) and
  * over arrays (NAME_n), and the library's checked searches, beside Newton's iteration until it stands, written by hand,
- * bare and with the same checks.  Interleaved in one run on ordinary segments; prints lines
- *     call,ns,ratio       ns: least a search; ratio: Newton's ns / this one's, checked beside checked
+ * bare and with the same checks; and closest points of the closed face (NAME_closest, NAME_closest_n) beside four
+ * triangles about the centroid.  Interleaved in one run on ordinary segments, for closest points every other slave node
+ * moved up to an edge beside its segment; prints lines
+ *     call,ns,ratio,off   ns: least a search; ratio: Newton's ns / this one's, checked beside checked, or four triangles',
+ *                         one at a time or in a loop over the same arrays; off: of closest points, worst error of the
+ *                         distance over the longest edge
  * The header and Newton are compiled with this file's flags; tests/long/calls.sh runs it. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"
+#include "../hard/draw.h"
 #include "../hard/hard.h"
+#include "../rivals/four_triangles.h"
 #include "../rivals/rivals_converged.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include <time.h>
 
 enum { CASES = 2048, ROUNDS = 400, STEPS = 50 };
@@ -17,6 +24,9 @@ enum { CASES = 2048, ROUNDS = 400, STEPS = 50 };
 static struct hard_case cases[CASES];
 static double column[15][CASES], xyz[5 * CASES][3], loc[CASES][2], xi[CASES], eta[CASES], gap[CASES];
 static const double *columns[15];
+static double beside_column[15][CASES], beside[5 * CASES][3], dist[CASES], point[CASES][3];
+static const double *beside_columns[15];
+static int region[CASES];
 static int seg[CASES][4], slave[CASES], status[CASES];
 
 #define NODES(i) xyz[5 * (i)], xyz[5 * (i) + 1], xyz[5 * (i) + 2], xyz[5 * (i) + 3], xyz[5 * (i) + 4]
@@ -90,6 +100,54 @@ TIER(precise)
 TIER(accurate)
 TIER(full)
 
+/* Closest points. */
+#define BESIDE(i) beside[5 * (i)], beside[5 * (i) + 1], beside[5 * (i) + 2], beside[5 * (i) + 3], beside[5 * (i) + 4]
+
+static void four_triangles(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double *const x[5] = {BESIDE(i)};
+        dist[i] = sqrt(rival_four_triangles(x, x[4], point[i]));
+    }
+}
+
+static void four_triangles_n(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        double p[5][3];
+        const double *const x[4] = {p[0], p[1], p[2], p[3]};
+        for (int k = 0; k < 15; k++)
+            p[k / 3][k % 3] = beside_columns[k][i];
+        dist[i] = sqrt(rival_four_triangles(x, p[4], point[i]));
+    }
+}
+
+static void robust_closest(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_robust(BESIDE(i), loc[i], &dist[i]);
+}
+
+#define CLOSEST(name)                                                                                                  \
+    static void name##_closest(void)                                                                                   \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES; i++)                                                                                \
+            status[i] = footpoint_quad4_##name##_closest(BESIDE(i), loc[i], &dist[i], &region[i]);                     \
+    }                                                                                                                  \
+    static void name##_closest_n(void)                                                                                 \
+    {                                                                                                                  \
+        footpoint_quad4_##name##_closest_n(CASES, beside_columns, xi, eta, dist, region, status);                      \
+    }
+CLOSEST(fast)
+CLOSEST(coarse)
+CLOSEST(gauss2)
+CLOSEST(medium)
+CLOSEST(balanced)
+CLOSEST(fine)
+CLOSEST(precise)
+CLOSEST(accurate)
+CLOSEST(full)
+
 static void call_locate(void)
 {
     for (int i = 0; i < CASES; i++)
@@ -110,7 +168,9 @@ static void call_robust(void)
 /* clang-format off */
 #define ROW(name, against) {#name, name, against}
 #define ROWS(name) ROW(name##_at, 0), ROW(name, 1), ROW(name##_n, 0)
+#define ROWS_CLOSEST(name) ROW(name##_closest, FOUR), ROW(name##_closest_n, FOUR + 1)
 /* clang-format on */
+enum { FOUR = 2 };
 static const struct call {
     const char *name;
     void (*run)(void);
@@ -118,6 +178,8 @@ static const struct call {
 } calls[] = {
     ROW(newton_at, 0),
     ROW(newton, 1),
+    ROW(four_triangles, FOUR),
+    ROW(four_triangles_n, FOUR + 1),
     ROWS(fast),
     ROWS(coarse),
     ROWS(gauss2),
@@ -130,6 +192,16 @@ static const struct call {
     {"footpoint_locate", call_locate, 1},
     {"footpoint_locate_pairs", call_locate_pairs, 1},
     {"footpoint_robust", call_robust, 1},
+    ROWS_CLOSEST(fast),
+    ROWS_CLOSEST(coarse),
+    ROWS_CLOSEST(gauss2),
+    ROWS_CLOSEST(medium),
+    ROWS_CLOSEST(balanced),
+    ROWS_CLOSEST(fine),
+    ROWS_CLOSEST(precise),
+    ROWS_CLOSEST(accurate),
+    ROWS_CLOSEST(full),
+    ROW(robust_closest, FOUR),
 };
 enum { CALLS = sizeof calls / sizeof *calls };
 
@@ -138,6 +210,42 @@ static double seconds(void)
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Every other slave node up to an edge beside its segment. */
+static void move_beside(void)
+{
+    uint64_t stream = 1;
+    memcpy(beside, xyz, sizeof beside);
+    for (int i = 0; i < CASES; i++) {
+        const double u = draw_flat(&stream, -1, 1), v = draw_flat(&stream, -1, 1);
+        for (int j = 0; i % 2 && j < 3; j++)
+            beside[5 * i + 4][j] += u * (xyz[5 * i + 1][j] - xyz[5 * i][j]) + v * (xyz[5 * i + 3][j] - xyz[5 * i][j]);
+        for (int k = 0; k < 15; k++)
+            beside_column[k][i] = beside[5 * i + k / 3][k % 3];
+    }
+}
+
+/* Worst error of the distances that a call has left, over the longest edge, where the call has an answer. */
+static double worst_distance(const struct call *call)
+{
+    double worst = 0;
+    memset(status, 0, sizeof status);
+    call->run();
+    for (int i = 0; i < CASES; i++) {
+        double certain, at[2], longest = 0;
+        const int known = footpoint_robust(BESIDE(i), at, &certain);
+        for (int k = 0; k < 4; k++) {
+            double square = 0;
+            for (int j = 0; j < 3; j++)
+                square += pow(beside[5 * i + (k + 1) % 4][j] - beside[5 * i + k][j], 2);
+            longest = fmax(longest, sqrt(square));
+        }
+        if ((status[i] == FOOTPOINT_OK || status[i] == FOOTPOINT_OUTSIDE) &&
+            (known == FOOTPOINT_OK || known == FOOTPOINT_OUTSIDE))
+            worst = fmax(worst, fabs(fabs(dist[i]) - fabs(certain)) / longest);
+    }
+    return worst;
 }
 
 int main(void)
@@ -152,8 +260,11 @@ int main(void)
             seg[i][k] = 5 * i + k;
         slave[i] = 5 * i + 4;
     }
-    for (int k = 0; k < 15; k++)
+    move_beside();
+    for (int k = 0; k < 15; k++) {
         columns[k] = column[k];
+        beside_columns[k] = beside_column[k];
+    }
     for (int c = 0; c < CALLS; c++)
         least[c] = HUGE_VAL;
     for (int round = 0; round < ROUNDS; round++)
@@ -162,8 +273,12 @@ int main(void)
             calls[c].run();
             least[c] = fmin(least[c], seconds() - start);
         }
-    printf("call,ns,ratio\n");
-    for (int c = 0; c < CALLS; c++)
-        printf("%s,%.1f,%.1f\n", calls[c].name, 1e9 * least[c] / CASES, least[calls[c].against] / least[c]);
+    printf("call,ns,ratio,off\n");
+    for (int c = 0; c < CALLS; c++) {
+        printf("%s,%.1f,%.1f,", calls[c].name, 1e9 * least[c] / CASES, least[calls[c].against] / least[c]);
+        if (calls[c].against >= FOUR)
+            printf("%.1e", worst_distance(&calls[c]));
+        printf("\n");
+    }
     return 0;
 }

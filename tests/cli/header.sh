@@ -22,7 +22,7 @@ for header in generated/*.h; do
     name=$(basename "$header")
     mkdir -p "$work/alone"
     cp "$header" "$work/alone/"
-    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v '^footpoint_detail_')
+    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e '^footpoint_detail_' -e '_closest$')
     kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH\(_F\)*$/\1/p' "$header" | tr A-Z a-z)
     arguments=$(nodes "$kind" | sed 's/[0-9]*/n[&]/g; s/ /, /g')
     type=$(sed -n 's/^ \* precision: //p' "$header")
@@ -37,11 +37,16 @@ for header in generated/*.h; do
         echo '        {R(0.55), R(0.95), R(0.025)}, {0, R(0.45), R(0.025)}, {R(0.525), R(0.475), R(0.0125)}, {R(0.2), R(0.25), R(0.01)},'
         echo '        {R(0.5), R(0.45), R(0.025)}, {0, 0, 1}};'
         echo "    $type loc[2] = {7, 7}, gap = 7;"
+        echo '    int region = 7;'
         for f in $functions; do
             echo "    if ($f($arguments, loc, &gap) != FOOTPOINT_OK || !(loc[0] > $least && loc[0] < $most && loc[1] > $least && loc[1] < $most))"
             echo '        return 1;'
+            grep -q "${f}_closest(" "$header" || continue
+            [ "$f" = "${f%_sure}" ] || continue
+            echo "    if (${f}_closest($arguments, loc, &gap, &region) != FOOTPOINT_OK || region != 0 || !(loc[0] > $least && loc[0] < $most && gap != 7))"
+            echo '        return 1;'
         done
-        echo '    return 0;'
+        echo '    return region == 8;'
         echo '}'
     } > "$work/alone/use.c"
     cp "$work/alone/use.c" "$work/alone/use.cpp"
@@ -116,13 +121,17 @@ use() {
     echo 'int main(void)'
     echo '{'
     echo "    static $2 column[80][8];"
-    echo '    static int status[8];'
+    echo '    static int status[8], region[8];'
     echo "    const $2 *x[30];"
     echo '    int failed = 0, k;'
     echo '    for (k = 0; k < 30; k++)'
     echo '        x[k] = column[k];'
     awk -v type="$2" '
     function flush_function(   i, call) {
+        if (name ~ /_closest$/) {
+            printf "    %s_n(8, x, column[70], column[71], column[72], region, status);\n", name
+            return
+        }
         printf "    { %s out[%d]; size_t i; (void)i;\n", type, outs
         call = name at "("
         for (i = 0; i < ins; i++)
@@ -152,6 +161,7 @@ use() {
         flush_function() }' "$1" "$1"
     echo '    (void)x;'
     echo '    (void)status;'
+    echo '    (void)region;'
     echo '    return failed;'
     echo '}'
 }

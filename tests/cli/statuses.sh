@@ -25,7 +25,7 @@ for header in $HEADERS; do
     esac
     kind=$(sed -n 's/^#define FOOTPOINT_\([A-Z0-9]*\)_SEARCH\(_F\)*$/\1/p' "$header" | tr A-Z a-z)
     type=$(sed -n 's/^ \* precision: //p' "$header")
-    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e _detail_ -e '_sure$')
+    functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const [a-z]* xA.*/\1/p' "$header" | grep -v -e _detail_ -e '_sure$' -e '_closest$')
     [ -n "$FOOTPOINT_LONG" ] || [ $name = footpoint_quad4 ] || functions=$(echo "$functions" | sed '1b; $!d')
     set -- $(places "$kind")
     vectors=$#
@@ -44,6 +44,7 @@ for header in $HEADERS; do
         echo "#define ORDER $(echo "$@" | sed 's/ /, /g')"
         echo "#define ARGUMENTS $arguments"
         echo "#define FUNCTIONS(F) $(for f in $functions; do printf 'F(%s) ' "$f"; done)"
+        ! grep -q _closest "$header" || echo "#define CLOSEST(F) $(for f in $functions; do printf 'F(%s_closest) ' "$f"; done)"
         echo '#ifdef __cplusplus'
         echo 'extern "C" {'
         echo '#endif'

@@ -20,12 +20,24 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         echo '#undef footpoint_detail_KIND_gap'
         echo '#undef NODES'
     done
-    for name in corners quad4_sure contract; do echo "#include \"$PWD/$folder/$name.h\""; done
+    for name in edge closest; do echo "#include \"$PWD/$folder/$name.h\""; done
+    columns= rows=
+    for vectors in 1 2 3 4 5; do
+        k=$((3 * (vectors - 1)))
+        columns="$columns${columns:+, }{x[$k][i], x[$((k + 1))][i], x[$((k + 2))][i]}"
+        rows="$rows${rows:+, }p[$((vectors - 1))]"
+        case $vectors in 4) kind=tri3 ;; 5) kind=quad4 ;; *) continue ;; esac
+        printf '%s\n' "#define VECTORS $vectors" "#define COLUMNS $columns" "#define ROWS $rows" \
+            "#define footpoint_detail_KIND_closest_rest footpoint_detail_${kind}_closest_rest" \
+            "#include \"$PWD/$folder/${kind}_nearest.h\"" "#include \"$PWD/$folder/closest_rest.h\"" \
+            '#undef VECTORS' '#undef COLUMNS' '#undef ROWS' '#undef footpoint_detail_KIND_closest_rest'
+    done
+    for name in corners quad4_sure contract contract_closest; do echo "#include \"$PWD/$folder/$name.h\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(ls $folder | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
-double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20'
-float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f'
+double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16'
+float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f'
 float="$float -fsingle-precision-constant -DSINGLE"
 for compiler in 'gcc -std=c99' 'clang -std=c99' 'g++ -std=c++11' 'clang++ -std=c++11'; do
     case $compiler in *++*) source=all.cpp ;; *) source=all.c ;; esac

@@ -4,7 +4,8 @@
  *     ARGUMENTS   of a call, from vectors x   FUNCTIONS(F)              F(name) for each function
  *     ORDER       places below, one a vector  EXTREME                   largest power of 2 that edges are made of
  * and wide_NAME(x, loc), which is NAME_at in the numbers of tests/generated/wide_number.h, where corners may have any order
- * (WIDE).  EXACT: the compiler keeps the order of operations. */
+ * (WIDE).  EXACT: the compiler keeps the order of operations.  CLOSEST(F), where the header has them: F(NAME_closest) for
+ * each function, whose distance stands for the gap. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,6 +19,19 @@ typedef void wide_at(const __float128 (*x)[3], __float128 loc[2]);
         return name(ARGUMENTS, loc, gap);                                                                              \
     }
 FUNCTIONS(WRAP)
+#ifdef CLOSEST
+#define WRAP_CLOSEST(name)                                                                                             \
+    static int call_##name(const R(*x)[3], R loc[2], R *gap)                                                           \
+    {                                                                                                                  \
+        int region = 99;                                                                                               \
+        const int status = name(ARGUMENTS, loc, gap, &region);                                                         \
+        return (region == 99) == (status != FOOTPOINT_OK) ? status : 99;                                               \
+    }
+CLOSEST(WRAP_CLOSEST)
+#define ROW_CLOSEST(name) {#name, call_##name, NULL},
+#else
+#define CLOSEST(F)
+#endif
 #ifdef WIDE
 #define ROW(name) {#name, call_##name, wide_##name},
 #else
@@ -27,7 +41,7 @@ static const struct {
     const char *name;
     checked *call;
     wide_at *wide;
-} function[] = {FUNCTIONS(ROW)};
+} function[] = {FUNCTIONS(ROW) CLOSEST(ROW_CLOSEST)};
 enum { FUNCTION_COUNT = sizeof function / sizeof *function };
 
 /* Nodes A to I of a quadrilateral; a slave node; the middle of BC, a normal. */
@@ -187,7 +201,8 @@ int main(void)
         test_no_area(f);
         test_sizes(f);
 #if defined EXACT && defined WIDE
-        test_shapes(f);
+        if (function[f].wide)
+            test_shapes(f);
 #endif
     }
     if (failures)

@@ -4,7 +4,7 @@
 #ifndef FOOTPOINT_FOUR_TRIANGLES_H
 #define FOOTPOINT_FOUR_TRIANGLES_H
 
-static inline double rival_dot(const double a[3], const double b[3])
+static inline double rival_triangle_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -21,8 +21,8 @@ static inline void rival_closest_of_triangle(const double a[3], const double b[3
         bs[k] = s[k] - b[k];
         cs[k] = s[k] - c[k];
     }
-    const double d1 = rival_dot(ab, as), d2 = rival_dot(ac, as), d3 = rival_dot(ab, bs), d4 = rival_dot(ac, bs),
-                 d5 = rival_dot(ab, cs), d6 = rival_dot(ac, cs);
+    const double d1 = rival_triangle_dot(ab, as), d2 = rival_triangle_dot(ac, as), d3 = rival_triangle_dot(ab, bs),
+                 d4 = rival_triangle_dot(ac, bs), d5 = rival_triangle_dot(ab, cs), d6 = rival_triangle_dot(ac, cs);
     const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
     *v = *w = 0;
     if (d1 <= 0 && d2 <= 0)

@@ -1,0 +1,9 @@
+/* What the functions of closed segments do, said once for all genomes. */
+
+/* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
+ *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (NORMAL) is), and region, where it lies:
+ *           0 inside, EDGES.
+ *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
+ *           an edge is nearer.  On error all untouched: as NAME, and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
+ *           the longest edge is long, slave nodes for which no search was measured.
+ * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten. */
