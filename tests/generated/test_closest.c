@@ -254,10 +254,12 @@ static void check_scene(const char *name, const char *prefix)
     for (int m = 0; m < FUNCTIONS; m++) {
         if (e[m].answers == 0)
             continue;
-        /* One step alone is so far off that a point of an edge may be nearer than what it finds inside. */
+        /* One step alone is so far off that a point of an edge may be nearer than what it finds inside; and the
+         * banner's worst is that of some 400,000 samples, beyond which steep tails go. */
         const bool one_step = strstr(functions[m].name, "_fast") || strstr(functions[m].name, "plane_quad4_coarse");
-        if (e[m].wrong > (one_step ? e[m].answers / 1000 : 0) || (functions[m].worst < 1e-2 && e[m].region > 0) ||
-            e[m].side > 0 || e[m].far * 100 > samples * 5)
+        const size_t may = one_step ? e[m].answers / 1000 : functions[m].worst > 1e-2 ? e[m].answers / 1000000 : 0;
+        if (e[m].wrong > may || (functions[m].worst < 1e-2 && e[m].region > 0) || e[m].side > 0 ||
+            e[m].far * 100 > samples * 5)
             fail_msg("%s: %zu answers, %zu far; error %g (%g), %zu wrong, %zu regions, %zu sides", functions[m].name,
                      e[m].answers, e[m].far, e[m].loc, functions[m].worst, e[m].wrong, e[m].region, e[m].side);
         if (functions[m].worst < 1e-3 && e[m].dist > 1e-9)
