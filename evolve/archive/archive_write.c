@@ -190,11 +190,9 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
 static void add_member_errors(const struct genome_file *f, struct kernel *kernel, struct genome *g, int output,
                               const struct tree *t, const struct heldout *heldout)
 {
-    char key[40];
     for (int part = 0; part < 2; part++) {
         const struct errors e = errors_measure(kernel, f, t, output, &heldout->part[part]);
-        note_key(heldout_part[part].name, output, key);
-        NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+        NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
 }
 
