@@ -28,6 +28,14 @@ const char *gene_name(int gene)
     return operators[gene].name;
 }
 
+int gene_of_name(const char *name)
+{
+    for (int gene = 0; gene < GENE_OPERATORS; gene++)
+        if (strcmp(operators[gene].name, name) == 0)
+            return gene;
+    return -1;
+}
+
 size_t gene_span(const int *gene, size_t n)
 {
     long missing = 1;

@@ -95,6 +95,8 @@ enum { GENOME_FUNCTIONS = GENE_SYMBOL - GENE_FUNCTION, GENOME_MOST = 1 << 22 };
 int gene_arity(int gene);
 /** Text of an operator gene: "+", "min", ... */
 const char *gene_name(int gene);
+/** The operator of that text; -1: there is none. */
+int gene_of_name(const char *name);
 /** Length of the subtree that starts at gene[0] (Tokui and Iba: stack counts add up to 1), or 0 if `n` genes do not
  * hold one. */
 size_t gene_span(const int *gene, size_t n);

@@ -24,10 +24,8 @@ static void add_constant(struct gene_set *s, int gene)
 
 static int gene_of(const struct genome_file *program, const char *name)
 {
-    for (int gene = 0; gene < GENE_OPERATORS; gene++)
-        if (strcmp(gene_name(gene), name) == 0)
-            return gene;
-    return GENE_FUNCTION + line_function(program, name);
+    const int gene = gene_of_name(name);
+    return gene >= 0 ? gene : GENE_FUNCTION + line_function(program, name);
 }
 
 /* Those of two operands, then those of one. */

@@ -103,20 +103,12 @@ static bool add_exchange(const struct genome_file *frame, const size_t pair[2], 
     return true;
 }
 
-static bool gene_is_operator(const char *name)
-{
-    for (int gene = 0; gene < GENE_OPERATORS; gene++)
-        if (strcmp(gene_name(gene), name) == 0)
-            return true;
-    return false;
-}
-
 /* Names in a tier's list that are no operators. */
 static bool check_functions(const struct genome_file *frame, const struct scene *s, const struct tier *t,
                             struct diag *d)
 {
     for (size_t i = 0; i < t->functions; i++)
-        if (!gene_is_operator(t->function[i]) && line_function(frame, t->function[i]) < 0)
+        if (gene_of_name(t->function[i]) < 0 && line_function(frame, t->function[i]) < 0)
             return diag_at(d, s->path, t->line, 0, "tier '%s': '%s' is no function of frame '%s'", t->name,
                            t->function[i], t->frame);
     if (t->last && line_function(frame, t->last) < 0)

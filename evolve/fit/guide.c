@@ -321,8 +321,7 @@ WIDE static double growth(const struct guide *g, int n, const double *m, double 
     return sum;
 }
 
-static void try_value(const struct guide *g, int n, int entry, const double *m, int operand, double per,
-                      struct promise *best)
+static void try_value(const struct guide *g, int n, const double *m, int operand, double per, struct promise *best)
 {
     const double *value = value_at(g, n);
     double num = 0, den = 0, c = 0;
@@ -334,7 +333,6 @@ static void try_value(const struct guide *g, int n, int entry, const double *m, 
         return;
     if (m)
         c = nice(num / den, 0.05);
-    (void)entry;
     const double more = m ? growth(g, n, m, c) : growth(g, n, value, 0), gain = -more / per;
     if (!isfinite(more) || !(gain > best->gain))
         return;
@@ -350,12 +348,12 @@ static void look_for_less(struct guide *g, const struct gene_set *genes, int n, 
     const double per = saved(g, n);
     lines_dependents(g->run->code, n, g->depends);
     sum_answers(g, n);
-    try_value(g, n, -1, NULL, -1, per, best);
+    try_value(g, n, NULL, -1, per, best);
     if (g->power[n] == 0)
-        try_value(g, n, -1, one, -1, per, best);
+        try_value(g, n, one, -1, per, best);
     for (int x = 0; x < g->pool && g->power[n] != ANY_POWER; x++)
         if (may_use(g, x) && g->power[x] == g->power[n])
-            try_value(g, n, x, value_at(g, x), operand_of(g, genes, x), per, best);
+            try_value(g, n, value_at(g, x), operand_of(g, genes, x), per, best);
 }
 
 bool guide_prune(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct tree *t, int last,

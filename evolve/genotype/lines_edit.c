@@ -173,8 +173,6 @@ bool lines_insert_call(struct line_editor *e, const struct tree *t, const int at
 static void load_mate(struct line_editor *e, const struct tree *mate)
 {
     lines_load(e->mate, mate, -1, LINES_INNER);
-    if (e->mate->lines <= e->room)
-        return;
     reserve(e, e->mate->lines);
 }
 
@@ -344,9 +342,9 @@ static bool graft(struct line_editor *e, gsl_rng *rng, const struct tree *t, con
         if (!e->mate->needed[m] || e->mate_power[m] != e->power[n] || e->mate->line[m].gene == LINE_NUMBER)
             continue;
         e->map[n] = lines_take(e->to, e->mate, m, map);
-        const int twin = e->image[n], other = image[m];
-        if (below(rng, 4) && twin >= 0 && twin != n && other >= 0)
-            e->map[twin] = lines_take(e->to, e->mate, other, map);
+        const int own = e->image[n], other = image[m];
+        if (below(rng, 4) && own >= 0 && own != n && other >= 0)
+            e->map[own] = lines_take(e->to, e->mate, other, map);
         good = true;
     }
     free(map);

@@ -47,14 +47,6 @@ static bool read_tier_reference(const struct scene_reader *r, const config_setti
     return true;
 }
 
-static bool is_operator(const char *name, int arity)
-{
-    for (int gene = 0; gene < GENE_OPERATORS; gene++)
-        if (gene_arity(gene) == arity && strcmp(gene_name(gene), name) == 0)
-            return true;
-    return false;
-}
-
 /* "polynomial", "rational", or a list of operators and of functions of the frame. */
 static bool read_functions(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
@@ -69,7 +61,7 @@ static bool read_functions(const struct scene_reader *r, const config_setting_t 
     for (int i = 0; i < config_setting_length(s); i++) {
         const config_setting_t *e = config_setting_get_elem(s, (unsigned)i);
         const char *name = config_setting_get_string(e);
-        const bool known = name && (is_operator(name, 1) || is_operator(name, 2));
+        const bool known = name && gene_of_name(name) >= 0;
         if (!name || !(known || key_identifier(name)))
             return key_fail(r, e, "'functions' holds something that is neither an operator nor a name");
         for (size_t k = 0; k < t->functions; k++)
