@@ -35,6 +35,34 @@ static long boxes_for(struct search *s, size_t searches)
     return boxes;
 }
 
+/* Where an operation is 0.  Of a product, where a factor is: proved one by one, as is found out before. */
+static struct pole find_zero(struct search *s, int op, long boxes)
+{
+    struct region *r = s->region;
+    const struct op *x = &r->known->program->op[op];
+    const struct interval known = r->known->value[op];
+    if (known.lo > 0 || known.hi < 0)
+        return (struct pole){.verdict = POLE_FREE, .least = fmin(fabs(known.lo), fabs(known.hi)), .values = known};
+    struct pole pole;
+    if (x->kind == OP_MUL) {
+        const struct pole a = find_zero(s, x->a, boxes);
+        if (x->squared || a.verdict != POLE_FREE)
+            pole = a;
+        else
+            pole = find_zero(s, x->b, boxes);
+        if (pole.verdict == POLE_FREE) {
+            pole.least = interval_multiply(interval_point(a.least), interval_point(pole.least)).lo;
+            pole.values = interval_multiply(r->known->value[x->a], r->known->value[x->b]);
+        }
+    } else {
+        pole = pole_find(r, op, boxes);
+        s->work -= (double)pole.draws * (DRAW + (double)r->known->shift) * (double)r->known->variables;
+    }
+    if (pole.verdict == POLE_FREE)
+        r->known->value[op] = interval_meet(known, pole.values);
+    return pole;
+}
+
 static void find_pole(struct search *s, struct denominator *d, size_t searches)
 {
     struct region *r = s->region;
@@ -43,16 +71,13 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
     if (s->work <= 0)
         return;
     const long boxes = boxes_for(s, searches);
-    const struct pole pole = pole_find(r, op, boxes);
-    s->work -= (double)pole.draws * (DRAW + (double)r->known->shift) * (double)r->known->variables;
+    const struct pole pole = find_zero(s, op, boxes);
     d->verdict = pole.verdict;
     d->least = pole.least;
     if (pole.verdict == POLE_EXISTS) {
         d->witness = new_array(r->known->inputs, sizeof *d->witness);
         region_inputs(r, pole.witness, d->witness);
     }
-    if (pole.verdict == POLE_FREE)
-        r->known->value[op] = interval_meet(r->known->value[op], pole.values);
     const double bound = r->known->complete ? bound_error(r, op, boxes / 10) : INFINITY;
     d->threshold = bound < INFINITY ? bound : 0;
     free(pole.witness);

@@ -202,7 +202,7 @@ struct genome_file {
 struct genome_file *genome_read(const char *path, struct diag *d);
 /** The same from `size` characters of text; `path` is used in diagnostics only. */
 struct genome_file *genome_parse(const char *path, const char *text, size_t size, struct diag *d);
-/** A let or a function, read as if it stood at the end of the file. */
+/** A let or a function, read as if it stood behind the file's. */
 bool genome_read_statement(struct genome_file *f, const char *text, struct diag *d);
 /** Statement k with a suffix to all names that statements define.  Caller frees. */
 char *genome_statement_suffixed(const struct genome_file *f, size_t k, const char *suffix);

@@ -128,7 +128,7 @@ bool read_function(struct reader *r)
     const char *start = r->w.word;
     const int line = r->w.word_line;
     char name[NAME_ROOM];
-    if (f->genomes > 0 && f->format > 1)
+    if (f->genomes > 0 && f->format > 1 && !r->alone)
         return reader_fail(r, "'function' must stand before the genomes");
     if (!read_function_name(r, name))
         return false;

@@ -244,7 +244,7 @@ bool read_let(struct reader *r)
     const char *start = r->w.word;
     const int line = r->w.word_line;
     struct targets t = {0};
-    if (r->file->genomes > 0)
+    if (r->file->genomes > 0 && !r->alone)
         return reader_fail(r, "'let' must stand before the genomes");
     const bool good = read_definition(r, &t);
     if (good && !r->function)

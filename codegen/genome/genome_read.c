@@ -252,6 +252,7 @@ static void free_reader(struct reader *r)
 bool genome_read_statement(struct genome_file *f, const char *text, struct diag *d)
 {
     struct reader r = reader_of(f, text, strlen(text), d);
+    r.alone = true;
     const bool good = read_lines(&r);
     free_reader(&r);
     return good;

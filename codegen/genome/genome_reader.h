@@ -38,6 +38,7 @@ struct reader {
     size_t tasks, task_room;
     size_t *need; /* owned: the statements whose names this line uses */
     size_t needs, need_room;
+    bool alone; /* a statement by itself, which may follow genomes */
 };
 
 /** Fills the diagnostic; %s in the format is the current word. */

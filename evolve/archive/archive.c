@@ -41,7 +41,7 @@ static struct tree read_program(const struct archive *a, const struct genome_fil
     const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = t->terminals};
     const struct genome_expr *const out[2] = {xi, eta};
     struct tree program = {new_array(t->max_length, sizeof *program.gene), 0};
-    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, archive_last(a, tier), t->max_length, &program)) {
+    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, t->last != NULL, t->max_length, &program)) {
         free(program.gene);
         program = (struct tree){NULL, 0};
     }
@@ -72,8 +72,13 @@ static bool read_champion(struct archive *a, size_t tier, int output, struct dia
             continue;
         struct champion *c = &a->champion[tier][output];
         c->tree = (struct tree){new_array(e->length, sizeof *e->gene), e->length};
-        c->length_before = e->length;
-        return frame_rebind(a->start, e, a->program, c->tree.gene, d);
+        if (frame_rebind(a->start, e, a->program, c->tree.gene, d)) {
+            c->length_before = e->length;
+            return true;
+        }
+        free(c->tree.gene);
+        c->tree = (struct tree){NULL, 0};
+        return a->shipped;
     }
     return true;
 }
@@ -109,10 +114,12 @@ static char *text_of(const struct genome_file *program)
     return text;
 }
 
-struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, struct diag *d)
+struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, bool shipped,
+                            struct diag *d)
 {
     struct archive *a = new_array(1, sizeof *a);
-    *a = (struct archive){.scene = s, .program = program, .champion = new_array(s->tiers, sizeof *a->champion)};
+    *a = (struct archive){
+        .scene = s, .program = program, .shipped = shipped, .champion = new_array(s->tiers, sizeof *a->champion)};
     a->rules = line_rules_new(program);
     a->counter = lines_counter_new(a->rules);
     a->lines = lines_new(a->rules);
@@ -312,6 +319,7 @@ static void measure_champion(struct archive *a, const struct plan *plan, struct 
         c->cost = cost_of(a, plan, tier, output, &c->tree, a->program->constant);
     }
     c->error_before = c->error;
+    c->cost_before = c->cost;
 }
 
 /* A value of the frame that is right to rounding takes the champion's place. */

@@ -19,7 +19,7 @@ struct champion {
     bool seed;        /* and was a seed */
     int exact;        /* gene of a value of the frame that is right to rounding: nothing to evolve; 0: none */
     bool chosen;      /* an expression of one gene, chosen among the terminals: nothing to evolve */
-    double error_before;
+    double error_before, cost_before;
     size_t length_before; /* 0: there was none */
 };
 
@@ -46,6 +46,7 @@ struct archive {
     struct genome_file *program;               /* owned: what the genes mean; the genomes are added on writing */
     char *bare;                                /* owned: the program's text before that */
     struct genome_file *start;                 /* owned; NULL: none */
+    bool shipped;                              /* it is another scene's, of the same kind: what suits is taken */
     struct champion (*champion)[TIER_OUTPUTS]; /* owned: for each tier its outputs */
     struct archive_seed *seed;                 /* owned */
     size_t seeds, seed_room;
@@ -60,8 +61,10 @@ struct archive {
 
 /** Champions of the file `start`; none where it is NULL or has no genome of a tier's name.  Takes the program over (and
  *  adds constants to it) even when it returns NULL, with *d filled: the file cannot be read or uses a symbol that the
- *  program lacks. */
-struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, struct diag *d);
+ *  program lacks.
+ *  @param[in] shipped  genomes with such symbols are passed over */
+struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, bool shipped,
+                            struct diag *d);
 void archive_free(struct archive *a);
 /** The start file's genome of a tier, or NULL. */
 const struct genome *archive_start_genome(const struct archive *a, size_t tier);

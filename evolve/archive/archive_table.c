@@ -5,6 +5,16 @@
 
 #include <math.h>
 
+/* What a program's tier has gained: the error at its cost, and the cost at its error. */
+static void print_gain(const struct front *f, const struct champion *c, FILE *stream)
+{
+    size_t cost = 0;
+    while (cost < f->limit && !(f->lowest[cost] <= c->error_before))
+        cost++;
+    fprintf(stream, "%.2f times less error; as good as before from cost %zu on, %.0f before",
+            c->error_before / c->error, cost, c->cost_before);
+}
+
 void archive_table(const struct archive *a, FILE *stream)
 {
     fprintf(stream, "%-24s %-6s %10s    %-10s %6s    %-6s\n", "tier", "output", "error", "", "genes", "");
@@ -16,8 +26,11 @@ void archive_table(const struct archive *a, FILE *stream)
                 snprintf(error, sizeof error, "%.3e", c->error_before);
                 snprintf(length, sizeof length, "%zu", c->length_before);
             }
-            fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s\n", a->scene->tier[i].name, frame_output[k],
-                    error, c->error, length, c->tree.length, c->bred ? "" : "unchanged");
+            fprintf(stream, "%-24s %-6s %10s -> %-10.3e %6s -> %-6zu%s", a->scene->tier[i].name, frame_output[k], error,
+                    c->error, length, c->tree.length, c->bred ? "" : "unchanged");
+            if (k == TIER_BOTH && c->bred && c->length_before > 0)
+                print_gain(a->front[i][k], c, stream);
+            fputc('\n', stream);
         }
 }
 

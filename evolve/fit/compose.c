@@ -191,7 +191,7 @@ static void add_start(struct composer *s, char *const name[2], struct candidates
     }
     const struct genome_expr *const out[2] = {&value[0], &value[1]};
     struct tree t = {new_array(s->found->max_length, sizeof *t.gene), 0};
-    if (lines_read(s->lines, program, out, s->genes, -1, s->found->max_length, &t)) {
+    if (lines_read(s->lines, program, out, s->genes, false, s->found->max_length, &t)) {
         lines_load(s->lines, &t, -1, LINES_INNER);
         add(s, list, 0);
     }

@@ -124,8 +124,9 @@ static int power_of(int gene, int a, int b)
 static void find_powers(struct line_rules *r)
 {
     const struct genome_file *f = r->program;
+    const size_t nodes = f->segment ? 3 * strlen(f->segment->nodes) : f->inputs;
     for (size_t i = 0; i < f->inputs; i++)
-        r->power[i] = 1;
+        r->power[i] = i < nodes || i + 3 >= f->inputs; /* normals are of no length */
     for (size_t k = 0; k < f->lets; k++) {
         const struct genome_expr *let = &f->let[k];
         int *stack = new_array(let->length, sizeof *stack), *top = stack;
@@ -393,39 +394,6 @@ int lines_take(struct lines *to, const struct lines *from, int i, int *map)
         return map[i] = lines_operation(to, x->gene, a, b);
     }
     return map[i] = x->gene == NUMBER ? lines_number(to, x->number) : lines_symbol(to, x->gene);
-}
-
-/* Line j is what a body's line i gives, for arguments x, of which -1 is still open. */
-static bool matches(const struct lines *c, const struct line_body *b, int i, int j, int x[2])
-{
-    const struct line *y = &b->line[i], *z = &c->line[j];
-    if (y->gene == PARAMETER) {
-        const bool good = x[y->a] < 0 || x[y->a] == j;
-        x[y->a] = j;
-        return good;
-    }
-    if (y->gene != z->gene || y->number != z->number || line_is_operation(y) != line_is_operation(z))
-        return false;
-    if (!line_is_operation(y))
-        return true;
-    const int before[2] = {x[0], x[1]};
-    if (matches(c, b, y->a, z->a, x) && (y->b < 0 || matches(c, b, y->b, z->b, x)))
-        return true;
-    memcpy(x, before, sizeof before);
-    return (y->gene == GENE_ADD || y->gene == GENE_MUL) && matches(c, b, y->a, z->b, x) && matches(c, b, y->b, z->a, x);
-}
-
-bool lines_strip(struct lines *c, int function)
-{
-    const struct line_body *b = &c->rules->body[function];
-    int x[2] = {-1, -1};
-    for (int k = 0; k < 2; k++)
-        if (!matches(c, b, b->to[k], c->root[k], x))
-            return false;
-    if (x[0] < 0 || x[1] < 0)
-        return false;
-    memcpy(c->root, x, sizeof x);
-    return true;
 }
 
 void lines_mark(struct lines *c)

@@ -92,8 +92,6 @@ void lines_call(struct lines *c, int function, int x[2]);
 /** What line i of another program gives; map[k]: line of `to` that takes the place of line k, or -1: taken over as it
  *  is, and noted there. */
 int lines_take(struct lines *to, const struct lines *from, int i, int *map);
-/** Where the roots are what a function gives: its arguments in their place.  False where they are not. */
-bool lines_strip(struct lines *c, int function);
 /** A divisor that a maximum or minimum keeps from 0: no change of a program replaces it. */
 static inline bool line_is_guard(const struct lines *c, size_t i)
 {

@@ -1,6 +1,7 @@
 /* Programs and genome files; see lines_text.h. */
 #include "lines_text.h"
 
+#include "../../codegen/genome/text.h"
 #include "../common/decimal.h"
 
 #include <stdlib.h>
@@ -57,18 +58,46 @@ static int read_symbol(struct reader *r, size_t symbol)
     return *line = symbol < r->file->inputs ? -2 : read_expression(r, &r->file->let[symbol - r->file->inputs]);
 }
 
+/* Where both expressions are what one call of a function gives: its arguments, as symbols.  False where not. */
+static bool find_arguments(const struct genome_file *f, const struct genome_expr *const out[2], size_t symbol[2])
+{
+    char argument[2][WORD];
+    size_t statement[2];
+    int end = 0;
+    for (int k = 0; k < 2; k++) {
+        if (out[k]->length != 1 || out[k]->gene[0] < GENE_SYMBOL + (int)f->inputs)
+            return false;
+        statement[k] = genome_statement_of(f, (size_t)(out[k]->gene[0] - GENE_SYMBOL));
+    }
+    const char *is = strchr(f->statement[statement[0]].text, '=');
+    if (statement[0] != statement[1] || !is || sscanf(is, "= %*s %79s %79s%n", argument[0], argument[1], &end) != 2 ||
+        is[end] != '\0')
+        return false;
+    for (int k = 0; k < 2; k++) {
+        const long own = genome_find_symbol(f, argument[k]);
+        if (own < 0)
+            return false;
+        symbol[k] = (size_t)own;
+    }
+    return true;
+}
+
 bool lines_read(struct lines *c, const struct genome_file *f, const struct genome_expr *const out[2],
-                const struct gene_set *genes, int last, size_t max, struct tree *t)
+                const struct gene_set *genes, bool called, size_t max, struct tree *t)
 {
     const size_t symbols = f->inputs + f->lets;
     struct reader r = {c, f, genes, new_array(symbols, sizeof *r.line)};
     for (size_t i = 0; i < symbols; i++)
         r.line[i] = -1;
     lines_begin(c);
-    for (int k = 0; k < 2; k++)
-        c->root[k] = read_expression(&r, out[k]);
+    size_t argument[2];
+    bool good = !called || find_arguments(f, out, argument);
+    for (int k = 0; good && k < 2; k++) {
+        c->root[k] = called ? read_symbol(&r, argument[k]) : read_expression(&r, out[k]);
+        good = c->root[k] >= 0;
+    }
     free(r.line);
-    return c->root[0] >= 0 && c->root[1] >= 0 && (last < 0 || lines_strip(c, last)) && lines_store(c, max, t);
+    return good && lines_store(c, max, t);
 }
 
 /* ---- to lets and outputs ---- */
@@ -154,34 +183,77 @@ static void write_lets(struct writer *w, const char *name)
     }
 }
 
-/* What a scene measures (sampled_region.h), so that headers may rely on it: divisors. */
-static void write_measured(struct writer *w, const char *name)
+/* Let gene be what a scene measures (sampled_region.h), so that headers may rely on it. */
+static void write_measured(struct writer *w, const char *name, int gene, size_t *number)
 {
     char least[WORD];
-    size_t number = 0;
     snprintf(least, sizeof least, "least_%.40s", name);
-    for (size_t i = 0; i < w->code->lines; i++) {
-        if (!w->code->divides[i] || !w->symbol[i])
-            continue;
+    w->genes = 0;
+    put(w, gene);
+    add_let(w, least, number);
+}
+
+/* <name>_xi, <name>_eta, <name>_r1, ... */
+static const char *result_name(const char *name, size_t k, char word[WORD])
+{
+    if (k < 2)
+        snprintf(word, WORD, "%.50s_%s", name, k ? "eta" : "xi");
+    else
+        snprintf(word, WORD, "%.50s_r%zu", name, k - 1);
+    return word;
+}
+
+/* The roots as lets <name>_u and <name>_v, and `function` of these; out: its first two results, the others measured. */
+static void write_call(struct writer *w, const struct genome_function *function, const char *name, size_t *number,
+                       int out[2])
+{
+    char word[WORD];
+    struct diag d;
+    struct memory *m = memory_open();
+    for (int k = 0; k < 2; k++) {
         w->genes = 0;
-        put(w, w->symbol[i]);
-        add_let(w, least, &number);
+        write_line(w, w->code->root[k]);
+        snprintf(word, sizeof word, "%.50s_%s", name, k ? "v" : "u");
+        genome_add_let(w->file, word, w->gene, w->genes);
+    }
+    fprintf(m->stream, "let");
+    for (size_t k = 0; k < function->results; k++)
+        fprintf(m->stream, " %s", result_name(name, k, word));
+    fprintf(m->stream, " = %s %.50s_u %.50s_v", function->name, name, name);
+    char *text = memory_close(m);
+    genome_read_statement(w->file, text, &d); /* of new names, and a function that is there */
+    free(text);
+    for (size_t k = 0; k < function->results; k++) {
+        const int gene = GENE_SYMBOL + (int)genome_find_symbol(w->file, result_name(name, k, word));
+        if (k < 2)
+            out[k] = gene;
+        else
+            write_measured(w, name, gene, number);
     }
 }
 
 void lines_expand(struct lines *c, const struct tree *t, int last, struct genome_file *f, const char *name,
                   struct tree out[2])
 {
-    lines_load(c, t, last, LINES_WHOLE);
+    lines_load(c, t, -1, LINES_INNER);
     struct writer w = {.code = c, .file = f};
+    size_t number = 0;
     w.symbol = new_array(c->lines, sizeof *w.symbol);
     w.users = new_array(c->lines, sizeof *w.users);
     count_users(&w);
     write_lets(&w, name);
-    write_measured(&w, name);
+    for (size_t i = 0; i < c->lines; i++)
+        if (c->divides[i] && w.symbol[i])
+            write_measured(&w, name, w.symbol[i], &number);
+    int gene[2];
+    if (last >= 0)
+        write_call(&w, &c->rules->program->function[last], name, &number, gene);
     for (int k = 0; k < 2; k++) {
         w.genes = 0;
-        write_line(&w, c->root[k]);
+        if (last >= 0)
+            put(&w, gene[k]);
+        else
+            write_line(&w, c->root[k]);
         out[k] = (struct tree){new_array(w.genes, sizeof *w.gene), w.genes};
         memcpy(out[k].gene, w.gene, w.genes * sizeof *w.gene);
     }
@@ -192,11 +264,8 @@ void lines_expand(struct lines *c, const struct tree *t, int last, struct genome
 
 char *lines_print(struct lines *c, const struct tree *t, int last)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *f = open_memstream(&text, &size);
-    if (!f)
-        return NULL;
+    struct memory *m = memory_open();
+    FILE *f = m->stream;
     lines_load(c, t, last, LINES_WHOLE);
     for (size_t i = 0; i < c->lines; i++) {
         const struct line *x = &c->line[i];
@@ -218,6 +287,5 @@ char *lines_print(struct lines *c, const struct tree *t, int last)
         fputs("; ", f);
     }
     fprintf(f, "%%%d %%%d", c->root[0], c->root[1]);
-    fclose(f);
-    return text;
+    return memory_close(m);
 }

@@ -1,4 +1,12 @@
-/* Programs and genome files: read from a genome's lets and outputs, and written as such. */
+/* Programs and genome files: read from a genome's lets and outputs, and written as such.
+ *
+ * A function that programs end in is called:
+ *
+ *     let NAME_u = ...
+ *     let NAME_v = ...
+ *     let NAME_xi NAME_eta ... = FUNCTION NAME_u NAME_v
+ *
+ * What it gives besides xi and eta is measured as divisors are. */
 #ifndef FOOTPOINT_LINES_TEXT_H
 #define FOOTPOINT_LINES_TEXT_H
 
@@ -6,10 +14,10 @@
 
 /** The program that two expressions of a file make, of those values of c's program alone that are among the set's
  *  symbols, by name.  Numbers are rounded to decimals.
- *  @param[in] last  function that it ends in, which is left away; -1: none
- *  @returns false, with *t undefined, where it needs other inputs, does not end so, or has more than max genes */
+ *  @param[in] called  they are what a function gives, any one, which is left away
+ *  @returns false, with *t undefined, where it needs other inputs, or has more than max genes, or nothing is called */
 bool lines_read(struct lines *c, const struct genome_file *f, const struct genome_expr *const out[2],
-                const struct gene_set *genes, int last, size_t max, struct tree *t);
+                const struct gene_set *genes, bool called, size_t max, struct tree *t);
 
 /** Write a program as expressions of the file that the rules are of: values that are used twice, and divisors, become
  *  lets <name>_1, <name>_2, ..., from which xi and eta follow; divisors are measured as least_<name>_1, ...

@@ -34,9 +34,9 @@ struct run {
     struct outcome outcome;
 };
 
-static void genomes_path(const struct call *call, const struct scene *scene, char path[1024])
+static void genomes_path(const struct call *call, const char *name, char path[1024])
 {
-    snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", call->options->root, scene->name);
+    snprintf(path, 1024, "%.700s/evolve/genomes/%.250s.gen", call->options->root, name);
 }
 
 static bool choose_paths(const struct call *call, const struct scene *scene, struct run_files *f, struct diag *d)
@@ -45,18 +45,31 @@ static bool choose_paths(const struct call *call, const struct scene *scene, str
     if (root_is_installed(o->root))
         snprintf(f->output, sizeof f->output, "%.250s.gen", scene->name);
     else
-        genomes_path(call, scene, f->output);
+        genomes_path(call, scene->name, f->output);
     if (o->output)
         snprintf(f->output, sizeof f->output, "%s", o->output);
+    f->shipped = call->resume != NULL; /* which of its genomes suit was found out when the run began */
     if (call->resume)
         return !*call->resume->start || resume_start_file(call->resume, f->start, sizeof f->start, d);
     if (o->start)
         snprintf(f->start, sizeof f->start, "%s", o->start);
     else if (!o->from_scratch)
-        genomes_path(call, scene, f->start);
+        genomes_path(call, scene->name, f->start);
     if (!o->start && access(f->start, F_OK) != 0)
         f->start[0] = '\0';
     return true;
+}
+
+/* A scene that has no genomes yet starts from those of its kind. */
+static void start_from_shipped(const struct call *call, const struct scene *scene, struct run_files *f)
+{
+    const struct evolve_options *o = call->options;
+    if (f->start[0] || o->from_scratch || call->resume)
+        return;
+    genomes_path(call, scene->segment->name, f->start);
+    f->shipped = access(f->start, F_OK) == 0 && strcmp(f->start, f->output) != 0;
+    if (!f->shipped)
+        f->start[0] = '\0';
 }
 
 /* The start file as checkpoints hold it. */
@@ -69,7 +82,7 @@ static bool keep_start(struct run_files *f, struct diag *d)
 static bool load_archive(const struct evolve_options *o, const struct run_files *f, struct problem *p, struct diag *d)
 {
     struct genome_file *program = frame_program(o->root, p->scene, f->output, d);
-    p->archive = program ? archive_new(p->scene, program, f->start[0] ? f->start : NULL, d) : NULL;
+    p->archive = program ? archive_new(p->scene, program, f->start[0] ? f->start : NULL, f->shipped, d) : NULL;
     return p->archive && (!o->seeds || archive_read_seeds(p->archive, o->seeds, d));
 }
 
@@ -122,8 +135,10 @@ static bool load(struct run *r, struct diag *d)
     const bool first = r->call.team->rank == 0;
     if (first && scene->warnings)
         fputs(scene->warnings, stderr);
-    const bool good = complete_scene(o->root, scene, &r->samples, d) &&
-                      (!first || (files_suit(&r->call, scene, &r->files, d) && keep_start(&r->files, d))) &&
+    if (!complete_scene(o->root, scene, &r->samples, d))
+        return false;
+    start_from_shipped(&r->call, scene, &r->files);
+    const bool good = (!first || (files_suit(&r->call, scene, &r->files, d) && keep_start(&r->files, d))) &&
                       load_archive(o, &r->files, &r->problem, d);
     if (resume && r->files.start[0])
         unlink(r->files.start);

@@ -37,7 +37,7 @@ static const struct option_row rows[] = {
     {"root", 0, OPTION_TEXT, AT(root), "DIR", .role = KEPT,
      .help = "folder that holds evolve/ (default: ., or else what is installed)"},
     {"start", 0, OPTION_TEXT, AT(start), "FILE",
-     .help = "genomes to start from (default: evolve/genomes/NAME.gen, where there is one)"},
+     .help = "genomes to start from (default: evolve/genomes/NAME.gen, or else the kind's, quad4.gen, say)"},
     {"from-scratch", 0, OPTION_FLAG, AT(from_scratch), .help = "start without them"},
     {"output", 'o', OPTION_TEXT, AT(output), "FILE", .role = KEPT,
      .help = "genomes to write (default: evolve/genomes/NAME.gen; NAME.gen here if that is installed)"},

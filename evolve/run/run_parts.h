@@ -20,6 +20,7 @@ struct call {
 /** Its files, beside those of the options. */
 struct run_files {
     char start[1024], output[1024]; /* paths; start is empty where there is none */
+    bool shipped;                   /* start is not the scene's own, but its kind's */
     char *start_text;               /* owned; on rank 0: the start file, for checkpoints */
     size_t start_bytes;
 };

@@ -29,7 +29,7 @@ static struct archive *archive_of(struct scene *s, const char *start)
         genome_parse("program", start_text, (size_t)(strstr(start_text, "genome steps") - start_text), &d);
     FILE *f = fopen(START, "w");
     assert_true(program && f && fwrite(start_text, 1, n, f) == n && fclose(f) == 0);
-    struct archive *a = archive_new(s, program, start, &d);
+    struct archive *a = archive_new(s, program, start, false, &d);
     assert_non_null(a);
     return a;
 }
