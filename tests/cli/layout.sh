@@ -39,6 +39,7 @@ tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
 tests/hard:         tests/rivals tests/support runtime runtime/* generated
 tests/bench:        tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/libraries:    tests/hard tests/rivals tests/support generated runtime runtime/*
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*

@@ -137,7 +137,7 @@ function script(    i, k) {
         left / width, 1 - right / width, bottom / height, 1 - top / height
     printf "set xrange [%g:%g]\nset yrange [%g:%g]\n", x0, x1, y0, y1
     printf "set xlabel 'nanoseconds a search, %s' offset 0,0.3\n", mode == "batch" ? "in batches" : "one at a time"
-    printf "set ylabel '%s error, the larger of xi and eta' offset 0.5,0\n", norm == "p99" ? "99 %" : norm
+    printf "set ylabel '%s' offset 0.5,0\n", error != "" ? error : (norm == "p99" ? "99 %" : norm) " error, the larger of xi and eta"
     printf "set label 1000 '%s' at screen %g,%g left noenhanced font 'sans,15'\n", scene ", " mode ": " \
         (norm == "p99" ? "99 %" : norm) " error against time", left / width, 1 - 20 / height
     printf "set label 1001 '%s samples; %s; noise %.1f %%;  filled: footpoint,  open: by hand or fitted' " \
