@@ -339,7 +339,7 @@ calibrate: calibrate-program ## measure this machine's operation costs, build/ma
 	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && cat $(BIN)/machine.costs
 
 rivals: runtime ## beside other libraries: table, and pictures in build/rivals/index.html: CASES= of each family (some minutes)
-	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) CASES=$(CASES) sh tests/libraries/libraries.sh build/rivals
+	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) CASES=$(CASES) sh tests/libraries/rivals.sh build/rivals
 
 report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report/report.sh build/report

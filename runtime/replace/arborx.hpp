@@ -1,6 +1,6 @@
-// ArborX: a callback for BVH queries of slave nodes among boxes of four-node faces, that keeps the nearest face of each slave
-// node.  On a device, too: one thread has all candidates of a query.  Slave nodes are numbered by what is attached to their
-// predicates, faces by their place in the tree.
+// ArborX: a callback for BVH queries of slave nodes among boxes of four-node faces, that keeps the nearest face of
+// each slave node.  On a device, too: one thread has all candidates of a query.  Slave nodes are numbered by what is
+// attached to their predicates, faces by their place in the tree.
 #ifndef FOOTPOINT_REPLACE_ARBORX
 #define FOOTPOINT_REPLACE_ARBORX
 

@@ -1,6 +1,6 @@
-! FrontISTR: the projection of a point on a surface element, in place of the subroutine of that name in m_fstr_contact_geom,
-! whose own is renamed to project_Point2Element_newton and keeps the elements that are no four-node quadrilaterals.  The
-! position of the iteration before, ctpos, is not needed.
+! FrontISTR: the projection of a point on a surface element, in place of the subroutine of that name in
+! m_fstr_contact_geom, whose own is renamed to project_Point2Element_newton and keeps the elements that are no
+! four-node quadrilaterals.  The position of the iteration before, ctpos, is not needed.
 subroutine project_Point2Element(xyz, etype, nn, elemt, reflen, cstate, isin, distclr, ctpos, localclr)
   use hecmw, only: kreal
   use elementInfo, only: fe_quad4n

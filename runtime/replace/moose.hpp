@@ -1,5 +1,6 @@
-// MOOSE: Moose::findContactPoint for four-node sides (libMesh's QUAD4), in place of the iteration in the function of that name
-// (framework/src/geomsearch/FindContactPoint.C).  Types are parameters, so that it compiles with those of any version.
+// MOOSE: Moose::findContactPoint for four-node sides (libMesh's QUAD4), in place of the iteration in the function of
+// that name (framework/src/geomsearch/FindContactPoint.C).  Types are parameters, so that it compiles with those of
+// any version.
 #ifndef FOOTPOINT_REPLACE_MOOSE
 #define FOOTPOINT_REPLACE_MOOSE
 

@@ -1,6 +1,7 @@
-// NimbleSM: ContactManager::Projection, of a node on a whole four-node face instead of four triangles about its middle.  The
-// answer has four weights in place of three barycentric coordinates, one for each corner: forces go to them alone, and no
-// node in the middle is needed.  An entity has coord_1_x_ and so on up to coord_4_z_; of a node, coord_1_ is read.
+// NimbleSM: ContactManager::Projection, of a node on a whole four-node face instead of four triangles about its
+// middle.  The answer has four weights in place of three barycentric coordinates, one for each corner: forces go to
+// them alone, and no node in the middle is needed.  An entity has coord_1_x_ and so on up to coord_4_z_; of a node,
+// coord_1_ is read.
 #ifndef FOOTPOINT_REPLACE_NIMBLESM
 #define FOOTPOINT_REPLACE_NIMBLESM
 

@@ -1,8 +1,8 @@
-! OpenRadioss, surface-to-surface contact (engine/source/interfaces/ists): the point of a four-node primary segment below a
-! quadrature point of a secondary one, in place of the subroutine of that name.
+! OpenRadioss, surface-to-surface contact (engine/source/interfaces/ists): the point of a four-node primary segment
+! below a quadrature point of a secondary one, in place of the subroutine of that name.
 !  xupd(3,8)              nodes of the primary segment, then of the secondary one
-!  xi1, xi2       [out]   local coordinates on the primary segment; huge where there is no foot point, so that the caller
-!                         passes the pair over
+!  xi1, xi2       [out]   local coordinates on the primary segment; huge where there is no foot point, so that the
+!                         caller passes the pair over
 !  eta1, eta2             of the quadrature point, on the secondary segment
 !  xi1_guess, xi2_guess, use_guess    not needed
 !  istat          [out]   0 found, 2 none

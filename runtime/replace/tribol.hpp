@@ -1,6 +1,6 @@
-// Tribol: InvIso of src/tribol/integ/FE.hpp, the inverse isoparametric map, in place of the function of that name, and with
-// derivatives.  Tribol's nodes of a quadrilateral are (1,1), (-1,1), (-1,-1), (1,-1): ours from the third one on.  To be
-// included where Tribol's RealT (double) and SLIC_ERROR_IF are.
+// Tribol: InvIso of src/tribol/integ/FE.hpp, the inverse isoparametric map, in place of the function of that name,
+// and with derivatives.  Tribol's nodes of a quadrilateral are (1,1), (-1,1), (-1,-1), (1,-1): ours from the third
+// one on.  To be included where Tribol's RealT (double) and SLIC_ERROR_IF are.
 #ifndef FOOTPOINT_REPLACE_TRIBOL
 #define FOOTPOINT_REPLACE_TRIBOL
 
@@ -36,7 +36,7 @@ inline void InvIso(const RealT x[3], const RealT *xA, const RealT *yA, const Rea
 
 /** The same of a quadrilateral, with shape functions and derivatives.
  *  @param[out] phi    of Tribol's nodes
- *  @param[out] dxi    derivatives of xi, of eta and of the gap by the coordinates of Tribol's nodes, then of x; 3 x 5 x 3
+ *  @param[out] dxi    derivatives of xi, eta and gap by the coordinates of Tribol's nodes, then of x; 3 x 5 x 3
  *  @return false: there is no foot point, or none that depends smoothly on the nodes */
 inline bool InvIsoDerivatives(const RealT x[3], const RealT *xA, const RealT *yA, const RealT *zA, RealT xi[2],
                               RealT phi[4], RealT dxi[3][5][3])

@@ -1,10 +1,11 @@
-! For the adapters in Fortran beside it: the foot point on a four-node face, or beside it where the closest point of the face
-! lies on its edge.
+! For the adapters in Fortran beside it: the foot point on a four-node face, or beside it where the closest point of
+! the face lies on its edge.
 module footpoint_unclamped
   use footpoint
   implicit none
 contains
-  ! FOOTPOINT_OK: loc and gap are written; |loc| <= 1 only if no point of the face is nearer.  Other statuses: neither is.
+  ! FOOTPOINT_OK: loc and gap are written; |loc| <= 1 only if no point of the face is nearer.  Other statuses: neither
+  ! is.
   function unclamped(xA, xB, xC, xD, xS, loc, gap) result(status)
     real*8, intent(in)    :: xA(3), xB(3), xC(3), xD(3), xS(3)
     real*8, intent(inout) :: loc(2), gap

@@ -1,5 +1,5 @@
-# What judges searches of other libraries (make rivals) knows right from wrong, refused, crashed and endless; and ours are
-# right where they promise to be.
+# What judges searches of other libraries (make rivals) knows right from wrong, refused, crashed and endless; and ours
+# are right where they promise to be.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 mkdir -p "$work/objects"

@@ -1,5 +1,5 @@
-/* Families of cases; see cases.h.  Four-node faces are those of tests/hard; curved ones are four-node ones whose edges and
- * middles are moved. */
+/* Families of cases; see cases.h.  Four-node faces are those of tests/hard; curved ones are four-node ones whose
+ * edges and middles are moved. */
 #include "cases.h"
 
 #include "../hard/draw.h"

@@ -1,13 +1,13 @@
-/* See face.h.  All faces are polynomials of degree 2 in xi and in eta, so on a square half the square of the distance is
- * one of degree 4 in each, whose Bernstein coefficients bound it: boxes that cannot hold the least are left, the others
- * halved.  A triangle is such a square with one edge of no length.  What is found is polished by Newton's method in
- * extended precision. */
+/* See face.h.  All faces are polynomials of degree 2 in xi and in eta, so on a square half the square of the distance
+ * is one of degree 4 in each, whose Bernstein coefficients bound it: boxes that cannot hold the least are left, the
+ * others halved.  A triangle is such a square with one edge of no length.  What is found is polished by Newton's
+ * method in extended precision. */
 #include "face.h"
 
 #include <math.h>
 #include <stddef.h>
 
-enum { STEPS = 60, STARTS = 3, BOXES = 200000, STACK = 256 };
+enum { STEPS = 60, STARTS = 3, BOXES = 40000 };
 
 #define TIE 1e-10   /* of the longest edge: distances that are the same */
 #define LEFT 1e-8   /* ... that is left undecided between boxes */
@@ -212,8 +212,8 @@ static void newton_edge(const struct face *f, const double xs[3], int edge, wide
     }
 }
 
-/* Calls `use` with stationary points, of the face and of its edges, that Newton's method finds from z, and with the ends of
- * the edges. */
+/* Calls `use` with stationary points, of the face and of its edges, that Newton's method finds from z, and with the
+ * ends of the edges. */
 typedef void visitor(void *data, const wide z[2], int inside);
 
 static void visit(const struct face *f, const double xs[3], const wide from[2], visitor *use, void *data)
@@ -324,30 +324,71 @@ static void split(struct box *box, struct box *lower)
     }
 }
 
-/* 1 if no box is left that may hold anything nearer than `enough` below the best. */
+static long double bound_of(const struct box *box)
+{
+    long double least = box->c[0][0];
+    for (int i = 1; i < 25; i++)
+        least = box->c[i / 5][i % 5] < least ? box->c[i / 5][i % 5] : least;
+    return least;
+}
+
+/* A heap of numbers of boxes, the one of the least bound on top. */
+struct heap {
+    int count, number[BOXES];
+    long double bound[BOXES]; /* by the number of a box */
+};
+
+static void push(struct heap *h, int number, long double bound)
+{
+    int k = h->count++;
+    h->bound[number] = bound;
+    for (; k > 0 && h->bound[h->number[(k - 1) / 2]] > bound; k = (k - 1) / 2)
+        h->number[k] = h->number[(k - 1) / 2];
+    h->number[k] = number;
+}
+
+static int pop(struct heap *h)
+{
+    const int top = h->number[0], last = h->number[--h->count];
+    int k = 0;
+    for (int child = 1; child < h->count; child = 2 * k + 1) {
+        child += child + 1 < h->count && h->bound[h->number[child + 1]] < h->bound[h->number[child]];
+        if (h->bound[last] <= h->bound[h->number[child]])
+            break;
+        h->number[k] = h->number[child];
+        k = child;
+    }
+    h->number[k] = last;
+    return top;
+}
+
+/* 1 if no box is left that may hold anything nearer than the best by more than `enough`, a distance. */
 static int subdivide(const struct face *f, const double xs[3], struct best *b, long double enough)
 {
-    static struct box stack[STACK];
-    int count = 1;
-    first_box(f, xs, &stack[0]);
-    for (int n = 0; count > 0; n++) {
-        struct box *const box = &stack[count - 1];
-        long double least = box->c[0][0];
-        for (int i = 0; i < 25; i++)
-            least = box->c[i / 5][i % 5] < least ? box->c[i / 5][i % 5] : least;
-        if (least >= (long double)b->square - enough) {
-            count--;
-            continue;
-        }
-        if (n > BOXES || count + 1 > STACK)
+    static struct box boxes[BOXES];
+    static struct heap heap;
+    int used = 1;
+    first_box(f, xs, &boxes[0]);
+    heap.count = 0;
+    push(&heap, 0, bound_of(&boxes[0]));
+    while (heap.count > 0) {
+        const long double least = sqrtl((long double)b->square);
+        const int top = pop(&heap);
+        if (heap.bound[top] >= (long double)b->square - enough * (2 * least + enough))
+            return 1;
+        if (used == BOXES)
             return 0;
+        struct box *const box = &boxes[top];
         wide middle[2];
         on_square(f, box->s + box->width / 2, box->t + box->height / 2, middle);
-        const wide square = square_at(f, xs, middle);
-        if (square < b->square)
-            visit(f, xs, middle, improve, b), improve(b, middle, 0);
-        split(box, &stack[count]);
-        count++;
+        if (square_at(f, xs, middle) < b->square) {
+            improve(b, middle, 0);
+            visit(f, xs, middle, improve, b);
+        }
+        split(box, &boxes[used]);
+        push(&heap, top, bound_of(box));
+        push(&heap, used, bound_of(&boxes[used]));
+        used++;
     }
     return 1;
 }
@@ -360,8 +401,7 @@ void face_find(const struct face *f, const double xs[3], struct face_nearest *n)
         on_square(f, (0.5L + i % STARTS) / STARTS, (0.5L + (long double)(i / STARTS)) / STARTS, z);
         visit(f, xs, z, improve, &b);
     }
-    const long double d = sqrtl((long double)b.square);
-    n->certain = subdivide(f, xs, &b, LEFT * f->edge * (d + 1e-3L * f->edge));
+    n->certain = subdivide(f, xs, &b, LEFT * f->edge);
     n->z[0] = b.z[0];
     n->z[1] = b.z[1];
     n->distance = sqrt((double)b.square);

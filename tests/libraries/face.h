@@ -1,5 +1,5 @@
-/* Faces of four, six, eight and nine nodes in extended precision, and their closest points by subdivision: the reference
- * that libraries are judged by.  Nothing of it is shared with runtime/ or generated/; see face.c. */
+/* Faces of four, six, eight and nine nodes in extended precision, and their closest points by subdivision: the
+ * reference that libraries are judged by.  Nothing of it is shared with runtime/ or generated/; see face.c. */
 #ifndef FOOTPOINT_FACE_H
 #define FOOTPOINT_FACE_H
 

@@ -1,5 +1,5 @@
-// The last step of Newton's method for the foot point of a four-node face, and the gap, in any type of numbers: what tools
-// for derivatives are given.  x: A, B, C, D, xS; u, v: xi and eta from a search in double.
+// The last step of Newton's method for the foot point of a four-node face, and the gap, in any type of numbers: what
+// tools for derivatives are given.  x: A, B, C, D, xS; u, v: xi and eta from a search in double.
 #ifndef FOOTPOINT_LAST_STEP_H
 #define FOOTPOINT_LAST_STEP_H
 

@@ -5,10 +5,10 @@
  *     search,LIBRARY,SEARCH,KIND,QUESTION,NOTE
  *     family,FAMILY,KIND,LIBRARY,SEARCH,judged,ns,ns_again,right,wrong,refused,endless,crashed,off
  *     derivative,LIBRARY,SEARCH,cases,ns,failed,off,NOTE
- * ns: of a search with a face that is new, and of one more on the same face, least of the rounds, in processor time; the
- * searches of all libraries in turn, in one process.  wrong: an answer that is not, without saying so; refused: a status
- * in place of an answer that there is; endless: not done in 0.2 s of processor time; crashed: the process died.  off:
- * median error of the answers, in longest edges.
+ * ns: of a search with a face that is new, and of one more on the same face, least of the rounds, in processor time;
+ * the searches of all libraries in turn, in one process.  wrong: an answer that is not, without saying so; refused: a
+ * status in place of an answer that there is; endless: not done in 0.2 s of processor time; crashed: the process
+ * died.  off: median error of the answers, in longest edges.
  *
  * Searches are judged in a process each, so that what never ends or dies takes nobody along. */
 #include "library_judge.h"

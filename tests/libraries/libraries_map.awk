@@ -1,6 +1,6 @@
-# A picture of who is wrong where, as SVG, from what libraries_main prints: a row for each search on one kind of face, in
-# order of their time on ordinary faces, a column for each family.  A cell: how many in % have no right answer; its shade:
-# how many are wrong without saying so.
+# A picture of who is wrong where, as SVG, from what libraries_main prints: a row for each search on one kind of face,
+# in order of their time on ordinary faces, a column for each family.  A cell: how many in % have no right answer; its
+# shade: how many are wrong without saying so.
 #     awk -f libraries_map.awk -v kind=quad4 rivals.csv > FILE.svg
 BEGIN { FS = ","; left = 300; wide = 74; high = 22; top = 64 }
 $1 == "family" && $3 == kind {
@@ -23,7 +23,8 @@ function text(x, y, s, anchor, more) {
 function shade(part,    g) { g = 255 - 170 * part; return sprintf("rgb(255,%d,%d)", g, g) }
 END {
     width = left + 70 + m * wide + 10; height = top + n * high + 34
-    printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\"", width, height, width, height
+    printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\"", width, height, width,
+        height
     print " font-family=\"sans-serif\" font-size=\"12\"><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"
     text(10, 22, kind ": no right answer, % of the cases", "start", " font-size=\"15\"")
     text(left + 58, top - 8, "ns", "end", "")
@@ -34,12 +35,13 @@ END {
     }
     for (k = 1; k <= n; k++) {
         r = at[k]; y = top + (k - 1) * high
-        text(left - 6, y + 15, name[r], "end", ours[r] ? " font-weight=\"bold\"" : "")
-        text(left + 58, y + 15, time[r] < 1e30 ? sprintf("%.0f", time[r]) : "", "end", ours[r] ? " font-weight=\"bold\"" : "")
+        weight = ours[r] ? " font-weight=\"bold\"" : ""
+        text(left - 6, y + 15, name[r], "end", weight)
+        text(left + 58, y + 15, time[r] < 1e30 ? sprintf("%.0f", time[r]) : "", "end", weight)
         for (c = 1; c <= m; c++) {
             if (!((r, c) in cell)) continue
-            printf "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"%s\" stroke=\"#ccc\" stroke-width=\"0.5\"/>\n", \
-                left + 70 + (c - 1) * wide, y, wide, high, shade(silent[r, c])
+            printf "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"", left + 70 + (c - 1) * wide, y, wide, high
+            printf " fill=\"%s\" stroke=\"#ccc\" stroke-width=\"0.5\"/>\n", shade(silent[r, c])
             text(left + 70 + (c - 0.5) * wide, y + 15, (cell[r, c] == 0 ? "0" : sprintf("%.1f", cell[r, c])) \
                 (endless[r, c] ? sprintf(" (%.1f)", endless[r, c]) : ""), "middle", "")
         }

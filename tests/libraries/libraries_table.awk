@@ -1,5 +1,5 @@
-# The table of `make rivals` from what libraries_main prints: for each kind of face and family, searches in order of their
-# time.  -v absent=NAMES -v machine=TEXT
+# The table of `make rivals` from what libraries_main prints: for each kind of face and family, searches in order of
+# their time.  -v absent=NAMES -v machine=TEXT
 BEGIN {
     FS = ","
     what["foot"] = "foot point, on the face or beside it"
@@ -10,7 +10,11 @@ BEGIN {
     print machine
 }
 $1 == "version" { library[++libraries] = $2; version[$2] = $3 }
-$1 == "search" { question[$2, $3, $4] = $5; note[$2, $3] = $6; if (!seen[$2, $3]++) search[++searches] = $2 SUBSEP $3 SUBSEP $5 }
+$1 == "search" {
+    question[$2, $3, $4] = $5
+    note[$2, $3] = $6
+    if (!seen[$2, $3]++) search[++searches] = $2 SUBSEP $3
+}
 $1 == "family" {
     if (!(($3, $2) in block)) { block[$3, $2]; order[++blocks] = $3 SUBSEP $2 }
     line[$3, $2, ++count[$3, $2]] = $0
@@ -20,8 +24,8 @@ $1 == "derivative" { derivative[++derivatives] = $0 }
 function percent(n, of) { return of == 0 ? "" : n == 0 ? "0" : sprintf("%.1f", 100 * n / of) }
 function ns(v) { return v == "inf" ? "" : sprintf("%.0f", v) }
 function head() {
-    printf "  %-14s %-29s %-8s %9s %9s %7s %7s %7s %8s %6s\n", "library", "search", "question", "ns", "again", "wrong", "silent", \
-        "endless", "error", "judged"
+    printf "  %-14s %-29s %-8s %9s %9s %7s %7s %7s %8s %6s\n", "library", "search", "question", "ns", "again", "wrong", \
+        "silent", "endless", "error", "judged"
 }
 function print_block(b,    part, n, i, j, k, at, f, v) {
     split(order[b], part, SUBSEP)
@@ -38,8 +42,8 @@ function print_block(b,    part, n, i, j, k, at, f, v) {
         split(line[part[1], part[2], at[k]], f, ",")
         v = f[9] + f[10] + f[11] + f[12] + f[13]
         printf "%s %-14s %-29s %-8s %9s %9s %7s %7s %7s %8s %6d%s\n", f[4] == "footpoint" ? "*" : " ", f[4], f[5], \
-            question[f[4], f[5], part[1]], ns(f[7]), ns(f[8]), percent(v - f[9], v), percent(f[10], v), percent(f[12], v), \
-            f[14] == "nan" ? "" : f[14], v, f[13] ? "  " f[13] " crashed" : ""
+            question[f[4], f[5], part[1]], ns(f[7]), ns(f[8]), percent(v - f[9], v), percent(f[10], v), \
+            percent(f[12], v), f[14] == "nan" ? "" : f[14], v, f[13] ? "  " f[13] " crashed" : ""
     }
 }
 END {
@@ -50,11 +54,11 @@ END {
     for (q in what) names = names " " q
     n = split("foot inside closest point", name, " ")
     for (i = 1; i <= n; i++) printf "  %-8s %s\n", name[i], what[name[i]]
-    print "\nColumns: ns a search with a face that is new, and of one more on the same face, least of the rounds, processor time;"
-    print "no right answer, wrong without saying so, not done in 0.2 s, in % of the cases judged; median error of the answers in"
-    print "longest edges.  Wrong: farther off than 1e-4 of the longest edge.  *: ours."
+    print "\nColumns: ns a search with a face that is new, and of one more on the same face, least of the rounds, processor"
+    print "time; no right answer, wrong without saying so, not done in 0.2 s, in % of the cases judged; median error of the"
+    print "answers in longest edges.  Wrong: farther off than 1e-4 of the longest edge.  *: ours."
     for (b = 1; b <= blocks; b++) print_block(b)
-    print "\nFirst derivatives of xi, eta and gap by the 15 coordinates of a four-node face and its slave node, ordinary"
+    print "\nFirst derivatives of xi, eta and gap by the 15 coordinates of a four-node face and its slave node"
     printf "  %-14s %-29s %9s %8s  %s\n", "library", "", "ns", "error", ""
     for (i = 1; i <= derivatives; i++) {
         split(derivative[i], f, ",")

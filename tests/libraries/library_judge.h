@@ -25,7 +25,7 @@ int library_truth_find(int kind, const struct library_case *c, struct library_tr
 enum library_verdict library_judge(enum library_question question, const struct library_truth *t, int status,
                                    const struct library_answer *a, double *off);
 
-/** The worst error of derivatives, over the largest of xi, eta or gap; the reference is differences in extended precision. */
+/** The worst error of derivatives, over the largest of xi, eta or gap, by differences in extended precision. */
 double library_judge_derivatives(const struct library_truth *t, const double d[3][15]);
 
 #endif

@@ -1,5 +1,5 @@
-/* SISL: closest points of spline surfaces.  Four-, eight- and nine-node faces are Bezier surfaces; s1954 finds all closest
- * points, s1958 one "in clear cut cases", s1775 iterates from a guess, here the middle. */
+/* SISL: closest points of spline surfaces.  Four-, eight- and nine-node faces are Bezier surfaces; s1954 finds all
+ * closest points, s1958 one "in clear cut cases", s1775 iterates from a guess, here the middle. */
 #include "library.h"
 
 #include <sisl.h>

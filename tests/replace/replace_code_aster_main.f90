@@ -1,5 +1,6 @@
 ! mmnewt of runtime/replace/code_aster.f90.
-subroutine mmnewt_newton(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, tang_1, tang_2, error)
+subroutine mmnewt_newton(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, tang_1, &
+                         tang_2, error)
   implicit none
   character(len=8), intent(in) :: type_elem
   integer, intent(in)          :: nb_node, nb_dim, iter_maxi
@@ -16,8 +17,8 @@ program replace_code_aster
   use replace_points
   implicit none
   interface
-    subroutine mmnewt(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, tang_1, tang_2, &
-                      error, l_reli_)
+    subroutine mmnewt(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, tang_1, &
+                      tang_2, error, l_reli_)
       character(len=8), intent(in)  :: type_elem
       integer, intent(in)           :: nb_node, nb_dim, iter_maxi
       real(kind=8), intent(in)      :: elem_coor(27), pt_coor(3), tole_maxi

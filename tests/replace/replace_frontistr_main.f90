@@ -28,7 +28,8 @@ contains
     type(tContactState), intent(inout) :: cstate
     logical, intent(out)               :: isin
     real(kind=kreal), optional         :: ctpos(2), localclr
-    isin = sum(xyz) + sum(elemt) + reflen + distclr > huge(xyz) .and. etype == nn .and. present(ctpos) .and. present(localclr)
+    isin = sum(xyz) + sum(elemt) + reflen + distclr > huge(xyz) .and. etype == nn .and. present(ctpos) &
+           .and. present(localclr)
     cstate%state = CONTACTFREE
     called = called + 1
   end subroutine

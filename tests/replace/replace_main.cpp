@@ -1,4 +1,5 @@
-// The adapters in C++ of runtime/replace/: Tribol, MOOSE, NimbleSM, ArborX, with the little that they need of those codes.
+// The adapters in C++ of runtime/replace/: Tribol, MOOSE, NimbleSM, ArborX, with the little that they need of those
+// codes.
 #include <cmath>
 #include <cstdio>
 #include <vector>

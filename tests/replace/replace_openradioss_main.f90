@@ -1,4 +1,5 @@
-! sts_project of runtime/replace/openradioss.f90: quadrature points of a small secondary segment about a known slave node.
+! sts_project of runtime/replace/openradioss.f90: quadrature points of a small secondary segment about a known slave
+! node.
 program replace_openradioss
   use replace_points
   implicit none

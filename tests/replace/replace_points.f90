@@ -2,8 +2,8 @@
 module replace_points
   implicit none
   integer, parameter :: rk = kind(1.d0)
-  real(rk), parameter :: face(3,4) = reshape((/0.d0, 0.d0, 0.d0, 2.d0, 0.d0, 0.1d0, 2.2d0, 1.5d0, 0.d0, 0.d0, 1.2d0, 0.1d0/), &
-                                             (/3, 4/))
+  real(rk), parameter :: face(3,4) = reshape((/0.d0, 0.d0, 0.d0, 2.d0, 0.d0, 0.1d0, 2.2d0, 1.5d0, 0.d0, 0.d0, 1.2d0, &
+                                               0.1d0/), (/3, 4/))
   integer :: failures = 0
 contains
   pure function phi(loc)

@@ -1,10 +1,10 @@
 #!/bin/sh
-# libraries.sh FOLDER: searches of other libraries beside ours, on the same faces and slave nodes: a table on stdout,
-# FOLDER/index.html with pictures, FOLDER/rivals.csv.  Libraries that are not installed are named as absent.  CASES= of each
-# family and kind of face.
+# rivals.sh FOLDER: searches of other libraries beside ours, on the same faces and slave nodes: a table on stdout,
+# FOLDER/index.html with pictures, FOLDER/rivals.csv.  Libraries that are not installed are named as absent.  CASES=
+# of each family and kind of face.
 #
-# Adapters and headers are compiled alike for this machine; what a library has compiled is as its package compiled it, and
-# so is ours in libfootpoint.
+# Adapters and headers are compiled alike for this machine; what a library has compiled is as its package compiled it,
+# and so is ours in libfootpoint.
 folder=$1 BIN=${BIN:-build} CC=${CC:-gcc} CXX=${CXX:-g++} CASES=${CASES:-200}
 say() { echo "rivals: $*" >&2; }
 rm -rf "$folder" && mkdir -p "$folder/objects" || exit 3
