@@ -23,8 +23,8 @@ function text(x, y, s, anchor, more) {
 function shade(part,    g) { g = 255 - 170 * part; return sprintf("rgb(255,%d,%d)", g, g) }
 END {
     width = left + 70 + m * wide + 10; height = top + n * high + 34
-    printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\"", width, height, width,
-        height
+    printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\"", width, height
+    printf " viewBox=\"0 0 %d %d\"", width, height
     print " font-family=\"sans-serif\" font-size=\"12\"><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"
     text(10, 22, kind ": no right answer, % of the cases", "start", " font-size=\"15\"")
     text(left + 58, top - 8, "ns", "end", "")

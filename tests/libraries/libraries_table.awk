@@ -24,8 +24,8 @@ $1 == "derivative" { derivative[++derivatives] = $0 }
 function percent(n, of) { return of == 0 ? "" : n == 0 ? "0" : sprintf("%.1f", 100 * n / of) }
 function ns(v) { return v == "inf" ? "" : sprintf("%.0f", v) }
 function head() {
-    printf "  %-14s %-29s %-8s %9s %9s %7s %7s %7s %8s %6s\n", "library", "search", "question", "ns", "again", "wrong", \
-        "silent", "endless", "error", "judged"
+    printf "  %-14s %-29s %-8s %9s %9s %7s %7s %7s %8s %6s\n", "library", "search", "question", "ns", "again", \
+        "wrong", "silent", "endless", "error", "judged"
 }
 function print_block(b,    part, n, i, j, k, at, f, v) {
     split(order[b], part, SUBSEP)
@@ -54,9 +54,9 @@ END {
     for (q in what) names = names " " q
     n = split("foot inside closest point", name, " ")
     for (i = 1; i <= n; i++) printf "  %-8s %s\n", name[i], what[name[i]]
-    print "\nColumns: ns a search with a face that is new, and of one more on the same face, least of the rounds, processor"
-    print "time; no right answer, wrong without saying so, not done in 0.2 s, in % of the cases judged; median error of the"
-    print "answers in longest edges.  Wrong: farther off than 1e-4 of the longest edge.  *: ours."
+    print "\nColumns: ns a search with a new face, and of one more on the same face, least of the rounds, processor"
+    print "time; no right answer, wrong without saying so, not done in 0.2 s, in % of the cases judged; median"
+    print "error of the answers in longest edges.  Wrong: farther off than 1e-4 of the longest edge.  *: ours."
     for (b = 1; b <= blocks; b++) print_block(b)
     print "\nFirst derivatives of xi, eta and gap by the 15 coordinates of a four-node face and its slave node"
     printf "  %-14s %-29s %9s %8s  %s\n", "library", "", "ns", "error", ""
