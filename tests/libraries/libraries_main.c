@@ -214,7 +214,8 @@ static void time_all(const void *unused, int kind, int none)
     for (int round = 0; round < ROUNDS; round++)
         for (int again = 1; again >= 0; again--)
             for (int p = 0; p < place_count; p++) {
-                if (spent[p] > ENOUGH || places[p].tally.endless + places[p].tally.crashed == cases)
+                if ((spent[p] > ENOUGH && isfinite(shared->ns[p][again])) ||
+                    places[p].tally.endless + places[p].tally.crashed == cases)
                     continue;
                 for (int pass = 0; pass < 2; pass++) { /* the second finds its code and data in the caches */
                     const double ns = time_round(places[p].search, places[p].tally.skip, work[p], again);

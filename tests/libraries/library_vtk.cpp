@@ -59,14 +59,15 @@ void close_cell(void *work)
     delete static_cast<Work *>(work);
 }
 
-const library_search searches[] = {{"vtkQuad", 1u << LIBRARY_QUAD4, LIBRARY_CLOSEST,
-                                    "EvaluatePosition; takes the face for plane", open_cell, set, find, close_cell},
-                                   {"vtkQuadraticTriangle", 1u << LIBRARY_TRI6, LIBRARY_CLOSEST,
-                                    "EvaluatePosition; four triangles", open_cell, set, find, close_cell},
-                                   {"vtkQuadraticQuad", 1u << LIBRARY_QUAD8, LIBRARY_CLOSEST,
-                                    "EvaluatePosition; four vtkQuad", open_cell, set, find, close_cell},
-                                   {"vtkBiQuadraticQuad", 1u << LIBRARY_QUAD9, LIBRARY_CLOSEST,
-                                    "EvaluatePosition; four vtkQuad", open_cell, set, find, close_cell}};
+const library_search searches[] = {
+    {"vtkQuad", 1u << LIBRARY_QUAD4, LIBRARY_CLOSEST, "EvaluatePosition; takes the face for plane", open_cell, set,
+     find, close_cell},
+    {"vtkQuadraticTriangle", 1u << LIBRARY_TRI6, LIBRARY_CLOSEST,
+     "EvaluatePosition; four triangles; beside the cell, on its continuation", open_cell, set, find, close_cell},
+    {"vtkQuadraticQuad", 1u << LIBRARY_QUAD8, LIBRARY_CLOSEST,
+     "EvaluatePosition; four vtkQuad; beside the cell, on its continuation", open_cell, set, find, close_cell},
+    {"vtkBiQuadraticQuad", 1u << LIBRARY_QUAD9, LIBRARY_CLOSEST,
+     "EvaluatePosition; four vtkQuad; beside the cell, on its continuation", open_cell, set, find, close_cell}};
 const library self = {"VTK", VTK_VERSION, 4, searches, 0, nullptr};
 } // namespace
 

@@ -81,7 +81,7 @@ picture() { # picture FAMILY KIND: time against error
             print f " " k ",random," name "," ($4 == "footpoint") ",scalar," $7 "," $14 "," $14 ",0," machine ","
         }' "$folder/rivals.csv" |
         awk -f tests/report/picture.awk -v scene="$1 $2" -v sample=random -v mode=scalar -v norm=median \
-            -v out="$folder/$1-$2" -v error='median error, in longest edges' | gnuplot || exit 3
+            -v out="$folder/$1-$2" -v error='median error, in longest edges' -v others='other libraries' | gnuplot || exit 3
     echo "<a href=\"$1-$2.svg\"><img src=\"$1-$2.svg\" alt=\"$1 $2: time against error\"></a>"
 }
 map() { # map KIND
