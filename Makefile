@@ -338,6 +338,9 @@ perceptrons: evolve ## train the perceptrons of the bench again, tests/paper/per
 calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs
 	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && cat $(BIN)/machine.costs
 
+rivals: runtime ## beside other libraries: table, and pictures in build/rivals/index.html: CASES= of each family (some minutes)
+	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) CASES=$(CASES) sh tests/libraries/rivals.sh build/rivals
+
 report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report/report.sh build/report
 
@@ -353,8 +356,14 @@ PACKAGES := gcc g++ gfortran clang libc6-dev make pkg-config libopenmpi-dev open
 # What `make check-long` compares with, fuzzes with and unpacks with; without them it skips those checks.
 PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2 chromium
 
+# Libraries that `make rivals` compares with.  deal.II is not among them: it would take 1.3 GB more.
+PACKAGES_RIVALS := libdune-geometry-dev libvtk9-dev libgetfem-dev libgmsh-dev libsisl-dev libocct-modeling-algorithms-dev \
+                   libocct-modeling-data-dev libtrilinos-intrepid2-dev libtrilinos-kokkos-dev libtrilinos-kokkos-kernels-dev \
+                   libtrilinos-shards-dev libtrilinos-teuchos-dev libtrilinos-sacado-dev libcgal-dev libembree-dev libadolc-dev
+
 deps-long: PACKAGES += $(PACKAGES_LONG)
-deps deps-long: ## install the packages that are missing (Debian; deps-long: for check-long, too); needs no privileges when all are there
+deps-rivals: PACKAGES += $(PACKAGES_RIVALS)
+deps deps-long deps-rivals: ## install the packages that are missing (Debian; deps-long: for check-long, deps-rivals: for rivals, too); needs no privileges when all are there
 	$(Q)missing=; for p in $(PACKAGES); do \
 	    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'install ok installed' || missing="$$missing $$p"; \
 	done; \
@@ -459,4 +468,4 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        perceptrons paper build-tests deps deps-long install install-runtime uninstall clean help FORCE
+        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall clean help FORCE

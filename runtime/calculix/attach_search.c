@@ -9,8 +9,8 @@
  *     |r_u s + r_v t| >= a |s| + b |t|,   a = A + sqrt(M + N),   b = B + sqrt(O + N),
  * a question of two definite forms.  On an ordinary face that settles it for the whole of it.
  *
- * Elsewhere boxes are halved.  A box is dropped if it is settled as above, or if all of it lies farther from xS than
- * the minimum, seen along the direction of its middle. */
+ * Elsewhere boxes are halved.  A box is dropped if it is settled as above, or if all of it, as far as it belongs to the
+ * face, lies farther from xS than the minimum, seen along the direction of its middle. */
 #include "attach_curved.h"
 
 #include <float.h>
@@ -87,23 +87,30 @@ static int is_settled(const struct minimum *m, double most_s, double most_t)
     return h11 > 0.0 && h22 > 0.0 && h11 * h22 > h12 * h12;
 }
 
-/* No point of the box is nearer to xS than that. */
-static double least_distance(const struct curved *f, const struct box *box, const struct derivatives *d)
+/* The least of a p + b q where |p| <= most[0], |q| <= most[1] and p + q <= room: at a corner of the box, or at an end of
+ * the line that cuts it off. */
+static double least_linear(double a, double b, const double most[2], double room)
+{
+    const double p = a > 0.0 ? -most[0] : most[0], q = b > 0.0 ? -most[1] : most[1];
+    if (p + q <= room)
+        return a * p + b * q;
+    const double low = fmax(-most[0], room - most[1]), high = fmin(most[0], room + most[1]);
+    return b * room + (a - b) * (a > b ? low : high);
+}
+
+/* No point of the box, as far as it belongs to the face, is nearer to xS than that. */
+static double least_distance(const struct curved *f, int corners, const struct box *box, const struct derivatives *d)
 {
     const double p = box->half[0], q = box->half[1], size = length(d->r);
+    const double room = corners == 3 ? 1.0 - box->middle[0] - box->middle[1] : HUGE_VAL;
     double n[3];
     if (!(size > 0.0))
         return 0.0;
     for (int i = 0; i < 3; i++)
         n[i] = d->r[i] / size;
-    return size - p * fabs(vector_dot(n, d->u)) - q * fabs(vector_dot(n, d->v)) - 0.5 * p * p * against(n, d->uu) -
-           p * q * fabs(vector_dot(n, d->uv)) - 0.5 * q * q * against(n, d->vv) -
+    return size + least_linear(vector_dot(n, d->u), vector_dot(n, d->v), box->half, room) -
+           0.5 * p * p * against(n, d->uu) - p * q * fabs(vector_dot(n, d->uv)) - 0.5 * q * q * against(n, d->vv) -
            p * q * (p * fabs(vector_dot(n, f->k[6])) + q * fabs(vector_dot(n, f->k[7])));
-}
-
-static int is_in_triangle(const double loc[2])
-{
-    return loc[0] >= 0.0 && loc[1] >= 0.0 && loc[0] + loc[1] <= 1.0;
 }
 
 /* Halves the side that is longer in space; the other half is the return value. */
@@ -116,6 +123,20 @@ static struct box halve(struct box *box, const struct derivatives *d)
     other.middle[k] += other.half[k];
     box->middle[k] -= box->half[k];
     return other;
+}
+
+/* Whether the middle of a box, or the point of a triangle beside it, is nearer than that. */
+static int is_start(const struct curved *f, int corners, const double at[2], double distance, double start[2])
+{
+    const double beyond = corners == 3 && at[0] + at[1] > 1.0 ? 0.5 * (at[0] + at[1] - 1.0) : 0.0;
+    const double loc[2] = {at[0] - beyond, at[1] - beyond};
+    double r[3];
+    curved_away(f, loc, r);
+    if (!(length(r) < distance))
+        return 0;
+    start[0] = loc[0];
+    start[1] = loc[1];
+    return 1;
 }
 
 int footpoint_attach_nearer(const struct curved *f, int corners, const double loc[2], double start[2])
@@ -138,12 +159,9 @@ int footpoint_attach_nearer(const struct curved *f, int corners, const double lo
         if (corners == 3 && at[0] - half[0] + at[1] - half[1] > 1.0)
             continue;
         derive(f, at, &d);
-        if (length(d.r) < m.distance - NEARER * size && (corners == 4 || is_in_triangle(at))) {
-            start[0] = at[0];
-            start[1] = at[1];
+        if (is_start(f, corners, at, m.distance - NEARER * size, start))
             return 1;
-        }
-        const double far = least_distance(f, box, &d);
+        const double far = least_distance(f, corners, box, &d);
         if (!(far < m.distance - NEARER * size) ||
             is_settled(&m, fabs(at[0] - loc[0]) + half[0], fabs(at[1] - loc[1]) + half[1]) || top + 2 > DEPTH)
             continue;

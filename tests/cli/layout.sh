@@ -22,6 +22,7 @@ runtime/certain:    runtime/geometry runtime generated
 runtime/search:     runtime/certain runtime/geometry runtime generated
 runtime/batch:      runtime/search runtime/certain runtime/geometry runtime generated
 runtime/calculix:   runtime/certain runtime/geometry runtime generated
+runtime/replace:    runtime generated                           # Fortran and C++
 evolve/common:      codegen/genome
 evolve/input:       evolve/common codegen/genome
 evolve/surface:     evolve/common codegen/genome runtime/geometry
@@ -39,11 +40,13 @@ tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*
 tests/hard:         tests/rivals tests/support runtime runtime/* generated
 tests/bench:        tests/hard tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
+tests/libraries:    tests/hard tests/rivals tests/support generated runtime runtime/*
 tests/evolve:       tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/calculix:     runtime/calculix
+tests/replace:      runtime/replace runtime generated
 tests/example:      runtime runtime/* generated
 tests/fuzz:         codegen/* runtime runtime/* generated tests/hard
 tests/long:

@@ -3,8 +3,8 @@
 # writes FILE.svg and FILE.png.  Filled squares and the staircase: ours.  Open circles: rivals; those are named that no
 # other rival beats in both time and error, and those that are no truncated iteration.
 #
-# An error is the larger of those of xi and eta.  Names are placed where they cover nothing, as near to their point as
-# that allows; a name for which there is no room is left out.
+# An error is the larger of those of xi and eta; -v error= says otherwise, -v others= what rivals are.  Names are placed
+# where they cover nothing, as near to their point as that allows; a name for which there is no room is left out.
 BEGIN {
     FS = ","
     width = 1000; height = 680; left = 92; right = 20; top = 62; bottom = 58 # pixels
@@ -131,17 +131,20 @@ function script(    i, k) {
     gsub(/-/, "_", under)
     print "set logscale xy\nset border 3 lc rgb '#606060'\nset tics nomirror out tc rgb '#303030'\nunset key"
     print "set format y '10^{%L}'\nset mytics 1\nset grid xtics ytics lt 1 lw 0.5 lc rgb '#e8e8e8'"
-    print "set xtics (0.5, 1, 1.5, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 50, 70, 100, 150, 200, 300, 500, 1000, 2000)"
+    print "set xtics (0.5, 1, 1.5, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40, 50, 70, 100, 150, 200, " \
+        "300, 500, 1000, 2000, 5000, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6)"
     print "set ytics 1e-18, " (y0 < 1e-8 ? "100" : "10") ", 1"
     printf "set lmargin at screen %g\nset rmargin at screen %g\nset bmargin at screen %g\nset tmargin at screen %g\n",
         left / width, 1 - right / width, bottom / height, 1 - top / height
     printf "set xrange [%g:%g]\nset yrange [%g:%g]\n", x0, x1, y0, y1
     printf "set xlabel 'nanoseconds a search, %s' offset 0,0.3\n", mode == "batch" ? "in batches" : "one at a time"
-    printf "set ylabel '%s error, the larger of xi and eta' offset 0.5,0\n", norm == "p99" ? "99 %" : norm
+    printf "set ylabel '%s' offset 0.5,0\n", error != "" ? error : \
+        (norm == "p99" ? "99 %" : norm) " error, the larger of xi and eta"
     printf "set label 1000 '%s' at screen %g,%g left noenhanced font 'sans,15'\n", scene ", " mode ": " \
         (norm == "p99" ? "99 %" : norm) " error against time", left / width, 1 - 20 / height
-    printf "set label 1001 '%s samples; %s; noise %.1f %%;  filled: footpoint,  open: by hand or fitted' " \
-        "at screen %g,%g left noenhanced font 'sans,11' tc rgb '#606060'\n", sample, machine, 100 * median(),
+    printf "set label 1001 '%s samples; %s%s;  filled: footpoint,  open: %s' " \
+        "at screen %g,%g left noenhanced font 'sans,11' tc rgb '#606060'\n", sample, machine,
+        (median() > 0 ? sprintf("; noise %.1f %%", 100 * median()) : ""), (others != "" ? others : "by hand or fitted"),
         left / width, 1 - 42 / height
     for (i = 1; i <= n; i++) if (ours[i]) label(i)
     for (i = 1; i <= n; i++) if (!ours[i] && front[i]) label(i)

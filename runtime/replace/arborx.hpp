@@ -1,0 +1,39 @@
+// ArborX: a callback for BVH queries of slave nodes among boxes of four-node faces, that keeps the nearest face of
+// each slave node.  On a device, too: one thread has all candidates of a query.  Slave nodes are numbered by what is
+// attached to their predicates, faces by their place in the tree.
+#ifndef FOOTPOINT_REPLACE_ARBORX
+#define FOOTPOINT_REPLACE_ARBORX
+
+#include "footpoint_quad4.h"
+
+#ifndef KOKKOS_FUNCTION
+#define KOKKOS_FUNCTION
+#endif
+
+struct footpoint_nearest_face {
+    const double (*nodes)[3]; // coordinates; mesh length
+    const int (*faces)[4];    // corners A, B, C, D
+    const int *slaves;        // nodes
+    // Of each slave node; distance to be set to a search radius beforehand.
+    double *distance; // to the nearest face so far; mesh length, >= 0
+    int *face;        // its number; untouched where none is within that distance
+    double (*loc)[2]; // xi, eta, in [-1,1]
+
+    template <class Query> KOKKOS_FUNCTION void operator()(const Query &query, int j) const
+    {
+        const int i = getData(query);
+        const int *const f = faces[j];
+        double at[2], away = 0.;
+        int region = 0;
+        if (footpoint_quad4_accurate_closest(nodes[f[0]], nodes[f[1]], nodes[f[2]], nodes[f[3]], nodes[slaves[i]], at,
+                                             &away, &region) != FOOTPOINT_OK ||
+            !(fabs(away) < distance[i]))
+            return;
+        distance[i] = fabs(away);
+        face[i] = j;
+        loc[i][0] = at[0];
+        loc[i][1] = at[1];
+    }
+};
+
+#endif

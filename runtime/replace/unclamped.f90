@@ -1,0 +1,26 @@
+! For the adapters in Fortran beside it: the foot point on a four-node face, or beside it where the closest point of
+! the face lies on its edge.
+module footpoint_unclamped
+  use footpoint
+  implicit none
+contains
+  ! FOOTPOINT_OK: loc and gap are written; |loc| <= 1 only if no point of the face is nearer.  Other statuses: neither
+  ! is.
+  function unclamped(xA, xB, xC, xD, xS, loc, gap) result(status)
+    real*8, intent(in)    :: xA(3), xB(3), xC(3), xD(3), xS(3)
+    real*8, intent(inout) :: loc(2), gap
+    integer :: status, iterations
+    real*8  :: at(2), g
+
+    status = footpoint_locate(xA, xB, xC, xD, xS, loc, gap)
+    if (status == FOOTPOINT_OK) return
+    status = footpoint_robust(xA, xB, xC, xD, xS, at, g)
+    if (status == FOOTPOINT_OUTSIDE) then
+      status = footpoint_newton(xA, xB, xC, xD, xS, 20, 1d-12, at, g, iterations)
+      if (status == FOOTPOINT_OK .and. maxval(abs(at)) <= 1) status = FOOTPOINT_OUTSIDE
+    end if
+    if (status /= FOOTPOINT_OK) return
+    loc = at
+    gap = g
+  end function
+end module

@@ -1,0 +1,25 @@
+# The adapters of runtime/replace/ compile with the signatures of the codes that they are for, and give known answers.
+. tests/cli/expect.inc
+CXX=${CXX:-g++} FC=${FC:-gfortran}
+LIBRARY=$BIN/libfootpoint.a
+for compiler in "$CXX" clang++; do
+    command -v "$compiler" > /dev/null || continue
+    "$compiler" -std=c++11 -O1 -Wall -Wextra -Wpedantic -Wshadow -Werror -Iruntime -Igenerated tests/replace/replace_main.cpp \
+        "$LIBRARY" -lm -o "$work/adapters"
+    expect "Tribol, MOOSE, NimbleSM, ArborX: $compiler" 0 '' '' "$work/adapters"
+done
+if command -v "$FC" > /dev/null; then
+    for code in openradioss frontistr code_aster abaqus; do
+        adapter=$(ls runtime/replace/$code*.f90)
+        # The program's modules come before the adapter that uses them.
+        "$FC" -std=gnu -O1 -Wall -Wextra -Wno-unused-dummy-argument -Wno-compare-reals -Werror -fno-range-check -J"$work" \
+            runtime/package/footpoint.f90 runtime/replace/unclamped.f90 tests/replace/replace_points.f90 \
+            tests/replace/replace_${code}_main.f90 "$adapter" "$LIBRARY" -lm -o "$work/$code"
+        expect "$code" 0 '' '' "$work/$code"
+    done
+else
+    echo "# SKIP no $FC: adapters in Fortran"
+fi
+if command -v nvcc > /dev/null; then
+    nvcc -std=c++17 -Iruntime -Igenerated -x cu -c tests/replace/replace_main.cpp -o "$work/device.o"; report $((! $?)) 'on a device'
+fi
