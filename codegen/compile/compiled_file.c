@@ -65,11 +65,11 @@ bool *function_reads(const struct function *f)
     return reads;
 }
 
-/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_sure, NAME_closest
- * and NAME_closest_n. */
+/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_sure,
+ * NAME_closest and NAME_closest_n. */
 static bool check_names(const struct genome_file *f, struct diag *d)
 {
-    static const char *const suffix[] = {"_n", "_points", "_at", "_sure", "_closest", "_closest_n"};
+    static const char *const suffix[] = {"_n", "_points", "_at", "_checked_n", "_sure", "_closest", "_closest_n"};
     for (size_t k = 0; k < f->genomes; k++)
         for (size_t s = 0; s < (f->segment ? sizeof suffix / sizeof *suffix : 2); s++) {
             const char *name = f->genome[k].name;

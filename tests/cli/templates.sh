@@ -8,7 +8,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
     for function in fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
-    for name in macros bits power scale weighted relative; do echo "#include \"$PWD/$folder/$name.h\""; done
+    for name in macros bits power scale weighted relative height; do echo "#include \"$PWD/$folder/$name.h\""; done
     for kind in quad4 tri3:3 tri6:6 quad8:8 quad9:9 bezier:4 gregory:4; do
         echo "#include \"$PWD/$folder/${kind%:*}.h\""
         [ "$kind" != "${kind#*:}" ] || continue
@@ -20,7 +20,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         echo '#undef footpoint_detail_KIND_gap'
         echo '#undef NODES'
     done
-    for name in edge closest; do echo "#include \"$PWD/$folder/$name.h\""; done
+    for name in again edge closest; do echo "#include \"$PWD/$folder/$name.h\""; done
     columns= rows=
     for vectors in 1 2 3 4 5; do
         k=$((3 * (vectors - 1)))
@@ -29,8 +29,10 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         case $vectors in 4) kind=tri3 ;; 5) kind=quad4 ;; *) continue ;; esac
         printf '%s\n' "#define VECTORS $vectors" "#define COLUMNS $columns" "#define ROWS $rows" \
             "#define footpoint_detail_KIND_closest_rest footpoint_detail_${kind}_closest_rest" \
+            "#define footpoint_detail_KIND_checked_rest footpoint_detail_${kind}_checked_rest" \
             "#include \"$PWD/$folder/${kind}_nearest.h\"" "#include \"$PWD/$folder/closest_rest.h\"" \
-            '#undef VECTORS' '#undef COLUMNS' '#undef ROWS' '#undef footpoint_detail_KIND_closest_rest'
+            "#include \"$PWD/$folder/checked_rest.h\"" '#undef VECTORS' '#undef COLUMNS' '#undef ROWS' \
+            '#undef footpoint_detail_KIND_closest_rest' '#undef footpoint_detail_KIND_checked_rest'
     done
     for name in corners quad4_sure contract contract_closest; do echo "#include \"$PWD/$folder/$name.h\""; done
 } > "$work/all.c"
