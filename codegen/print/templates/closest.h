@@ -1,7 +1,7 @@
 /* Statuses of closest points. */
 
 #ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN 3
+#define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
 /* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
