@@ -6,7 +6,6 @@
 #include "../genome/text.h"
 #include "banner.h"
 #include "c_text.h"
-#include "header_along.h"
 #include "header_float.h"
 #include "header_helpers.h"
 #include "header_segment.h"
@@ -148,7 +147,6 @@ void header_print(const struct unit *u, FILE *out)
         if (u->options.precision == PRECISION_DOUBLE)
             print_points(u, f, out);
     }
-    if (u->file->segment && along_exists(u->file->segment))
-        along_print(u, out);
+    helpers_print_along(u, out);
     fputs("\n#endif\n", out);
 }

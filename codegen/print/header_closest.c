@@ -30,7 +30,7 @@ void closest_print_helpers(const struct unit *u, FILE *out)
     char *count = new_format("%zu", n), *column = lines_columns(u), *row = lines_rows(u, "p");
     const struct placeholder own[] = {
         {"KIND", k->name}, {"VECTORS", count}, {"COLUMNS", column}, {"ROWS", row}, {NULL, NULL}};
-    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"edge", "closest", NULL}, precision, NULL, out);
+    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"closest", NULL}, precision, NULL, out);
     templates_print(guard, (const char *const[]){nearest, "closest_rest", NULL}, precision, own, out);
     free(row);
     free(column);

@@ -49,11 +49,11 @@ struct coordinate {
 struct found {
     const struct vector *vector;
     struct coordinate at[VECTORS][3];
-    int square[VECTORS];  /* operation: the square of `factor`[0] times the vector; -1 */
-    double factor[2];     /* by which the function has c1, c2, c3, and d */
-    bool *needed;         /* owned: by operation */
-    fmpq *value[POINTS];  /* owned: exact values of the operations at points */
-    bool *known[POINTS];  /* owned: those that have one */
+    int square[VECTORS]; /* operation: the square of `factor`[0] times the vector; -1 */
+    double factor[2];    /* by which the function has c1, c2, c3, and d */
+    bool *needed;        /* owned: by operation */
+    fmpq *value[POINTS]; /* owned: exact values of the operations at points */
+    bool *known[POINTS]; /* owned: those that have one */
 };
 
 bool gap_shares(const struct unit *u, const struct function *f)
@@ -250,9 +250,11 @@ static void print_body(const struct unit *u, const struct function *f, const str
     struct memory *m = memory_open();
     for (size_t v = 0; v < VECTORS; v++)
         if (*w->vector[v].text)
-            print_vector(w, v, r, "abcd"[v], m->stream);
-    char *size = size_text(w, r), *least = sizes_least_name(u), *ratio = new_format("%.17g, ", w->factor[1] / w->factor[0]);
-    fprintf(m->stream, "    return footpoint_detail_%s_over(a, b, %sd, %s,\n        %s%.17g, %.17g, xi, eta, %s, gap);\n", kind,
+            print_vector(w, v, r, "abcd"[v], m -> stream);
+    char *size = size_text(w, r), *least = sizes_least_name(u),
+         *ratio = new_format("%.17g, ", w->factor[1] / w->factor[0]);
+    fprintf(m->stream,
+            "    return footpoint_detail_%s_over(a, b, %sd, %s,\n        %s%.17g, %.17g, xi, eta, %s, gap);\n", kind,
             twisted ? "c, " : "", size, twisted ? ratio : "", 1.0 / w->factor[1],
             (twisted ? 4.0 : 1.0) / (w->factor[0] * w->factor[0]), least);
     char *text = memory_close(m);

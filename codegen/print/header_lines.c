@@ -83,8 +83,8 @@ size_t lines_scaled_nodes(const struct unit *u, const struct function *f)
 }
 
 /* Corners into the assumed order, and (u,v) found there back to the caller's. */
-static void print_ordered_search(const struct unit *u, const struct function *f, const char *results, const char *indent,
-                                 FILE *out)
+static void print_ordered_search(const struct unit *u, const struct function *f, const char *results,
+                                 const char *indent, FILE *out)
 {
     const bool shorter = u->file->order == CORNERS_NEAREST_SHORTER;
     fputs(indent, out);

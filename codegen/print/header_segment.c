@@ -79,7 +79,8 @@ static void print_search(const struct unit *u, const struct function *f, FILE *o
     const enum precision precision = u->options.precision;
     const char *real = lines_real(u), *kind = u->file->segment->name;
     char *name = new_format("footpoint_detail_checked_%s", f->name), *vectors = lines_rows(u, "x");
-    char *least = sizes_least_name(u), *full = new_format("footpoint_detail_%s_gap(x, *xi, *eta, %s, gap)", kind, least);
+    char *least = sizes_least_name(u),
+         *full = new_format("footpoint_detail_%s_gap(x, *xi, *eta, %s, gap)", kind, least);
     c_print("\nFOOTPOINT_PART REAL_BITS\n", precision, out);
     fprintf(out, "%s(const %s *const *x, int full, %s *xi, %s *eta, %s *gap)\n{\n", name, real, real, real, real);
     if (u->file->order != CORNERS_ANY)
@@ -110,7 +111,8 @@ static void print_checked(const struct unit *u, const struct function *f, const 
     print_search(u, f, out);
     fputc('\n', out);
     lines_print_head(u, head, "REAL loc[2],REAL *gap", out);
-    fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n    %s xi, eta, g;\n", lines_real(u), n, vectors, lines_real(u));
+    fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n    %s xi, eta, g;\n", lines_real(u), n, vectors,
+            lines_real(u));
     fprintf(out, "    if (footpoint_detail_checked_%s(x, 0, &xi, &eta, &g) >> ", f->name);
     c_print("REAL_TOP)\n        return footpoint_detail_again(", u->options.precision, out);
     fprintf(out, "footpoint_detail_checked_%s, x, %zu, %zu, loc, gap);\n", f->name, lines_scaled_nodes(u, f), n);
@@ -167,10 +169,12 @@ static void print_checked_loop(const struct unit *u, const struct function *f, F
             real, 3 * vectors, column, "", real, real, column, "", real);
     fprintf(out,
             "{\n    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {%s};\n"
-            "        const %s *const row[%zu] = {%s};\n        %s u, v, g;\n        status[i] = FOOTPOINT_ERR_DEGENERATE *\n",
+            "        const %s *const row[%zu] = {%s};\n        %s u, v, g;\n        status[i] = "
+            "FOOTPOINT_ERR_DEGENERATE *\n",
             real, vectors, columns, real, vectors, rows, real);
     fprintf(out, "            (int)(footpoint_detail_checked_%s(row, 0, &u, &v, &g) >> ", f->name);
-    c_print("REAL_TOP);\n        xi[i] = u;\n        eta[i] = v;\n        gap[i] = g;\n    }\n", u->options.precision, out);
+    c_print("REAL_TOP);\n        xi[i] = u;\n        eta[i] = v;\n        gap[i] = g;\n    }\n", u->options.precision,
+            out);
     c_print(rest, u->options.precision, out);
     fprintf(out, "footpoint_detail_checked_%s, n, x, %zu,\n        xi, eta, gap, status);\n}\n", f->name,
             lines_scaled_nodes(u, f));

@@ -1,7 +1,7 @@
 /* Words for status codes; see footpoint.h. */
 #include "../footpoint.h"
 
-#define TEXT(status) [(status) - FOOTPOINT_STATUS_LEAST]
+#define TEXT(status) [(status)-FOOTPOINT_STATUS_LEAST]
 
 const char *footpoint_strerror(int status)
 {

@@ -163,8 +163,9 @@ static void newton_along(void)
     for (int i = 0; i < CASES; i++) {
         const double *const x[5] = {NODES(i)};
         double at[3];
-        status[i] = rival_along_newton(x, direction[i], STEPS, RIVAL_NEWTON_TOLERANCE, at) ? FOOTPOINT_OK
-                                                                                        : FOOTPOINT_ERR_NO_CONVERGENCE;
+        status[i] = rival_along_newton(x, direction[i], STEPS, RIVAL_NEWTON_TOLERANCE, at)
+                        ? FOOTPOINT_OK
+                        : FOOTPOINT_ERR_NO_CONVERGENCE;
         loc[i][0] = at[0];
         loc[i][1] = at[1];
         dist[i] = at[2];
@@ -178,8 +179,9 @@ static void newton_along_n(void)
         const double *const x[5] = {p[0], p[1], p[2], p[3], p[4]};
         for (int k = 0; k < 15; k++)
             p[k / 3][k % 3] = column[k][i];
-        status[i] = rival_along_newton(x, direction[i], STEPS, RIVAL_NEWTON_TOLERANCE, at) ? FOOTPOINT_OK
-                                                                                        : FOOTPOINT_ERR_NO_CONVERGENCE;
+        status[i] = rival_along_newton(x, direction[i], STEPS, RIVAL_NEWTON_TOLERANCE, at)
+                        ? FOOTPOINT_OK
+                        : FOOTPOINT_ERR_NO_CONVERGENCE;
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];

@@ -20,7 +20,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         echo '#undef footpoint_detail_KIND_gap'
         echo '#undef NODES'
     done
-    for name in again edge closest; do echo "#include \"$PWD/$folder/$name.h\""; done
+    for name in again closest; do echo "#include \"$PWD/$folder/$name.h\""; done
     columns= rows=
     for vectors in 1 2 3 4 5; do
         k=$((3 * (vectors - 1)))

@@ -132,7 +132,8 @@ static void plane_of(double (*x)[3], int corners, const double along[3], struct 
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) {
             const real a = x[0][i], b = x[1][i], c = x[2][i], d = x[3][i], s = x[corners][i];
-            const real quad[4] = {(a + b + c + d) / 4 - s, (b + c - a - d) / 4, (c + d - a - b) / 4, (a + c - b - d) / 4};
+            const real quad[4] = {(a + b + c + d) / 4 - s, (b + c - a - d) / 4, (c + d - a - b) / 4,
+                                  (a + c - b - d) / 4};
             const real flat[4] = {a - s, b - a, c - a, 0};
             for (int m = 0; m < 4; m++)
                 p->f[m][k] += e[k][i] * (corners == 4 ? quad[m] : flat[m]);
@@ -162,8 +163,10 @@ static double distance_at(double (*x)[3], int corners, const double along[3], co
     real ahead = 0, length = 0;
     for (int i = 0; i < 3; i++) {
         const real s = at[0], t = at[1], a = x[0][i], b = x[1][i], c = x[2][i], d = x[3][i];
-        const real r = corners == 4 ? ((1 - s) * (1 - t) * a + (1 + s) * (1 - t) * b + (1 + s) * (1 + t) * c + (1 - s) * (1 + t) * d) / 4
-                                    : (1 - s - t) * a + s * b + t * c;
+        const real r =
+            corners == 4
+                ? ((1 - s) * (1 - t) * a + (1 + s) * (1 - t) * b + (1 + s) * (1 + t) * c + (1 - s) * (1 + t) * d) / 4
+                : (1 - s - t) * a + s * b + t * c;
         ahead += (x[corners][i] - r) * along[i];
         length += (real)along[i] * along[i];
     }
@@ -254,7 +257,8 @@ static void compare(int corners, long samples)
         if (is_right(x, corners, along, status, loc, dist, &t) && (status >= FOOTPOINT_OK || dist == 7))
             continue;
         if (wrong++ < 10)
-            printf("# %d corners, sample %ld: status %d, %.17g %.17g, %.17g\n", corners, n, status, loc[0], loc[1], dist);
+            printf("# %d corners, sample %ld: status %d, %.17g %.17g, %.17g\n", corners, n, status, loc[0], loc[1],
+                   dist);
     }
     printf("# %d corners: %ld of %ld wrong; %ld in the face, %ld twice, %ld beside it, %ld nowhere; %ld at an edge or "
            "fold; distance off by %.1e\n",

@@ -8,7 +8,8 @@
 
 /** xS = r(xi, eta) + distance p, |p| = 1, of corners x[0] to x[3] and the slave node x[4]; at = {xi, eta, distance}.
  *  Returns the steps taken, or 0 if `most` of them were not enough. */
-static inline int rival_along_newton(const double *const *x, const double p[3], int most, double tolerance, double at[3])
+static inline int rival_along_newton(const double *const *x, const double p[3], int most, double tolerance,
+                                     double at[3])
 {
     double c[4][3], step = HUGE_VAL;
     int n = 0;

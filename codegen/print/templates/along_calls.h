@@ -8,8 +8,7 @@
  *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
  *           segment, and FOOTPOINT_ERR_NOT_FINITE.
  * PREFIX_along_n:  the same for n pairs, each with its status and its direction, three columns. */
-FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS,
-                              const REAL along[3], REAL loc[2], REAL *dist)
+FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2], REAL *dist)
 {
     const REAL *const x[VECTORS] = {NODE_NAMES};
     REAL at[3];

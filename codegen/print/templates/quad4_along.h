@@ -70,14 +70,15 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, cons
     pp = footpoint_detail_dot(p, p);
     at[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, at[0], at[1]) / sqrt(pp);
     size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
-    *status = FOOTPOINT_OUTSIDE * (int)((footpoint_detail_above(at[0], 1.0) |
-                                         footpoint_detail_above(at[1], 1.0)) >> REAL_TOP);
+    *status = FOOTPOINT_OUTSIDE *
+              (int)((footpoint_detail_above(at[0], 1.0) | footpoint_detail_above(at[1], 1.0)) >>
+                    REAL_TOP);
     return footpoint_detail_outside(below_xi * below_eta) | footpoint_detail_outside(pp) |
            footpoint_detail_infinite(at[0] + at[1] + at[2]) |
            footpoint_detail_bits(k[0] * k[0] - 100.0 * REAL_FLAT * (size * size * pp)) |
            footpoint_detail_bits(fabs(k[0]) - 1.0001 * (fabs(k[1]) + fabs(k[2])) *
-                                 (1.0 + footpoint_detail_excess(at[0]) +
-                                  footpoint_detail_excess(at[1])));
+                                                  (1.0 + footpoint_detail_excess(at[0]) +
+                                                   footpoint_detail_excess(at[1])));
 }
 
 /* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`. */
@@ -95,9 +96,11 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const
     footpoint_detail_quad4_frame(x, c1, c2, c3, d);
     footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
     length = sqrt(footpoint_detail_dot(p, p));
-    size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
+    size =
+        footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
     wide = fabs(k[0]) + fabs(k[1]) + fabs(k[2]);
-    if (footpoint_detail_bits(wide * wide - 10.0 * REAL_FLAT * (size * size) * (length * length)) >> REAL_TOP)
+    if (footpoint_detail_bits(wide * wide - 10.0 * REAL_FLAT * (size * size) * (length * length)) >>
+        REAL_TOP)
         return FOOTPOINT_ERR_DEGENERATE;
     b = k[0] + k[3];
     discriminant = b * b - 4.0 * (k[2] * k[5]);
@@ -112,11 +115,13 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const REAL *const *x, const
         reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
         inside[found] = reach[found] <= 1.0;
         found += !((footpoint_detail_infinite(y[0]) | footpoint_detail_infinite(y[1]) |
-                    footpoint_detail_infinite(y[2])) >> REAL_TOP);
+                    footpoint_detail_infinite(y[2])) >>
+                   REAL_TOP);
     }
     if (found == 0)
         return FOOTPOINT_ERR_DOMAIN;
-    best = found == 2 && (inside[0] && inside[1] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0]);
+    best = found == 2 &&
+           (inside[0] && inside[1] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0]);
     for (i = 0; i < 3; i++)
         at[i] = z[best][i];
     if (!inside[best])

@@ -23,7 +23,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_along(const REAL *const *x, const
     size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
     *status = FOOTPOINT_OUTSIDE * (int)((footpoint_detail_above(at[0] - 0.5, 0.5) |
                                          footpoint_detail_above(at[1] - 0.5, 0.5) |
-                                         footpoint_detail_above(at[0] + at[1] - 0.5, 0.5)) >> REAL_TOP);
+                                         footpoint_detail_above(at[0] + at[1] - 0.5, 0.5)) >>
+                                        REAL_TOP);
     return footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
            footpoint_detail_infinite(at[0] + at[1] + at[2]) |
            footpoint_detail_bits(across * across - 100.0 * REAL_FLAT * (size * size * pp));
