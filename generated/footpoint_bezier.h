@@ -45,6 +45,21 @@
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
+#else
+#define FOOTPOINT_COLD FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_EACH _Pragma("GCC ivdep")
+#else
+#define FOOTPOINT_EACH
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -61,10 +76,10 @@
 #define FOOTPOINT_OK 0
 #endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
-#define FOOTPOINT_ERR_NOT_FINITE 1
+#define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
 #ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2
+#define FOOTPOINT_ERR_DEGENERATE (-2)
 #endif
 
 #ifndef FOOTPOINT_DETAIL_BITS
@@ -91,6 +106,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
 FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If |x| > most, or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_above(double x, double most)
+{
+    return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1);
 }
 
 /* If x is infinite or NaN. */
@@ -153,16 +174,6 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
            footpoint_detail_outside(nn) | footpoint_detail_bits(nn - 1e-20 * (uu * vv)) |
            footpoint_detail_infinite(loc + *gap);
 }
-
-/* What a checked search has found in a unit of 2^exponent. */
-FOOTPOINT_PART int footpoint_detail_answer(double xi, double eta, double g, int exponent, double loc[2],
-                                           double *gap)
-{
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = exponent ? ldexp(g, exponent) : g;
-    return FOOTPOINT_OK;
-}
 #endif
 
 #ifndef FOOTPOINT_BEZIER_SEARCH
@@ -221,6 +232,61 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_gap(const double *cons
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_AGAIN
+#define FOOTPOINT_DETAIL_AGAIN
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
+ * `full`, if it is not good beyond doubt. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double *xi, double *eta,
+                                                   double *gap);
+
+/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const double *const *x,
+                                          int nodes, int vectors, double loc[2], double *gap)
+{
+    double y[10][3], xi, eta, g;
+    const double *z[10];
+    int exponent = 0, status, i;
+    if (search(x, 1, &xi, &eta, &g) >> 63) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (search(z, 1, &xi, &eta, &g) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = exponent ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_BEZIER_CHECKED
+#define FOOTPOINT_BEZIER_CHECKED
+/* What is not good beyond doubt in full. */
+FOOTPOINT_PART void footpoint_detail_bezier_checked_rest(footpoint_detail_search *search, size_t n,
+                                                         const double *const *x, int nodes, double *xi,
+                                                         double *eta, double *gap, int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+            const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_again(search, row, nodes, 9, loc, &gap[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
+#endif
+
 /* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
  * scaled by a power of 2. */
 #define FOOTPOINT_BEZIER_LEAST 2.9387358770557188e-39
@@ -230,7 +296,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_gap(const double *cons
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
- *           xi and eta overlap nothing else. */
+ *           xi and eta overlap nothing else.
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
 
 /* footpoint_bezier_facet
  *   operations:     49 mul, 1 div, 50 add, 0 sqrt, 13 compare; 53 temporaries
@@ -287,37 +354,63 @@ FOOTPOINT_FN void footpoint_bezier_facet_at(const double xA[3], const double xB[
     (void)footpoint_detail_footpoint_bezier_facet(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_bezier_facet(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_bezier_facet(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_bezier_facet(const double xA[3], const double xB[3], const double xC[3],
                                         const double xD[3], const double nA[3], const double nB[3],
                                         const double nC[3], const double nD[3], const double xS[3], double loc[2],
                                         double *gap)
 {
-    double y[9][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_bezier_facet(
-            xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], nA = y[4], nB = y[5], nC = y[6], nD = y[7], xS = y[8];
-    }
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_bezier_facet(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_facet, x, 4, 9, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_facet_n(size_t n, const double *const x[27],
                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         footpoint_bezier_facet_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_facet_checked_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_bezier_facet(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_facet, n, x, 4,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -405,37 +498,63 @@ FOOTPOINT_FN void footpoint_bezier_normals_at(const double xA[3], const double x
     (void)footpoint_detail_footpoint_bezier_normals(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_bezier_normals(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_bezier_normals(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_bezier_normals(const double xA[3], const double xB[3], const double xC[3],
                                           const double xD[3], const double nA[3], const double nB[3],
                                           const double nC[3], const double nD[3], const double xS[3], double loc[2],
                                           double *gap)
 {
-    double y[9][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_bezier_normals(
-            xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], nA = y[4], nB = y[5], nC = y[6], nD = y[7], xS = y[8];
-    }
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_bezier_normals(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_normals, x, 4, 9, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_normals_n(size_t n, const double *const x[27],
                                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         footpoint_bezier_normals_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_normals_checked_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_bezier_normals(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_normals, n, x, 4,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -541,37 +660,63 @@ FOOTPOINT_FN void footpoint_bezier_smooth_at(const double xA[3], const double xB
     (void)footpoint_detail_footpoint_bezier_smooth(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_bezier_smooth(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_bezier_smooth(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_bezier_smooth(const double xA[3], const double xB[3], const double xC[3],
                                          const double xD[3], const double nA[3], const double nB[3],
                                          const double nC[3], const double nD[3], const double xS[3], double loc[2],
                                          double *gap)
 {
-    double y[9][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_bezier_smooth(
-            xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], nA = y[4], nB = y[5], nC = y[6], nD = y[7], xS = y[8];
-    }
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_bezier_smooth(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_smooth, x, 4, 9, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_smooth_n(size_t n, const double *const x[27],
                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         footpoint_bezier_smooth_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_smooth_checked_n(size_t n, const double *const x[27],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_bezier_smooth(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_smooth, n, x, 4,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -691,37 +836,63 @@ FOOTPOINT_FN void footpoint_bezier_precise_at(const double xA[3], const double x
     (void)footpoint_detail_footpoint_bezier_precise(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_bezier_precise(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_bezier_precise(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_bezier_precise(const double xA[3], const double xB[3], const double xC[3],
                                           const double xD[3], const double nA[3], const double nB[3],
                                           const double nC[3], const double nD[3], const double xS[3], double loc[2],
                                           double *gap)
 {
-    double y[9][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_bezier_precise(
-            xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], nA = y[4], nB = y[5], nC = y[6], nD = y[7], xS = y[8];
-    }
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_bezier_precise(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_precise, x, 4, 9, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_precise_n(size_t n, const double *const x[27],
                                                double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         footpoint_bezier_precise_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_precise_checked_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_bezier_precise(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_precise, n, x, 4,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -889,37 +1060,63 @@ FOOTPOINT_FN void footpoint_bezier_exact_at(const double xA[3], const double xB[
     (void)footpoint_detail_footpoint_bezier_exact(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_bezier_exact(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_bezier_exact(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_bezier_exact(const double xA[3], const double xB[3], const double xC[3],
                                         const double xD[3], const double nA[3], const double nB[3],
                                         const double nC[3], const double nD[3], const double xS[3], double loc[2],
                                         double *gap)
 {
-    double y[9][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_bezier_exact(
-            xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], nA = y[4], nB = y[5], nC = y[6], nD = y[7], xS = y[8];
-    }
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_bezier_exact(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_exact, x, 4, 9, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_exact_n(size_t n, const double *const x[27],
                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         footpoint_bezier_exact_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_exact_checked_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_bezier_exact(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_exact, n, x, 4,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1134,36 +1331,62 @@ FOOTPOINT_FN void footpoint_bezier_full_at(const double xA[3], const double xB[3
     (void)footpoint_detail_footpoint_bezier_full(xA, xB, xC, xD, nA, nB, nC, nD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_bezier_full(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_bezier_full(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_bezier_gap(x, *xi, *eta, FOOTPOINT_BEZIER_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_bezier_full(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double nA[3], const double nB[3], const double nC[3], const double nD[3],
                                        const double xS[3], double loc[2], double *gap)
 {
-    double y[9][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_bezier_full(
-            xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta);
-        flaw |= footpoint_detail_bezier_gap(x, xi, eta, FOOTPOINT_BEZIER_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 9, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], nA = y[4], nB = y[5], nC = y[6], nD = y[7], xS = y[8];
-    }
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_bezier_full(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_bezier_full, x, 4, 9, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_full_n(size_t n, const double *const x[27],
                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
         footpoint_bezier_full_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_full_checked_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_bezier_full(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_full, n, x, 4,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */

@@ -44,6 +44,21 @@
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
+#else
+#define FOOTPOINT_COLD FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_EACH _Pragma("GCC ivdep")
+#else
+#define FOOTPOINT_EACH
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -60,10 +75,10 @@
 #define FOOTPOINT_OK 0
 #endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
-#define FOOTPOINT_ERR_NOT_FINITE 1
+#define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
 #ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2
+#define FOOTPOINT_ERR_DEGENERATE (-2)
 #endif
 
 #ifndef FOOTPOINT_DETAIL_BITS
@@ -90,6 +105,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
 FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If |x| > most, or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_above(double x, double most)
+{
+    return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1);
 }
 
 /* If x is infinite or NaN. */
@@ -152,15 +173,34 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
            footpoint_detail_outside(nn) | footpoint_detail_bits(nn - 1e-20 * (uu * vv)) |
            footpoint_detail_infinite(loc + *gap);
 }
+#endif
 
-/* What a checked search has found in a unit of 2^exponent. */
-FOOTPOINT_PART int footpoint_detail_answer(double xi, double eta, double g, int exponent, double loc[2],
-                                           double *gap)
+#ifndef FOOTPOINT_DETAIL_HEIGHT
+#define FOOTPOINT_DETAIL_HEIGHT
+FOOTPOINT_PART double footpoint_detail_square(const double a[3])
 {
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = exponent ? ldexp(g, exponent) : g;
-    return FOOTPOINT_OK;
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+/* Gap (9) of tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
+ * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times 4 that of edges at most.
+ * The highest bit of what it returns is not set if
+ * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
+ * is well within limits, and so is the square of n then, which is far from 0. */
+FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
+                                                          double size, double per, double unit, double xi, double eta,
+                                                          double least, double *gap)
+{
+    const double nx = u[1] * v[2] - u[2] * v[1];
+    const double ny = u[2] * v[0] - u[0] * v[2];
+    const double nz = u[0] * v[1] - u[1] * v[0];
+    const double nn = nx * nx + ny * ny + nz * nz;
+    const double length = unit * size;
+    *gap = per * (w[0] * nx + w[1] * ny + w[2] * nz) / sqrt(nn);
+    return footpoint_detail_above(xi * xi + eta * eta, 64.0) | footpoint_detail_infinite(*gap) |
+           (footpoint_detail_bits(length) - footpoint_detail_bits(least)) |
+           footpoint_detail_above(length, 0.25 / least) |
+           footpoint_detail_bits(nn - 5000.0 * 1e-20 * (size * size));
 }
 #endif
 
@@ -193,6 +233,78 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad4_gap(const double *const
 {
     return footpoint_detail_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
 }
+
+/* The gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times one number, whose square is 4 / unit,
+ * d = (xS - c0) / per, and ratio is 1 / per over that number. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_over(const double a[3], const double b[3],
+                                                              const double c[3], const double d[3], double size,
+                                                              double ratio, double per, double unit, double xi,
+                                                              double eta, double least, double *gap)
+{
+    const double twist = ratio * (xi * eta);
+    double u[3], v[3], w[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] + twist * c[i];
+    }
+    return footpoint_detail_height(u, v, w, size, per, unit, xi, eta, least, gap);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_AGAIN
+#define FOOTPOINT_DETAIL_AGAIN
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
+ * `full`, if it is not good beyond doubt. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double *xi, double *eta,
+                                                   double *gap);
+
+/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const double *const *x,
+                                          int nodes, int vectors, double loc[2], double *gap)
+{
+    double y[10][3], xi, eta, g;
+    const double *z[10];
+    int exponent = 0, status, i;
+    if (search(x, 1, &xi, &eta, &g) >> 63) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (search(z, 1, &xi, &eta, &g) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = exponent ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_CHECKED
+#define FOOTPOINT_QUAD4_CHECKED
+/* What is not good beyond doubt in full. */
+FOOTPOINT_PART void footpoint_detail_quad4_checked_rest(footpoint_detail_search *search, size_t n,
+                                                        const double *const *x, int nodes, double *xi,
+                                                        double *eta, double *gap, int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_again(search, row, nodes, 5, loc, &gap[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
 #endif
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST
@@ -221,7 +333,7 @@ FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3]
 }
 
 #ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN 3
+#define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
 /* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
@@ -376,7 +488,8 @@ FOOTPOINT_PART void footpoint_detail_quad4_closest_rest(footpoint_detail_nearest
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
- *           xi and eta overlap nothing else. */
+ *           xi and eta overlap nothing else.
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
 
 /* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
  *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AC x BD) is), and region, where it lies:
@@ -420,33 +533,82 @@ FOOTPOINT_FN void footpoint_blocks_quad4_fast_at(const double xA[3], const doubl
     (void)footpoint_detail_footpoint_blocks_quad4_fast(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_blocks_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xS[3], double xi, double eta,
+                                                 double *gap)
+{
+    const double t1 = xB[2] - xD[2], t2 = xA[2] - xC[2], t3 = xB[1] - xD[1], t4 = xA[1] - xC[1], t5 = t2 - t1;
+    const double t6 = t1 + t2, t7 = t4 - t3, t8 = t3 + t4, t9 = xB[0] - xD[0], t10 = xA[0] - xC[0];
+    const double t11 = t6 - 2.0 * (xB[2] - xS[2] + (xA[2] - xS[2]));
+    const double t12 = t8 - 2.0 * (xB[1] - xS[1] + (xA[1] - xS[1])), t13 = t10 - t9, t14 = t9 + t10;
+    const double t15 = t14 - 2.0 * (xB[0] - xS[0] + (xA[0] - xS[0])), t17 = t6 * t6 + t8 * t8 + t14 * t14;
+    const double t18 = t5 * t5 + t7 * t7 + t13 * t13;
+    const double a[3] = {t13, t7, t5};
+    const double b[3] = {t14, t8, t6};
+    const double c[3] = {-(xA[0] - xB[0] + (xC[0] - xD[0])), -(xA[1] - xB[1] + (xC[1] - xD[1])), -(xA[2] - xB[2] + (xC[2] - xD[2]))};
+    const double d[3] = {t15, t12, t11};
+    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_square(c),
+        -1, 0.25, 0.25, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_blocks_quad4_fast(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fast(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_fast(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_blocks_quad4_fast(const double xA[3], const double xB[3], const double xC[3],
                                              const double xD[3], const double xS[3], double loc[2], double *gap)
 {
-    double y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fast(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_quad4_gap(x, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_blocks_quad4_fast(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_fast, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_n(size_t n, const double *const x[15],
                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_blocks_quad4_fast_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_checked_n(size_t n, const double *const x[15],
+                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_blocks_quad4_fast(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_blocks_quad4_fast, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_fast(const double *const *x, double at[3],
@@ -473,6 +635,7 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fast_closest_n(size_t n, const double
                                                           int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -539,33 +702,82 @@ FOOTPOINT_FN void footpoint_blocks_quad4_coarse_at(const double xA[3], const dou
     (void)footpoint_detail_footpoint_blocks_quad4_coarse(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_blocks_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double xS[3], double xi, double eta,
+                                                   double *gap)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5);
+    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7, t9 = t1 + t3;
+    const double t10 = xA[1] - xD[1] + t4, t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t4;
+    const double t13 = xA[0] - xD[0] + t6, t14 = t5 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t5 + t6;
+    const double t17 = t7 * t7 + t10 * t10 + t13 * t13, t18 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double a[3] = {t15, t12, t9};
+    const double b[3] = {t13, t10, t7};
+    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
+    const double d[3] = {t14, t11, t8};
+    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + footpoint_detail_square(c),
+        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_blocks_quad4_coarse(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_coarse(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_coarse(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_blocks_quad4_coarse(const double xA[3], const double xB[3], const double xC[3],
                                                const double xD[3], const double xS[3], double loc[2], double *gap)
 {
-    double y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_coarse(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_quad4_gap(x, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_blocks_quad4_coarse(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_coarse, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_n(size_t n, const double *const x[15],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_blocks_quad4_coarse_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_checked_n(size_t n, const double *const x[15],
+                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_blocks_quad4_coarse(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_blocks_quad4_coarse, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_coarse(const double *const *x, double at[3],
@@ -592,6 +804,7 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_coarse_closest_n(size_t n, const doub
                                                             int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -660,33 +873,83 @@ FOOTPOINT_FN void footpoint_blocks_quad4_gauss2_at(const double xA[3], const dou
     (void)footpoint_detail_footpoint_blocks_quad4_gauss2(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_blocks_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double xS[3], double xi, double eta,
+                                                   double *gap)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t1 + t3;
+    const double t8 = xA[2] - xD[2] + t3, t9 = t2 + t4, t10 = xA[1] - xD[1] + t4;
+    const double t11 = t1 - 2.0 * (xA[2] - xS[2]) + t8, t12 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t13 = t5 + t6;
+    const double t14 = xA[0] - xD[0] + t6, t15 = t5 - 2.0 * (xA[0] - xS[0]) + t14;
+    const double t17 = t8 * t8 + t10 * t10 + t14 * t14, t18 = t7 * t7 + t9 * t9 + t13 * t13;
+    const double t26 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double a[3] = {t13, t9, t7};
+    const double b[3] = {t14, t10, t8};
+    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
+    const double d[3] = {t15, t12, t11};
+    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t26,
+        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_blocks_quad4_gauss2(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_gauss2(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_gauss2(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_blocks_quad4_gauss2(const double xA[3], const double xB[3], const double xC[3],
                                                const double xD[3], const double xS[3], double loc[2], double *gap)
 {
-    double y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_gauss2(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_quad4_gap(x, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_blocks_quad4_gauss2(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_gauss2, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_n(size_t n, const double *const x[15],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_blocks_quad4_gauss2_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_checked_n(size_t n, const double *const x[15],
+                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_blocks_quad4_gauss2(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_blocks_quad4_gauss2, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_gauss2(const double *const *x, double at[3],
@@ -713,6 +976,7 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_gauss2_closest_n(size_t n, const doub
                                                             int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -782,33 +1046,83 @@ FOOTPOINT_FN void footpoint_blocks_quad4_medium_at(const double xA[3], const dou
     (void)footpoint_detail_footpoint_blocks_quad4_medium(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_blocks_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
+                                                   const double xD[3], const double xS[3], double xi, double eta,
+                                                   double *gap)
+{
+    const double t1 = xB[2] - xA[2], t2 = xB[1] - xA[1], t3 = 0.5 * (xD[2] - xC[2] + t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] + t2), t5 = xB[0] - xA[0], t6 = 0.5 * (xD[0] - xC[0] + t5);
+    const double t7 = xA[2] - xD[2] + t3, t8 = t1 - t3, t9 = xA[1] - xD[1] + t4, t10 = t4 - t2;
+    const double t11 = 2.0 * (xS[1] - xA[1]) - t2 + t9, t12 = 2.0 * (xS[2] - xA[2]) - t1 + t7;
+    const double t13 = xA[0] - xD[0] + t6, t14 = t6 - t5, t15 = 2.0 * (xS[0] - xA[0]) - t5 + t13;
+    const double t17 = t7 * t7 + t9 * t9 + t13 * t13, t18 = t8 * t8 + t10 * t10 + t14 * t14;
+    const double t29 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double a[3] = {t14, t10, -t8};
+    const double b[3] = {t13, t9, t7};
+    const double c[3] = {0.5 * (xD[0] - xC[0] + t5), 0.5 * (xD[1] - xC[1] + t2), 0.5 * (xD[2] - xC[2] + t1)};
+    const double d[3] = {t15, t11, t12};
+    return footpoint_detail_quad4_over(a, b, c, d, t18 + t17 + t29,
+        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_blocks_quad4_medium(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_medium(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_medium(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_blocks_quad4_medium(const double xA[3], const double xB[3], const double xC[3],
                                                const double xD[3], const double xS[3], double loc[2], double *gap)
 {
-    double y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_medium(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_quad4_gap(x, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_blocks_quad4_medium(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_medium, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_n(size_t n, const double *const x[15],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_blocks_quad4_medium_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_checked_n(size_t n, const double *const x[15],
+                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_blocks_quad4_medium(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_blocks_quad4_medium, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_medium(const double *const *x, double at[3],
@@ -835,6 +1149,7 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_medium_closest_n(size_t n, const doub
                                                             int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -909,34 +1224,82 @@ FOOTPOINT_FN void footpoint_blocks_quad4_balanced_at(const double xA[3], const d
     (void)footpoint_detail_footpoint_blocks_quad4_balanced(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_blocks_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
+                                                     const double xD[3], const double xS[3], double xi, double eta,
+                                                     double *gap)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xC[2] - xD[2] + t1, t4 = xC[1] - xD[1] + t2;
+    const double t5 = xA[0] - xB[0], t6 = xC[0] - xD[0] + t5, u1 = 0.5 * t3, t7 = xA[2] - xD[2] - u1;
+    const double t8 = xA[2] - xS[2] - 0.5 * (t1 + t7), t9 = t1 - u1, u2 = 0.5 * t4, t10 = xA[1] - xD[1] - u2;
+    const double t11 = xA[1] - xS[1] - 0.5 * (t2 + t10), t12 = t2 - u2, u3 = 0.5 * t6, t13 = xA[0] - xD[0] - u3;
+    const double t14 = xA[0] - xS[0] - 0.5 * (t5 + t13), t15 = t5 - u3, t19 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t22 = t7 * t7 + t10 * t10 + t13 * t13;
+    const double a[3] = {t15, t12, t9};
+    const double b[3] = {t13, t10, t7};
+    const double c[3] = {-0.5 * t6, -0.5 * t4, -0.5 * t3};
+    const double d[3] = {t14, t11, t8};
+    return footpoint_detail_quad4_over(a, b, c, d, t19 + t22 + footpoint_detail_square(c),
+        0.5, -1, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_blocks_quad4_balanced(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_balanced(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_balanced(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_blocks_quad4_balanced(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double loc[2], double *gap)
 {
-    double y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_balanced(
-            xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_quad4_gap(x, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_blocks_quad4_balanced(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_balanced, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_n(size_t n, const double *const x[15],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_blocks_quad4_balanced_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_checked_n(size_t n, const double *const x[15],
+                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_blocks_quad4_balanced(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_blocks_quad4_balanced, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_balanced(const double *const *x, double at[3],
@@ -963,6 +1326,7 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_balanced_closest_n(size_t n, const do
                                                               int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1037,33 +1401,83 @@ FOOTPOINT_FN void footpoint_blocks_quad4_fine_at(const double xA[3], const doubl
     (void)footpoint_detail_footpoint_blocks_quad4_fine(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_blocks_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xS[3], double xi, double eta,
+                                                 double *gap)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t4 = 0.5 * (xD[1] - xC[1] - t2), t5 = xA[0] - xB[0], t6 = 0.5 * (xD[0] - xC[0] - t5), t7 = t2 + t4;
+    const double t8 = t1 + t3, t9 = xA[2] - xD[2] + t3, t10 = t1 - 2.0 * (xA[2] - xS[2]) + t9;
+    const double t11 = xA[1] - xD[1] + t4, t12 = t11 - (2.0 * (xA[1] - xS[1]) - t2), t13 = t5 + t6;
+    const double t14 = xA[0] - xD[0] + t6, t15 = t5 - 2.0 * (xA[0] - xS[0]) + t14;
+    const double t17 = t8 * t8 + t7 * t7 + t13 * t13, t18 = t9 * t9 + t11 * t11 + t14 * t14;
+    const double t38 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double a[3] = {t13, t7, t8};
+    const double b[3] = {t14, t11, t9};
+    const double c[3] = {0.5 * (xD[0] - xC[0] - t5), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
+    const double d[3] = {t15, t12, t10};
+    return footpoint_detail_quad4_over(a, b, c, d, t17 + t18 + t38,
+        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_blocks_quad4_fine(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fine(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_fine(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_blocks_quad4_fine(const double xA[3], const double xB[3], const double xC[3],
                                              const double xD[3], const double xS[3], double loc[2], double *gap)
 {
-    double y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_fine(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_quad4_gap(x, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_blocks_quad4_fine(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_fine, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_n(size_t n, const double *const x[15],
                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_blocks_quad4_fine_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_checked_n(size_t n, const double *const x[15],
+                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_blocks_quad4_fine(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_blocks_quad4_fine, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_fine(const double *const *x, double at[3],
@@ -1090,6 +1504,7 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_fine_closest_n(size_t n, const double
                                                           int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1169,34 +1584,82 @@ FOOTPOINT_FN void footpoint_blocks_quad4_accurate_at(const double xA[3], const d
     (void)footpoint_detail_footpoint_blocks_quad4_accurate(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_blocks_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
+                                                     const double xD[3], const double xS[3], double xi, double eta,
+                                                     double *gap)
+{
+    const double t1 = xA[2] - xB[2], t2 = xA[1] - xB[1], t3 = xA[0] - xB[0], t4 = 0.5 * (xD[2] - xC[2] - t1);
+    const double t5 = 0.5 * (xD[1] - xC[1] - t2), t6 = 0.5 * (xD[0] - xC[0] - t3), t7 = xA[2] - xD[2] + t4;
+    const double t8 = t1 - 2.0 * (xA[2] - xS[2]) + t7, t9 = t1 + t4, t10 = xA[1] - xD[1] + t5;
+    const double t11 = t2 - 2.0 * (xA[1] - xS[1]) + t10, t12 = t2 + t5, t13 = xA[0] - xD[0] + t6;
+    const double t14 = t3 - 2.0 * (xA[0] - xS[0]) + t13, t15 = t3 + t6, t17 = t9 * t9 + t12 * t12 + t15 * t15;
+    const double t19 = t7 * t7 + t10 * t10 + t13 * t13, t38 = t4 * t4 + t5 * t5 + t6 * t6;
+    const double a[3] = {t15, t12, t9};
+    const double b[3] = {t13, t10, t7};
+    const double c[3] = {0.5 * (xD[0] - xC[0] - t3), 0.5 * (xD[1] - xC[1] - t2), 0.5 * (xD[2] - xC[2] - t1)};
+    const double d[3] = {t14, t11, t8};
+    return footpoint_detail_quad4_over(a, b, c, d, t17 + t19 + t38,
+        -1, 0.5, 1, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_blocks_quad4_accurate(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_accurate(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_quad4_gap(x, *xi, *eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_blocks_quad4_accurate(x[0], x[1], x[2], x[3], x[4], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_blocks_quad4_accurate(const double xA[3], const double xB[3], const double xC[3],
                                                  const double xD[3], const double xS[3], double loc[2], double *gap)
 {
-    double y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_blocks_quad4_accurate(
-            xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_quad4_gap(x, xi, eta, FOOTPOINT_BLOCKS_QUAD4_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_blocks_quad4_accurate(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_blocks_quad4_accurate, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_n(size_t n, const double *const x[15],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_blocks_quad4_accurate_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_checked_n(size_t n, const double *const x[15],
+                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_blocks_quad4_accurate(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_blocks_quad4_accurate, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_blocks_quad4_accurate(const double *const *x, double at[3],
@@ -1223,6 +1686,7 @@ FOOTPOINT_LOOP void footpoint_blocks_quad4_accurate_closest_n(size_t n, const do
                                                               int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1249,5 +1713,257 @@ static const double footpoint_blocks_quad4_accurate_points[][19] = {
     {0, 0, 0, 1, 0, 0, 1.3046875, 0.8359375, -0.01708984375, -0.15234375, 0.78125, 0, 0.3125, -0.0390625, 0.22265625, -0.37559418638335673, -1.101578972790294, 1.2859495188123212e-15, 2.1715023929965606e-15},
 };
 #endif
+
+#ifndef FOOTPOINT_DETAIL_ALONG
+#define FOOTPOINT_DETAIL_ALONG
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+#ifndef FOOTPOINT_OUTSIDE
+#define FOOTPOINT_OUTSIDE 1
+#endif
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 2
+#endif
+
+FOOTPOINT_PART void footpoint_detail_cross(const double a[3], const double b[3], double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* How far |x| is above 1, and 0 below. */
+FOOTPOINT_PART double footpoint_detail_excess(double x)
+{
+    const double more = fabs(x) - 1.0;
+    return 0.5 * (more + fabs(more));
+}
+
+/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3])
+{
+    double most = 0.0;
+    int exponent, i;
+    if (!footpoint_detail_finite(&along, 1))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 0; i < 3; i++)
+        most = fabs(along[i]) > most ? fabs(along[i]) : most;
+    if (footpoint_detail_below(most, 2.2250738585072014e-308) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, &exponent);
+    for (i = 0; i < 3; i++)
+        p[i] = ldexp(along[i], -exponent);
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_ALONG
+#define FOOTPOINT_QUAD4_ALONG
+/* c1, c2, c3 and d, all times 4. */
+FOOTPOINT_PART void footpoint_detail_quad4_frame(const double *const *x, double c1[3], double c2[3],
+                                                 double c3[3], double d[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double ab = x[1][i] - x[0][i], dc = x[2][i] - x[3][i];
+        const double ad = x[3][i] - x[0][i], as = x[4][i] - x[0][i];
+        c1[i] = dc + ab;
+        c3[i] = dc - ab;
+        c2[i] = ad + ad + c3[i];
+        d[i] = 4.0 * as - (c1[i] + ad + ad);
+    }
+}
+
+/* The coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
+FOOTPOINT_PART void footpoint_detail_quad4_brackets(const double c1[3], const double c2[3],
+                                                    const double c3[3], const double d[3],
+                                                    const double p[3], double k[6])
+{
+    double m1[3], m2[3], m3[3];
+    footpoint_detail_cross(c1, p, m1);
+    footpoint_detail_cross(c2, p, m2);
+    footpoint_detail_cross(c3, p, m3);
+    k[0] = footpoint_detail_dot(c1, m2);
+    k[1] = footpoint_detail_dot(c1, m3);
+    k[2] = footpoint_detail_dot(c3, m2);
+    k[3] = footpoint_detail_dot(d, m3);
+    k[4] = -footpoint_detail_dot(d, m2);
+    k[5] = footpoint_detail_dot(d, m1);
+}
+
+/* 4 (xS - r) . p */
+FOOTPOINT_PART double footpoint_detail_quad4_ahead(const double c1[3], const double c2[3],
+                                                   const double c3[3], const double d[3], const double p[3],
+                                                   double xi, double eta)
+{
+    double ahead = 0.0;
+    int i;
+    for (i = 0; i < 3; i++)
+        ahead += p[i] * (d[i] - xi * c1[i] - eta * (c2[i] + xi * c3[i]));
+    return ahead;
+}
+
+/* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless J
+ * is far from 0 and has one sign in the segment and as far beyond it as (xi, eta) lies. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad4_along(const double *const *x, const double p[3],
+                                                               double at[3], int *status)
+{
+    double c1[3], c2[3], c3[3], d[3], k[6], root, below_xi, below_eta, over, slope, size, pp;
+    footpoint_detail_quad4_frame(x, c1, c2, c3, d);
+    footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
+    slope = k[0] + k[3];
+    root = fabs(k[0]) * sqrt(slope * slope - 4.0 * (k[2] * k[5]));
+    below_xi = k[0] * (k[0] - k[3]) + root;
+    below_eta = k[0] * slope + root;
+    over = -2.0 * k[0] / (below_xi * below_eta);
+    at[0] = k[4] * (below_eta * over);
+    at[1] = k[5] * (below_xi * over);
+    pp = footpoint_detail_dot(p, p);
+    at[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, at[0], at[1]) / sqrt(pp);
+    size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
+    *status = FOOTPOINT_OUTSIDE *
+              (int)((footpoint_detail_above(at[0], 1.0) | footpoint_detail_above(at[1], 1.0)) >>
+                    63);
+    return footpoint_detail_outside(below_xi * below_eta) | footpoint_detail_outside(pp) |
+           footpoint_detail_infinite(at[0] + at[1] + at[2]) |
+           footpoint_detail_bits(k[0] * k[0] - 100.0 * 1e-20 * (size * size * pp)) |
+           footpoint_detail_bits(fabs(k[0]) - 1.0001 * (fabs(k[1]) + fabs(k[2])) *
+                                                  (1.0 + footpoint_detail_excess(at[0]) +
+                                                   footpoint_detail_excess(at[1])));
+}
+
+/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`. */
+FOOTPOINT_PART double footpoint_detail_root(double a, double b, double c, double slope)
+{
+    return b * slope > 0.0 ? -2.0 * c / (b + slope) : (slope - b) / (2.0 * a);
+}
+
+/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside. */
+FOOTPOINT_COLD int footpoint_detail_quad4_along_full(const double *const *x, const double p[3],
+                                                     double at[3])
+{
+    double c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, b, discriminant;
+    int i, found = 0, inside[2], best;
+    footpoint_detail_quad4_frame(x, c1, c2, c3, d);
+    footpoint_detail_quad4_brackets(c1, c2, c3, d, p, k);
+    length = sqrt(footpoint_detail_dot(p, p));
+    size =
+        footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2) + footpoint_detail_dot(c3, c3);
+    wide = fabs(k[0]) + fabs(k[1]) + fabs(k[2]);
+    if (footpoint_detail_bits(wide * wide - 10.0 * 1e-20 * (size * size) * (length * length)) >>
+        63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    b = k[0] + k[3];
+    discriminant = b * b - 4.0 * (k[2] * k[5]);
+    if (discriminant < 0.0)
+        return FOOTPOINT_ERR_DOMAIN;
+    for (i = 0; i < 2; i++) {
+        const double slope = i ? -sqrt(discriminant) : sqrt(discriminant);
+        double *const y = z[found];
+        y[0] = footpoint_detail_root(k[1], k[0] - k[3], k[4], slope);
+        y[1] = footpoint_detail_root(k[2], b, k[5], slope);
+        y[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
+        reach[found] = fabs(y[0]) > fabs(y[1]) ? fabs(y[0]) : fabs(y[1]);
+        inside[found] = reach[found] <= 1.0;
+        found += !((footpoint_detail_infinite(y[0]) | footpoint_detail_infinite(y[1]) |
+                    footpoint_detail_infinite(y[2])) >>
+                   63);
+    }
+    if (found == 0)
+        return FOOTPOINT_ERR_DOMAIN;
+    best = found == 2 &&
+           (inside[0] && inside[1] ? fabs(z[1][2]) < fabs(z[0][2]) : reach[1] < reach[0]);
+    for (i = 0; i < 3; i++)
+        at[i] = z[best][i];
+    if (!inside[best])
+        return FOOTPOINT_OUTSIDE;
+    return found == 2 && inside[0] && inside[1] ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
+}
+
+/* In full, in units of length in which the segment and the direction are about 1 long. */
+FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, const double along[3],
+                                                      double loc[2], double *dist)
+{
+    double y[5][3], p[3], at[3];
+    const double *z[5];
+    int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
+    const int nodes = footpoint_detail_scale(x, 5 - 1, 5, y, &exponent);
+    if (status == FOOTPOINT_OK || nodes == FOOTPOINT_ERR_NOT_FINITE)
+        status = nodes;
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    status = footpoint_detail_quad4_along_full(z, p, at);
+    if (status < FOOTPOINT_OK)
+        return status;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    return status;
+}
+#endif
+
+/* footpoint_blocks_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
+ *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
+ *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
+ *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
+ *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
+ *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_blocks_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+FOOTPOINT_FN int footpoint_blocks_quad4_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3], const double along[3], double loc[2], double *dist)
+{
+    const double *const x[5] = {xA, xB, xC, xD, xS};
+    double at[3];
+    int status;
+    if (footpoint_detail_quad4_along(x, along, at, &status) >> 63)
+        return footpoint_detail_quad4_along_again(x, along, loc, dist);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = at[2];
+    return status;
+}
+
+FOOTPOINT_LOOP void footpoint_blocks_quad4_along_n(size_t n, const double *const x[15],
+                                                   const double *const along[3], double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double q[3] = {along[0][i], along[1][i], along[2][i]};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double at[3];
+        int outside;
+        const unsigned long long flaw = footpoint_detail_quad4_along(row, q, at, &outside);
+        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0 where it is asked in full */
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] < FOOTPOINT_OK) {
+            const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+            const double q[3] = {along[0][i], along[1][i], along[2][i]};
+            const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_quad4_along_again(row, q, loc, &dist[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
 
 #endif

@@ -47,6 +47,21 @@
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
+#else
+#define FOOTPOINT_COLD FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_EACH _Pragma("GCC ivdep")
+#else
+#define FOOTPOINT_EACH
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -63,10 +78,10 @@
 #define FOOTPOINT_OK 0
 #endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
-#define FOOTPOINT_ERR_NOT_FINITE 1
+#define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
 #ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2
+#define FOOTPOINT_ERR_DEGENERATE (-2)
 #endif
 
 #ifndef FOOTPOINT_DETAIL_BITS_F
@@ -95,6 +110,12 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_below(float x, float least)
     return (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1) - footpoint_detail_f_bits(least);
 }
 
+/* If |x| > most, or NaN. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_above(float x, float most)
+{
+    return footpoint_detail_f_bits(most) - (footpoint_detail_f_bits(x) & ~(unsigned int)0 >> 1);
+}
+
 /* If x is infinite or NaN. */
 FOOTPOINT_PART unsigned int footpoint_detail_f_infinite(float x)
 {
@@ -119,7 +140,7 @@ FOOTPOINT_PART float footpoint_detail_f_relative(const float *const *x, int corn
 #ifndef FOOTPOINT_DETAIL_QUAD4_SURE_F
 #define FOOTPOINT_DETAIL_QUAD4_SURE_F
 #ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN 3
+#define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
 /* 1 if a foot point is within `most` of (xi,eta), in xi and in eta, than which no point of the segment is nearer;
@@ -255,15 +276,34 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_normal_gap(const float u[3], cons
            footpoint_detail_f_outside(nn) | footpoint_detail_f_bits(nn - 1e-9f * (uu * vv)) |
            footpoint_detail_f_infinite(loc + *gap);
 }
+#endif
 
-/* What a checked search has found in a unit of 2^exponent. */
-FOOTPOINT_PART int footpoint_detail_f_answer(float xi, float eta, float g, int exponent, float loc[2],
-                                             float *gap)
+#ifndef FOOTPOINT_DETAIL_HEIGHT_F
+#define FOOTPOINT_DETAIL_HEIGHT_F
+FOOTPOINT_PART float footpoint_detail_f_square(const float a[3])
 {
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = exponent ? ldexpf(g, exponent) : g;
-    return FOOTPOINT_OK;
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+/* Gap (9) of tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
+ * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times 4 that of edges at most.
+ * The highest bit of what it returns is not set if
+ * footpoint_detail_f_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
+ * is well within limits, and so is the square of n then, which is far from 0.f */
+FOOTPOINT_PART unsigned int footpoint_detail_f_height(const float u[3], const float v[3], const float w[3],
+                                                      float size, float per, float unit, float xi, float eta,
+                                                      float least, float *gap)
+{
+    const float nx = u[1] * v[2] - u[2] * v[1];
+    const float ny = u[2] * v[0] - u[0] * v[2];
+    const float nz = u[0] * v[1] - u[1] * v[0];
+    const float nn = nx * nx + ny * ny + nz * nz;
+    const float length = unit * size;
+    *gap = per * (w[0] * nx + w[1] * ny + w[2] * nz) / sqrtf(nn);
+    return footpoint_detail_f_above(xi * xi + eta * eta, 64.0f) | footpoint_detail_f_infinite(*gap) |
+           (footpoint_detail_f_bits(length) - footpoint_detail_f_bits(least)) |
+           footpoint_detail_f_above(length, 0.25f / least) |
+           footpoint_detail_f_bits(nn - 5000.0f * 1e-9f * (size * size));
 }
 #endif
 
@@ -296,6 +336,78 @@ FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_gap(const float *const *x, 
 {
     return footpoint_detail_f_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
 }
+
+/* The gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times one number, whose square is 4 / unit,
+ * d = (xS - c0) / per, and ratio is 1 / per over that number. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_over(const float a[3], const float b[3],
+                                                          const float c[3], const float d[3], float size,
+                                                          float ratio, float per, float unit, float xi,
+                                                          float eta, float least, float *gap)
+{
+    const float twist = ratio * (xi * eta);
+    float u[3], v[3], w[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] + twist * c[i];
+    }
+    return footpoint_detail_f_height(u, v, w, size, per, unit, xi, eta, least, gap);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_AGAIN_F
+#define FOOTPOINT_DETAIL_AGAIN_F
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
+ * `full`, if it is not good beyond doubt. */
+typedef unsigned int footpoint_detail_f_search(const float *const *x, int full, float *xi, float *eta,
+                                               float *gap);
+
+/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_COLD int footpoint_detail_f_again(footpoint_detail_f_search *search, const float *const *x,
+                                            int nodes, int vectors, float loc[2], float *gap)
+{
+    float y[10][3], xi, eta, g;
+    const float *z[10];
+    int exponent = 0, status, i;
+    if (search(x, 1, &xi, &eta, &g) >> 31) {
+        status = footpoint_detail_f_scale(x, nodes, vectors, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (search(z, 1, &xi, &eta, &g) >> 31)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = exponent ? ldexpf(g, exponent) : g;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_CHECKED_F
+#define FOOTPOINT_QUAD4_CHECKED_F
+/* What is not good beyond doubt in full. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_checked_rest(footpoint_detail_f_search *search, size_t n,
+                                                          const float *const *x, int nodes, float *xi,
+                                                          float *eta, float *gap, int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+            const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            float loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_f_again(search, row, nodes, 5, loc, &gap[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
 #endif
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST_F
@@ -324,7 +436,7 @@ FOOTPOINT_PART float footpoint_detail_f_edge(const float a[3], const float b[3],
 }
 
 #ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN 3
+#define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
 /* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
@@ -479,7 +591,8 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_closest_rest(footpoint_detail_f_nea
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
- *           xi and eta overlap nothing else. */
+ *           xi and eta overlap nothing else.
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
 
 /* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
  *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AC x BD) is), and region, where it lies:
@@ -530,22 +643,26 @@ FOOTPOINT_FN void footpoint_quad4_float_fast_at(const float xA[3], const float x
     (void)footpoint_detail_footpoint_quad4_float_fast(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_fast(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fast(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_fast(const float xA[3], const float xB[3], const float xC[3],
                                             const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_fast(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_fast(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_fast, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_fast, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -563,11 +680,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[
                                                  float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_fast_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_fast_checked_n(size_t n, const float *const x[15],
+                                                         float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                         float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_fast(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_fast, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fast(const float *const *x, float at[3],
@@ -594,6 +733,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_closest_n(size_t n, const float *
                                                          int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -651,22 +791,26 @@ FOOTPOINT_FN void footpoint_quad4_float_coarse_at(const float xA[3], const float
     (void)footpoint_detail_footpoint_quad4_float_coarse(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_coarse(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_coarse(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_coarse(const float xA[3], const float xB[3], const float xC[3],
                                               const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_coarse(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_coarse(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_coarse, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_coarse, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -684,11 +828,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const 
                                                    float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_coarse_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_coarse_checked_n(size_t n, const float *const x[15],
+                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_coarse(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_coarse, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_coarse(const float *const *x, float at[3],
@@ -715,6 +881,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_closest_n(size_t n, const float
                                                            int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -777,22 +944,26 @@ FOOTPOINT_FN void footpoint_quad4_float_gauss2_at(const float xA[3], const float
     (void)footpoint_detail_footpoint_quad4_float_gauss2(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_gauss2(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_gauss2(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_gauss2(const float xA[3], const float xB[3], const float xC[3],
                                               const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_gauss2(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_gauss2(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_gauss2, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_gauss2, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -810,11 +981,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const 
                                                    float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_gauss2_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_checked_n(size_t n, const float *const x[15],
+                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_gauss2(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_gauss2, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_gauss2(const float *const *x, float at[3],
@@ -841,6 +1034,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_closest_n(size_t n, const float
                                                            int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -904,22 +1098,26 @@ FOOTPOINT_FN void footpoint_quad4_float_medium_at(const float xA[3], const float
     (void)footpoint_detail_footpoint_quad4_float_medium(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_medium(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_medium(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_medium(const float xA[3], const float xB[3], const float xC[3],
                                               const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_medium(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_medium(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_medium, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_medium, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -937,11 +1135,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const 
                                                    float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_medium_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_medium_checked_n(size_t n, const float *const x[15],
+                                                           float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                           float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_medium(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_medium, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_medium(const float *const *x, float at[3],
@@ -968,6 +1188,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_closest_n(size_t n, const float
                                                            int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1037,22 +1258,26 @@ FOOTPOINT_FN void footpoint_quad4_float_balanced_at(const float xA[3], const flo
     (void)footpoint_detail_footpoint_quad4_float_balanced(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_balanced(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_balanced(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_balanced(const float xA[3], const float xB[3], const float xC[3],
                                                 const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_balanced(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_balanced(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_balanced, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_balanced, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -1070,11 +1295,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_n(size_t n, const float *cons
                                                      float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_balanced_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_balanced_checked_n(size_t n, const float *const x[15],
+                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_balanced(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_balanced, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_balanced(const float *const *x, float at[3],
@@ -1101,6 +1348,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_closest_n(size_t n, const flo
                                                              int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1175,22 +1423,26 @@ FOOTPOINT_FN void footpoint_quad4_float_fine_at(const float xA[3], const float x
     (void)footpoint_detail_footpoint_quad4_float_fine(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_fine(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_fine(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_fine(const float xA[3], const float xB[3], const float xC[3],
                                             const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_fine(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_fine(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_fine, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_fine, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -1208,11 +1460,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[
                                                  float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_fine_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_fine_checked_n(size_t n, const float *const x[15],
+                                                         float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                         float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_fine(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_fine, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fine(const float *const *x, float at[3],
@@ -1239,6 +1513,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_closest_n(size_t n, const float *
                                                          int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1312,22 +1587,26 @@ FOOTPOINT_FN void footpoint_quad4_float_precise_at(const float xA[3], const floa
     (void)footpoint_detail_footpoint_quad4_float_precise(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_precise(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_precise(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_precise(const float xA[3], const float xB[3], const float xC[3],
                                                const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_precise(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_precise(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_precise, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_precise, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -1345,11 +1624,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const
                                                     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_precise_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_precise_checked_n(size_t n, const float *const x[15],
+                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_precise(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_precise, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_precise(const float *const *x, float at[3],
@@ -1376,6 +1677,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_closest_n(size_t n, const floa
                                                             int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1453,22 +1755,26 @@ FOOTPOINT_FN void footpoint_quad4_float_accurate_at(const float xA[3], const flo
     (void)footpoint_detail_footpoint_quad4_float_accurate(xA, xB, xC, xD, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned int
+footpoint_detail_checked_footpoint_quad4_float_accurate(const float *const *x, int full, float *xi, float *eta, float *gap)
+{
+    unsigned int flaw = footpoint_detail_footpoint_quad4_float_accurate(
+        x[0], x[1], x[2], x[3], x[4], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_f_quad4_gap(x, *xi, *eta, FOOTPOINT_QUAD4_FLOAT_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_quad4_float_accurate(const float xA[3], const float xB[3], const float xC[3],
                                                 const float xD[3], const float xS[3], float loc[2], float *gap)
 {
-    float y[5][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const float *const x[5] = {xA, xB, xC, xD, xS};
-        unsigned int flaw = footpoint_detail_footpoint_quad4_float_accurate(xA, xB, xC, xD, xS, &xi, &eta);
-        flaw |= footpoint_detail_f_quad4_gap(x, xi, eta, FOOTPOINT_QUAD4_FLOAT_LEAST, &g);
-        if (!(flaw >> 31))
-            return footpoint_detail_f_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_f_scale(x, 4, 5, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xS = y[4];
-    }
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float xi, eta, g;
+    if (footpoint_detail_checked_footpoint_quad4_float_accurate(x, 0, &xi, &eta, &g) >> 31)
+        return footpoint_detail_f_again(footpoint_detail_checked_footpoint_quad4_float_accurate, x, 4, 5, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 /* As footpoint_quad4_float_accurate, but FOOTPOINT_ERR_DOMAIN unless it is sure that a foot point is as near to the answer as the
@@ -1486,11 +1792,33 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_n(size_t n, const float *cons
                                                      float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
         footpoint_quad4_float_accurate_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_accurate_checked_n(size_t n, const float *const x[15],
+                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
+                                                             float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_quad4_float_accurate(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_accurate, n, x, 4,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_accurate(const float *const *x, float at[3],
@@ -1517,6 +1845,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_closest_n(size_t n, const flo
                                                              int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
@@ -1529,6 +1858,258 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_closest_n(size_t n, const flo
     }
     footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_accurate, n, x, 4,
         xi, eta, dist, region, status);
+}
+
+#ifndef FOOTPOINT_DETAIL_ALONG_F
+#define FOOTPOINT_DETAIL_ALONG_F
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+#ifndef FOOTPOINT_OUTSIDE
+#define FOOTPOINT_OUTSIDE 1
+#endif
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 2
+#endif
+
+FOOTPOINT_PART void footpoint_detail_f_cross(const float a[3], const float b[3], float c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+FOOTPOINT_PART float footpoint_detail_f_dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* How far |x| is above 1, and 0 below. */
+FOOTPOINT_PART float footpoint_detail_f_excess(float x)
+{
+    const float more = fabsf(x) - 1.0f;
+    return 0.5f * (more + fabsf(more));
+}
+
+/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+FOOTPOINT_FN int footpoint_detail_f_along_scale(const float along[3], float p[3])
+{
+    float most = 0.0f;
+    int exponent, i;
+    if (!footpoint_detail_f_finite(&along, 1))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 0; i < 3; i++)
+        most = fabsf(along[i]) > most ? fabsf(along[i]) : most;
+    if (footpoint_detail_f_below(most, 1.1754944e-38f) >> 31)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexpf(most, &exponent);
+    for (i = 0; i < 3; i++)
+        p[i] = ldexpf(along[i], -exponent);
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD4_ALONG_F
+#define FOOTPOINT_QUAD4_ALONG_F
+/* c1, c2, c3 and d, all times 4.f */
+FOOTPOINT_PART void footpoint_detail_f_quad4_frame(const float *const *x, float c1[3], float c2[3],
+                                                   float c3[3], float d[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        const float ab = x[1][i] - x[0][i], dc = x[2][i] - x[3][i];
+        const float ad = x[3][i] - x[0][i], as = x[4][i] - x[0][i];
+        c1[i] = dc + ab;
+        c3[i] = dc - ab;
+        c2[i] = ad + ad + c3[i];
+        d[i] = 4.0f * as - (c1[i] + ad + ad);
+    }
+}
+
+/* The coefficients of both equations, {[c1 c2], [c1 c3], [c3 c2], [d c3], [c2 d], [d c1]}. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_brackets(const float c1[3], const float c2[3],
+                                                      const float c3[3], const float d[3],
+                                                      const float p[3], float k[6])
+{
+    float m1[3], m2[3], m3[3];
+    footpoint_detail_f_cross(c1, p, m1);
+    footpoint_detail_f_cross(c2, p, m2);
+    footpoint_detail_f_cross(c3, p, m3);
+    k[0] = footpoint_detail_f_dot(c1, m2);
+    k[1] = footpoint_detail_f_dot(c1, m3);
+    k[2] = footpoint_detail_f_dot(c3, m2);
+    k[3] = footpoint_detail_f_dot(d, m3);
+    k[4] = -footpoint_detail_f_dot(d, m2);
+    k[5] = footpoint_detail_f_dot(d, m1);
+}
+
+/* 4 (xS - r) . p */
+FOOTPOINT_PART float footpoint_detail_f_quad4_ahead(const float c1[3], const float c2[3],
+                                                    const float c3[3], const float d[3], const float p[3],
+                                                    float xi, float eta)
+{
+    float ahead = 0.0f;
+    int i;
+    for (i = 0; i < 3; i++)
+        ahead += p[i] * (d[i] - xi * c1[i] - eta * (c2[i] + xi * c3[i]));
+    return ahead;
+}
+
+/* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless J
+ * is far from 0 and has one sign in the segment and as far beyond it as (xi, eta) lies. */
+FOOTPOINT_PART unsigned int footpoint_detail_f_quad4_along(const float *const *x, const float p[3],
+                                                           float at[3], int *status)
+{
+    float c1[3], c2[3], c3[3], d[3], k[6], root, below_xi, below_eta, over, slope, size, pp;
+    footpoint_detail_f_quad4_frame(x, c1, c2, c3, d);
+    footpoint_detail_f_quad4_brackets(c1, c2, c3, d, p, k);
+    slope = k[0] + k[3];
+    root = fabsf(k[0]) * sqrtf(slope * slope - 4.0f * (k[2] * k[5]));
+    below_xi = k[0] * (k[0] - k[3]) + root;
+    below_eta = k[0] * slope + root;
+    over = -2.0f * k[0] / (below_xi * below_eta);
+    at[0] = k[4] * (below_eta * over);
+    at[1] = k[5] * (below_xi * over);
+    pp = footpoint_detail_f_dot(p, p);
+    at[2] = 0.25f * footpoint_detail_f_quad4_ahead(c1, c2, c3, d, p, at[0], at[1]) / sqrtf(pp);
+    size = footpoint_detail_f_dot(c1, c1) + footpoint_detail_f_dot(c2, c2);
+    *status = FOOTPOINT_OUTSIDE *
+              (int)((footpoint_detail_f_above(at[0], 1.0f) | footpoint_detail_f_above(at[1], 1.0f)) >>
+                    31);
+    return footpoint_detail_f_outside(below_xi * below_eta) | footpoint_detail_f_outside(pp) |
+           footpoint_detail_f_infinite(at[0] + at[1] + at[2]) |
+           footpoint_detail_f_bits(k[0] * k[0] - 100.0f * 1e-9f * (size * size * pp)) |
+           footpoint_detail_f_bits(fabsf(k[0]) - 1.0001f * (fabsf(k[1]) + fabsf(k[2])) *
+                                                  (1.0f + footpoint_detail_f_excess(at[0]) +
+                                                   footpoint_detail_f_excess(at[1])));
+}
+
+/* A solution of a x^2 + b x + c = 0 where 2 a x + b is `slope`. */
+FOOTPOINT_PART float footpoint_detail_f_root(float a, float b, float c, float slope)
+{
+    return b * slope > 0.0f ? -2.0f * c / (b + slope) : (slope - b) / (2.0f * a);
+}
+
+/* Both solutions in full: that in the segment, of two there the nearer one, of none the one less far outside. */
+FOOTPOINT_COLD int footpoint_detail_f_quad4_along_full(const float *const *x, const float p[3],
+                                                       float at[3])
+{
+    float c1[3], c2[3], c3[3], d[3], k[6], z[2][3], reach[2], length, size, wide, b, discriminant;
+    int i, found = 0, inside[2], best;
+    footpoint_detail_f_quad4_frame(x, c1, c2, c3, d);
+    footpoint_detail_f_quad4_brackets(c1, c2, c3, d, p, k);
+    length = sqrtf(footpoint_detail_f_dot(p, p));
+    size =
+        footpoint_detail_f_dot(c1, c1) + footpoint_detail_f_dot(c2, c2) + footpoint_detail_f_dot(c3, c3);
+    wide = fabsf(k[0]) + fabsf(k[1]) + fabsf(k[2]);
+    if (footpoint_detail_f_bits(wide * wide - 10.0f * 1e-9f * (size * size) * (length * length)) >>
+        31)
+        return FOOTPOINT_ERR_DEGENERATE;
+    b = k[0] + k[3];
+    discriminant = b * b - 4.0f * (k[2] * k[5]);
+    if (discriminant < 0.0f)
+        return FOOTPOINT_ERR_DOMAIN;
+    for (i = 0; i < 2; i++) {
+        const float slope = i ? -sqrtf(discriminant) : sqrtf(discriminant);
+        float *const y = z[found];
+        y[0] = footpoint_detail_f_root(k[1], k[0] - k[3], k[4], slope);
+        y[1] = footpoint_detail_f_root(k[2], b, k[5], slope);
+        y[2] = 0.25f * footpoint_detail_f_quad4_ahead(c1, c2, c3, d, p, y[0], y[1]) / length;
+        reach[found] = fabsf(y[0]) > fabsf(y[1]) ? fabsf(y[0]) : fabsf(y[1]);
+        inside[found] = reach[found] <= 1.0f;
+        found += !((footpoint_detail_f_infinite(y[0]) | footpoint_detail_f_infinite(y[1]) |
+                    footpoint_detail_f_infinite(y[2])) >>
+                   31);
+    }
+    if (found == 0)
+        return FOOTPOINT_ERR_DOMAIN;
+    best = found == 2 &&
+           (inside[0] && inside[1] ? fabsf(z[1][2]) < fabsf(z[0][2]) : reach[1] < reach[0]);
+    for (i = 0; i < 3; i++)
+        at[i] = z[best][i];
+    if (!inside[best])
+        return FOOTPOINT_OUTSIDE;
+    return found == 2 && inside[0] && inside[1] ? FOOTPOINT_NOT_UNIQUE : FOOTPOINT_OK;
+}
+
+/* In full, in units of length in which the segment and the direction are about 1 long. */
+FOOTPOINT_COLD int footpoint_detail_f_quad4_along_again(const float *const *x, const float along[3],
+                                                        float loc[2], float *dist)
+{
+    float y[5][3], p[3], at[3];
+    const float *z[5];
+    int exponent = 0, i, status = footpoint_detail_f_along_scale(along, p);
+    const int nodes = footpoint_detail_f_scale(x, 5 - 1, 5, y, &exponent);
+    if (status == FOOTPOINT_OK || nodes == FOOTPOINT_ERR_NOT_FINITE)
+        status = nodes;
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 5; i++)
+        z[i] = y[i];
+    status = footpoint_detail_f_quad4_along_full(z, p, at);
+    if (status < FOOTPOINT_OK)
+        return status;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = exponent ? ldexpf(at[2], exponent) : at[2];
+    return status;
+}
+#endif
+
+/* footpoint_quad4_float_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
+ *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
+ *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
+ *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
+ *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
+ *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_quad4_float_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+FOOTPOINT_FN int footpoint_quad4_float_along(const float xA[3], const float xB[3], const float xC[3], const float xD[3], const float xS[3], const float along[3], float loc[2], float *dist)
+{
+    const float *const x[5] = {xA, xB, xC, xD, xS};
+    float at[3];
+    int status;
+    if (footpoint_detail_f_quad4_along(x, along, at, &status) >> 31)
+        return footpoint_detail_f_quad4_along_again(x, along, loc, dist);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = at[2];
+    return status;
+}
+
+FOOTPOINT_LOOP void footpoint_quad4_float_along_n(size_t n, const float *const x[15],
+                                                  const float *const along[3], float *FOOTPOINT_RESTRICT xi,
+                                                  float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT dist,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float q[3] = {along[0][i], along[1][i], along[2][i]};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[3];
+        int outside;
+        const unsigned int flaw = footpoint_detail_f_quad4_along(row, q, at, &outside);
+        status[i] = outside - (int)(2 * (flaw >> 31)); /* < 0 where it is asked in full */
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] < FOOTPOINT_OK) {
+            const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+            const float q[3] = {along[0][i], along[1][i], along[2][i]};
+            const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+            float loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_f_quad4_along_again(row, q, loc, &dist[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
 }
 
 #endif

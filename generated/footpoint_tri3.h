@@ -43,6 +43,21 @@
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
+#else
+#define FOOTPOINT_COLD FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_EACH _Pragma("GCC ivdep")
+#else
+#define FOOTPOINT_EACH
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -59,10 +74,10 @@
 #define FOOTPOINT_OK 0
 #endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
-#define FOOTPOINT_ERR_NOT_FINITE 1
+#define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
 #ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2
+#define FOOTPOINT_ERR_DEGENERATE (-2)
 #endif
 
 #ifndef FOOTPOINT_DETAIL_BITS
@@ -89,6 +104,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
 FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If |x| > most, or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_above(double x, double most)
+{
+    return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1);
 }
 
 /* If x is infinite or NaN. */
@@ -151,16 +172,6 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
            footpoint_detail_outside(nn) | footpoint_detail_bits(nn - 1e-20 * (uu * vv)) |
            footpoint_detail_infinite(loc + *gap);
 }
-
-/* What a checked search has found in a unit of 2^exponent. */
-FOOTPOINT_PART int footpoint_detail_answer(double xi, double eta, double g, int exponent, double loc[2],
-                                           double *gap)
-{
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = exponent ? ldexp(g, exponent) : g;
-    return FOOTPOINT_OK;
-}
 #endif
 
 #ifndef FOOTPOINT_DETAIL_WEIGHTED
@@ -184,6 +195,35 @@ FOOTPOINT_PART void footpoint_detail_weighted(const double *const *x, int nodes,
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_HEIGHT
+#define FOOTPOINT_DETAIL_HEIGHT
+FOOTPOINT_PART double footpoint_detail_square(const double a[3])
+{
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+/* Gap (9) of tangents u and v, of any length, and w with w . n = (xS - r(xi,eta)) . n, over `per`; size is the sum of
+ * the squares of c1, c2, c3 (r = c0 + xi c1 + eta c2 + xi eta c3) in the unit of u, times 4 that of edges at most.
+ * The highest bit of what it returns is not set if
+ * footpoint_detail_KIND_gap() sets none: (xi,eta) is near enough for the square of u to be less than 66 sizes, the size
+ * is well within limits, and so is the square of n then, which is far from 0. */
+FOOTPOINT_PART unsigned long long footpoint_detail_height(const double u[3], const double v[3], const double w[3],
+                                                          double size, double per, double unit, double xi, double eta,
+                                                          double least, double *gap)
+{
+    const double nx = u[1] * v[2] - u[2] * v[1];
+    const double ny = u[2] * v[0] - u[0] * v[2];
+    const double nz = u[0] * v[1] - u[1] * v[0];
+    const double nn = nx * nx + ny * ny + nz * nz;
+    const double length = unit * size;
+    *gap = per * (w[0] * nx + w[1] * ny + w[2] * nz) / sqrt(nn);
+    return footpoint_detail_above(xi * xi + eta * eta, 64.0) | footpoint_detail_infinite(*gap) |
+           (footpoint_detail_bits(length) - footpoint_detail_bits(least)) |
+           footpoint_detail_above(length, 0.25 / least) |
+           footpoint_detail_bits(nn - 5000.0 * 1e-20 * (size * size));
+}
+#endif
+
 #ifndef FOOTPOINT_TRI3_SEARCH
 #define FOOTPOINT_TRI3_SEARCH
 /* u = r_xi, v = r_eta and d = xS - r at (xi,eta). */
@@ -196,6 +236,15 @@ FOOTPOINT_FN void footpoint_detail_tri3_surface(const double *const *x, double x
     pu[1] = pv[2] = 1.0;
     pu[2] = pv[1] = 0.0;
     footpoint_detail_weighted(x, 3, p, pu, pv, u, v, d);
+}
+
+/* The gap of r = xA + xi c1 + eta c2: a and b are c1 and c2, both times one number, whose square is 1 / unit, d is xS - xA
+ * over per. */
+FOOTPOINT_PART unsigned long long footpoint_detail_tri3_over(const double a[3], const double b[3],
+                                                             const double d[3], double size, double per, double unit,
+                                                             double xi, double eta, double least, double *gap)
+{
+    return footpoint_detail_height(a, b, d, size, per, unit, xi, eta, least, gap);
 }
 
 /* See footpoint_detail_normal_gap(); size is the sum of the squares of the distances of the nodes from A. */
@@ -211,6 +260,60 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_gap(const double *const 
     uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
     vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     return footpoint_detail_normal_gap(u, v, d, uu, vv, size, least, xi + eta, gap);
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_AGAIN
+#define FOOTPOINT_DETAIL_AGAIN
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
+ * `full`, if it is not good beyond doubt. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double *xi, double *eta,
+                                                   double *gap);
+
+/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const double *const *x,
+                                          int nodes, int vectors, double loc[2], double *gap)
+{
+    double y[10][3], xi, eta, g;
+    const double *z[10];
+    int exponent = 0, status, i;
+    if (search(x, 1, &xi, &eta, &g) >> 63) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (search(z, 1, &xi, &eta, &g) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = exponent ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_TRI3_CHECKED
+#define FOOTPOINT_TRI3_CHECKED
+/* What is not good beyond doubt in full. */
+FOOTPOINT_PART void footpoint_detail_tri3_checked_rest(footpoint_detail_search *search, size_t n,
+                                                       const double *const *x, int nodes, double *xi,
+                                                       double *eta, double *gap, int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}};
+            const double *const row[4] = {p[0], p[1], p[2], p[3]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_again(search, row, nodes, 4, loc, &gap[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
 }
 #endif
 
@@ -240,7 +343,7 @@ FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3]
 }
 
 #ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN 3
+#define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
 /* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
@@ -377,7 +480,8 @@ FOOTPOINT_PART void footpoint_detail_tri3_closest_rest(footpoint_detail_nearest 
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xS;
- *           xi and eta overlap nothing else. */
+ *           xi and eta overlap nothing else.
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
 
 /* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
  *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AB x AC) is), and region, where it lies:
@@ -419,33 +523,76 @@ FOOTPOINT_FN void footpoint_tri3_exact_at(const double xA[3], const double xB[3]
     (void)footpoint_detail_footpoint_tri3_exact(xA, xB, xC, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_gap_footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3],
+                                          const double xS[3], double xi, double eta, double *gap)
+{
+    const double t1 = xA[2] - xC[2], t2 = xA[1] - xC[1], t3 = xA[2] - xB[2], t4 = xA[1] - xB[1], t5 = xA[0] - xC[0];
+    const double t6 = xA[0] - xB[0], t8 = t1 * t1 + t2 * t2 + t5 * t5, t9 = t3 * t3 + t4 * t4 + t6 * t6;
+    const double t10 = xA[2] - xS[2], t11 = xA[1] - xS[1], t13 = xA[0] - xS[0];
+    const double a[3] = {t6, t4, t3};
+    const double b[3] = {t5, t2, t1};
+    const double d[3] = {t13, t11, t10};
+    return footpoint_detail_tri3_over(a, b, d, t9 + t8,
+        -1, 1, xi, eta, FOOTPOINT_TRI3_LEAST, gap);
+}
+
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri3_exact(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri3_exact(x[0], x[1], x[2], x[3], xi, eta);
+    if (full)
+        flaw |= footpoint_detail_tri3_gap(x, *xi, *eta, FOOTPOINT_TRI3_LEAST, gap);
+    {
+        const unsigned long long doubt = footpoint_detail_gap_footpoint_tri3_exact(x[0], x[1], x[2], x[3], *xi, *eta, gap);
+        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);
+    }
+}
+
 FOOTPOINT_FN int footpoint_tri3_exact(const double xA[3], const double xB[3], const double xC[3], const double xS[3],
                                       double loc[2], double *gap)
 {
-    double y[4][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[4] = {xA, xB, xC, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri3_exact(xA, xB, xC, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri3_gap(x, xi, eta, FOOTPOINT_TRI3_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 3, 4, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xS = y[3];
-    }
+    const double *const x[4] = {xA, xB, xC, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri3_exact(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri3_exact, x, 3, 4, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri3_exact_n(size_t n, const double *const x[12],
                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}};
         footpoint_tri3_exact_at(p[0], p[1], p[2], p[3], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri3_exact_checked_n(size_t n, const double *const x[12],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}};
+        const double *const row[4] = {p[0], p[1], p[2], p[3]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri3_exact(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri3_checked_rest(footpoint_detail_checked_footpoint_tri3_exact, n, x, 3,
+        xi, eta, gap, status);
 }
 
 FOOTPOINT_PART int footpoint_detail_closest_footpoint_tri3_exact(const double *const *x, double at[3],
@@ -470,6 +617,7 @@ FOOTPOINT_LOOP void footpoint_tri3_exact_closest_n(size_t n, const double *const
                                                    int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}};
@@ -496,5 +644,174 @@ static const double footpoint_tri3_exact_points[][16] = {
     {0, 0, 0, 1, 0, 0, -2.375, 4.875, 0, 0.625, 3.15625, 0.123046875, 2.1626602564102564, 0.64743589743589747, 3.209761608072758e-15, 9.3090270124435364e-16},
 };
 #endif
+
+#ifndef FOOTPOINT_DETAIL_ALONG
+#define FOOTPOINT_DETAIL_ALONG
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+#ifndef FOOTPOINT_OUTSIDE
+#define FOOTPOINT_OUTSIDE 1
+#endif
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 2
+#endif
+
+FOOTPOINT_PART void footpoint_detail_cross(const double a[3], const double b[3], double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* How far |x| is above 1, and 0 below. */
+FOOTPOINT_PART double footpoint_detail_excess(double x)
+{
+    const double more = fabs(x) - 1.0;
+    return 0.5 * (more + fabs(more));
+}
+
+/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3])
+{
+    double most = 0.0;
+    int exponent, i;
+    if (!footpoint_detail_finite(&along, 1))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 0; i < 3; i++)
+        most = fabs(along[i]) > most ? fabs(along[i]) : most;
+    if (footpoint_detail_below(most, 2.2250738585072014e-308) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, &exponent);
+    for (i = 0; i < 3; i++)
+        p[i] = ldexp(along[i], -exponent);
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_TRI3_ALONG
+#define FOOTPOINT_TRI3_ALONG
+/* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless the
+ * line is far from parallel to the plane. */
+FOOTPOINT_PART unsigned long long footpoint_detail_tri3_along(const double *const *x, const double p[3],
+                                                              double at[3], int *status)
+{
+    double c1[3], c2[3], d[3], m1[3], m2[3], n[3], across, size, pp;
+    int i;
+    for (i = 0; i < 3; i++) {
+        c1[i] = x[1][i] - x[0][i];
+        c2[i] = x[2][i] - x[0][i];
+        d[i] = x[3][i] - x[0][i];
+    }
+    footpoint_detail_cross(c1, p, m1);
+    footpoint_detail_cross(c2, p, m2);
+    footpoint_detail_cross(c1, c2, n);
+    across = footpoint_detail_dot(c1, m2);
+    pp = footpoint_detail_dot(p, p);
+    at[0] = footpoint_detail_dot(d, m2) / across;
+    at[1] = -footpoint_detail_dot(d, m1) / across;
+    at[2] = footpoint_detail_dot(d, n) / across * sqrt(pp);
+    size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
+    *status = FOOTPOINT_OUTSIDE * (int)((footpoint_detail_above(at[0] - 0.5, 0.5) |
+                                         footpoint_detail_above(at[1] - 0.5, 0.5) |
+                                         footpoint_detail_above(at[0] + at[1] - 0.5, 0.5)) >>
+                                        63);
+    return footpoint_detail_outside(across) | footpoint_detail_outside(pp) |
+           footpoint_detail_infinite(at[0] + at[1] + at[2]) |
+           footpoint_detail_bits(across * across - 100.0 * 1e-20 * (size * size * pp));
+}
+
+FOOTPOINT_COLD int footpoint_detail_tri3_along_full(const double *const *x, const double p[3],
+                                                    double at[3])
+{
+    int status;
+    const unsigned long long flaw = footpoint_detail_tri3_along(x, p, at, &status);
+    return flaw >> 63 ? FOOTPOINT_ERR_DEGENERATE : status;
+}
+
+/* In full, in units of length in which the segment and the direction are about 1 long. */
+FOOTPOINT_COLD int footpoint_detail_tri3_along_again(const double *const *x, const double along[3],
+                                                     double loc[2], double *dist)
+{
+    double y[4][3], p[3], at[3];
+    const double *z[4];
+    int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
+    const int nodes = footpoint_detail_scale(x, 4 - 1, 4, y, &exponent);
+    if (status == FOOTPOINT_OK || nodes == FOOTPOINT_ERR_NOT_FINITE)
+        status = nodes;
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 4; i++)
+        z[i] = y[i];
+    status = footpoint_detail_tri3_along_full(z, p, at);
+    if (status < FOOTPOINT_OK)
+        return status;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    return status;
+}
+#endif
+
+/* footpoint_tri3_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
+ *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
+ *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
+ *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
+ *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
+ *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_tri3_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+FOOTPOINT_FN int footpoint_tri3_along(const double xA[3], const double xB[3], const double xC[3], const double xS[3], const double along[3], double loc[2], double *dist)
+{
+    const double *const x[4] = {xA, xB, xC, xS};
+    double at[3];
+    int status;
+    if (footpoint_detail_tri3_along(x, along, at, &status) >> 63)
+        return footpoint_detail_tri3_along_again(x, along, loc, dist);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = at[2];
+    return status;
+}
+
+FOOTPOINT_LOOP void footpoint_tri3_along_n(size_t n, const double *const x[12],
+                                           const double *const along[3], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
+                                           int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}};
+        const double q[3] = {along[0][i], along[1][i], along[2][i]};
+        const double *const row[4] = {p[0], p[1], p[2], p[3]};
+        double at[3];
+        int outside;
+        const unsigned long long flaw = footpoint_detail_tri3_along(row, q, at, &outside);
+        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0 where it is asked in full */
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] < FOOTPOINT_OK) {
+            const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}};
+            const double q[3] = {along[0][i], along[1][i], along[2][i]};
+            const double *const row[4] = {p[0], p[1], p[2], p[3]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_tri3_along_again(row, q, loc, &dist[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
 
 #endif

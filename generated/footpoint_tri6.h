@@ -45,6 +45,21 @@
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
+#else
+#define FOOTPOINT_COLD FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_EACH _Pragma("GCC ivdep")
+#else
+#define FOOTPOINT_EACH
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -61,10 +76,10 @@
 #define FOOTPOINT_OK 0
 #endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
-#define FOOTPOINT_ERR_NOT_FINITE 1
+#define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
 #ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2
+#define FOOTPOINT_ERR_DEGENERATE (-2)
 #endif
 
 #ifndef FOOTPOINT_DETAIL_BITS
@@ -91,6 +106,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_outside(double x)
 FOOTPOINT_PART unsigned long long footpoint_detail_below(double x, double least)
 {
     return (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1) - footpoint_detail_bits(least);
+}
+
+/* If |x| > most, or NaN. */
+FOOTPOINT_PART unsigned long long footpoint_detail_above(double x, double most)
+{
+    return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(unsigned long long)0 >> 1);
 }
 
 /* If x is infinite or NaN. */
@@ -152,16 +173,6 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
     return footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
            footpoint_detail_outside(nn) | footpoint_detail_bits(nn - 1e-20 * (uu * vv)) |
            footpoint_detail_infinite(loc + *gap);
-}
-
-/* What a checked search has found in a unit of 2^exponent. */
-FOOTPOINT_PART int footpoint_detail_answer(double xi, double eta, double g, int exponent, double loc[2],
-                                           double *gap)
-{
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = exponent ? ldexp(g, exponent) : g;
-    return FOOTPOINT_OK;
 }
 #endif
 
@@ -227,6 +238,61 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_gap(const double *const 
 }
 #endif
 
+#ifndef FOOTPOINT_DETAIL_AGAIN
+#define FOOTPOINT_DETAIL_AGAIN
+/* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
+ * `full`, if it is not good beyond doubt. */
+typedef unsigned long long footpoint_detail_search(const double *const *x, int full, double *xi, double *eta,
+                                                   double *gap);
+
+/* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
+ * long; with nodes = 0 not. */
+FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const double *const *x,
+                                          int nodes, int vectors, double loc[2], double *gap)
+{
+    double y[10][3], xi, eta, g;
+    const double *z[10];
+    int exponent = 0, status, i;
+    if (search(x, 1, &xi, &eta, &g) >> 63) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        if (status != FOOTPOINT_OK)
+            return status;
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (search(z, 1, &xi, &eta, &g) >> 63)
+            return FOOTPOINT_ERR_DEGENERATE;
+    }
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = exponent ? ldexp(g, exponent) : g;
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_TRI6_CHECKED
+#define FOOTPOINT_TRI6_CHECKED
+/* What is not good beyond doubt in full. */
+FOOTPOINT_PART void footpoint_detail_tri6_checked_rest(footpoint_detail_search *search, size_t n,
+                                                       const double *const *x, int nodes, double *xi,
+                                                       double *eta, double *gap, int *status)
+{
+    size_t i;
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+            const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_again(search, row, nodes, 7, loc, &gap[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
+#endif
+
 /* Where the squares of a segment's edges add up to less than this, or to more than 1 over it, nodes are first
  * scaled by a power of 2. */
 #define FOOTPOINT_TRI6_LEAST 2.9387358770557188e-39
@@ -236,7 +302,8 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_gap(const double *const 
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
  * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xS;
- *           xi and eta overlap nothing else. */
+ *           xi and eta overlap nothing else.
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
 
 /* footpoint_tri6_fast
  *   operations:     35 mul, 1 div, 51 add, 0 sqrt, 0 compare; 21 temporaries
@@ -278,35 +345,62 @@ FOOTPOINT_FN void footpoint_tri6_fast_at(const double xA[3], const double xB[3],
     (void)footpoint_detail_footpoint_tri6_fast(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri6_fast(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri6_fast(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_tri6_fast(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                      const double xE[3], const double xF[3], const double xS[3], double loc[2],
                                      double *gap)
 {
-    double y[7][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri6_fast(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xE = y[4], xF = y[5], xS = y[6];
-    }
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri6_fast(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_fast, x, 6, 7, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fast_n(size_t n, const double *const x[21],
                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         footpoint_tri6_fast_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fast_checked_n(size_t n, const double *const x[21],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+        const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri6_fast(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri6_checked_rest(footpoint_detail_checked_footpoint_tri6_fast, n, x, 6,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -375,35 +469,62 @@ FOOTPOINT_FN void footpoint_tri6_coarse_at(const double xA[3], const double xB[3
     (void)footpoint_detail_footpoint_tri6_coarse(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri6_coarse(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri6_coarse(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_tri6_coarse(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double xE[3], const double xF[3], const double xS[3], double loc[2],
                                        double *gap)
 {
-    double y[7][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri6_coarse(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xE = y[4], xF = y[5], xS = y[6];
-    }
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri6_coarse(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_coarse, x, 6, 7, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_coarse_n(size_t n, const double *const x[21],
                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         footpoint_tri6_coarse_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_coarse_checked_n(size_t n, const double *const x[21],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+        const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri6_coarse(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri6_checked_rest(footpoint_detail_checked_footpoint_tri6_coarse, n, x, 6,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -473,35 +594,62 @@ FOOTPOINT_FN void footpoint_tri6_medium_at(const double xA[3], const double xB[3
     (void)footpoint_detail_footpoint_tri6_medium(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri6_medium(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri6_medium(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_tri6_medium(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                        const double xE[3], const double xF[3], const double xS[3], double loc[2],
                                        double *gap)
 {
-    double y[7][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri6_medium(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xE = y[4], xF = y[5], xS = y[6];
-    }
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri6_medium(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_medium, x, 6, 7, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_medium_n(size_t n, const double *const x[21],
                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         footpoint_tri6_medium_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_medium_checked_n(size_t n, const double *const x[21],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+        const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri6_medium(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri6_checked_rest(footpoint_detail_checked_footpoint_tri6_medium, n, x, 6,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -577,36 +725,62 @@ FOOTPOINT_FN void footpoint_tri6_balanced_at(const double xA[3], const double xB
     (void)footpoint_detail_footpoint_tri6_balanced(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri6_balanced(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri6_balanced(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_tri6_balanced(const double xA[3], const double xB[3], const double xC[3],
                                          const double xD[3], const double xE[3], const double xF[3],
                                          const double xS[3], double loc[2], double *gap)
 {
-    double y[7][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri6_balanced(
-            xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xE = y[4], xF = y[5], xS = y[6];
-    }
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri6_balanced(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_balanced, x, 6, 7, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_balanced_n(size_t n, const double *const x[21],
                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         footpoint_tri6_balanced_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_balanced_checked_n(size_t n, const double *const x[21],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+        const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri6_balanced(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri6_checked_rest(footpoint_detail_checked_footpoint_tri6_balanced, n, x, 6,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -688,35 +862,62 @@ FOOTPOINT_FN void footpoint_tri6_fine_at(const double xA[3], const double xB[3],
     (void)footpoint_detail_footpoint_tri6_fine(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri6_fine(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri6_fine(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_tri6_fine(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                                      const double xE[3], const double xF[3], const double xS[3], double loc[2],
                                      double *gap)
 {
-    double y[7][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri6_fine(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xE = y[4], xF = y[5], xS = y[6];
-    }
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri6_fine(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_fine, x, 6, 7, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_fine_n(size_t n, const double *const x[21],
                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         footpoint_tri6_fine_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_fine_checked_n(size_t n, const double *const x[21],
+                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                  double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+        const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri6_fine(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri6_checked_rest(footpoint_detail_checked_footpoint_tri6_fine, n, x, 6,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -812,35 +1013,62 @@ FOOTPOINT_FN void footpoint_tri6_precise_at(const double xA[3], const double xB[
     (void)footpoint_detail_footpoint_tri6_precise(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri6_precise(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri6_precise(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_tri6_precise(const double xA[3], const double xB[3], const double xC[3],
                                         const double xD[3], const double xE[3], const double xF[3],
                                         const double xS[3], double loc[2], double *gap)
 {
-    double y[7][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri6_precise(xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xE = y[4], xF = y[5], xS = y[6];
-    }
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri6_precise(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_precise, x, 6, 7, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_precise_n(size_t n, const double *const x[21],
                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         footpoint_tri6_precise_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_precise_checked_n(size_t n, const double *const x[21],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+        const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri6_precise(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri6_checked_rest(footpoint_detail_checked_footpoint_tri6_precise, n, x, 6,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -950,36 +1178,62 @@ FOOTPOINT_FN void footpoint_tri6_accurate_at(const double xA[3], const double xB
     (void)footpoint_detail_footpoint_tri6_accurate(xA, xB, xC, xD, xE, xF, xS, xi, eta);
 }
 
+FOOTPOINT_PART unsigned long long
+footpoint_detail_checked_footpoint_tri6_accurate(const double *const *x, int full, double *xi, double *eta, double *gap)
+{
+    unsigned long long flaw = footpoint_detail_footpoint_tri6_accurate(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], xi, eta);
+    (void)full;
+    return flaw | footpoint_detail_tri6_gap(x, *xi, *eta, FOOTPOINT_TRI6_LEAST, gap);
+}
+
 FOOTPOINT_FN int footpoint_tri6_accurate(const double xA[3], const double xB[3], const double xC[3],
                                          const double xD[3], const double xE[3], const double xF[3],
                                          const double xS[3], double loc[2], double *gap)
 {
-    double y[7][3], xi, eta, g;
-    int exponent = 0, turn = 0, status;
-    for (;;) {
-        const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
-        unsigned long long flaw = footpoint_detail_footpoint_tri6_accurate(
-            xA, xB, xC, xD, xE, xF, xS, &xi, &eta);
-        flaw |= footpoint_detail_tri6_gap(x, xi, eta, FOOTPOINT_TRI6_LEAST, &g);
-        if (!(flaw >> 63))
-            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);
-        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, 6, 7, y, &exponent);
-        if (status != FOOTPOINT_OK)
-            return status;
-        xA = y[0], xB = y[1], xC = y[2], xD = y[3], xE = y[4], xF = y[5], xS = y[6];
-    }
+    const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS};
+    double xi, eta, g;
+    if (footpoint_detail_checked_footpoint_tri6_accurate(x, 0, &xi, &eta, &g) >> 63)
+        return footpoint_detail_again(footpoint_detail_checked_footpoint_tri6_accurate, x, 6, 7, loc, gap);
+    loc[0] = xi;
+    loc[1] = eta;
+    *gap = g;
+    return FOOTPOINT_OK;
 }
 
 FOOTPOINT_LOOP void footpoint_tri6_accurate_n(size_t n, const double *const x[21],
                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}};
         footpoint_tri6_accurate_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &xi[i], &eta[i]);
     }
+}
+
+FOOTPOINT_LOOP void footpoint_tri6_accurate_checked_n(size_t n, const double *const x[21],
+                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[7][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}};
+        const double *const row[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE *
+            (int)(footpoint_detail_checked_footpoint_tri6_accurate(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    footpoint_detail_tri6_checked_rest(footpoint_detail_checked_footpoint_tri6_accurate, n, x, 6,
+        xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */

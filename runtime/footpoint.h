@@ -6,7 +6,8 @@
  * pointer to its three coordinates, which may lie anywhere in the caller's arrays.  Coordinates are in any one unit of
  * length ("mesh length"): edges from 1e-300 to 1e300 long.
  *
- * Functions return a status.  Unless it is FOOTPOINT_OK, outputs are untouched, but for functions that say otherwise.
+ * Functions return a status.  If it is >= 0 there is an answer, and FOOTPOINT_OK, which is 0, one as usual; if it is < 0
+ * there is none, and outputs are untouched.
  * Nothing here allocates, prints, keeps state or takes anything but a C library's <math.h>; every function may be
  * called from several threads.
  *
@@ -21,37 +22,44 @@
 extern "C" {
 #endif
 
-/* Generated headers define the same macros; the values never change. */
+/* Statuses: an answer is written where status >= FOOTPOINT_OK, that is 0, and nothing where it is less.  Generated headers
+ * define the same macros. */
 #ifndef FOOTPOINT_OK
-#define FOOTPOINT_OK 0
-#endif
-#ifndef FOOTPOINT_ERR_NOT_FINITE
-#define FOOTPOINT_ERR_NOT_FINITE 1 /* a coordinate is an infinity or not a number */
-#endif
-#ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2 /* no area to take a normal from, or no number: a denominator vanishes */
-#endif
-#ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN 3 /* no such segment; the point lies outside what the answer holds for */
-#endif
-#ifndef FOOTPOINT_ERR_NO_CONVERGENCE
-#define FOOTPOINT_ERR_NO_CONVERGENCE 4 /* an iteration did not settle */
-#endif
-#ifndef FOOTPOINT_ERR_ARGUMENT
-#define FOOTPOINT_ERR_ARGUMENT 5 /* an index, count or parameter is out of range */
+#define FOOTPOINT_OK 0 /* the answer */
 #endif
 #ifndef FOOTPOINT_OUTSIDE
-#define FOOTPOINT_OUTSIDE 6 /* the closest point of the segment lies on its edge */
+#define FOOTPOINT_OUTSIDE 1 /* the answer, which lies on the edge of the segment, or beyond it */
 #endif
 #ifndef FOOTPOINT_NOT_UNIQUE
-#define FOOTPOINT_NOT_UNIQUE 7 /* another point is as near, to 1e-10 of the longest edge */
+#define FOOTPOINT_NOT_UNIQUE                                                                                           \
+    2 /* an answer; another is as good: as near, to 1e-10 of the longest edge, or also in the segment */
+#endif
+#ifndef FOOTPOINT_NO_AREA
+#define FOOTPOINT_NO_AREA 3 /* the closest point of a segment that has no area */
 #endif
 #ifndef FOOTPOINT_UNPROVED
-#define FOOTPOINT_UNPROVED 8 /* a test failed that proves an answer; the answer may be right all the same */
+#define FOOTPOINT_UNPROVED 4 /* an answer that may be right; rounding hides whether it is */
 #endif
-#ifndef FOOTPOINT_STATUS_COUNT
-#define FOOTPOINT_STATUS_COUNT 9
+#ifndef FOOTPOINT_ERR_NOT_FINITE
+#define FOOTPOINT_ERR_NOT_FINITE (-1) /* a coordinate is an infinity or not a number */
 #endif
+#ifndef FOOTPOINT_ERR_DEGENERATE
+#define FOOTPOINT_ERR_DEGENERATE (-2) /* no area to take a normal from, or no number: a denominator vanishes */
+#endif
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3) /* no such segment or point; the point lies outside what the answer holds for */
+#endif
+#ifndef FOOTPOINT_ERR_NO_CONVERGENCE
+#define FOOTPOINT_ERR_NO_CONVERGENCE (-4) /* an iteration did not settle */
+#endif
+#ifndef FOOTPOINT_ERR_ARGUMENT
+#define FOOTPOINT_ERR_ARGUMENT (-5) /* an index, count or parameter is out of range */
+#endif
+#ifndef FOOTPOINT_ERR_UNPROVED
+#define FOOTPOINT_ERR_UNPROVED (-6) /* a proof failed; what was to be proved may hold all the same */
+#endif
+/* The least and the greatest of them. */
+enum { FOOTPOINT_STATUS_LEAST = FOOTPOINT_ERR_UNPROVED, FOOTPOINT_STATUS_MOST = FOOTPOINT_UNPROVED };
 
 /** What a status means, as a short English phrase in lower case; "unknown status" for a number that is none. */
 const char *footpoint_strerror(int status);
@@ -163,7 +171,7 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
  *  bounds on all rounding errors) holds with and without fused operations, but not under -ffast-math.
  *  @param[in]  loc  {xi, eta}
  *  @param[out] rho  half-widths in xi and in eta, dimensionless
- *  @return FOOTPOINT_OK, FOOTPOINT_UNPROVED (too far from any solution, or too near the centre of curvature),
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_UNPROVED (too far from any solution, or too near the centre of curvature),
  *          FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (all corners coincide),
  *          FOOTPOINT_ERR_DOMAIN (xS is farther away than 1e12 edges) */
 int footpoint_certify(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -179,7 +187,7 @@ int footpoint_certify(const double xA[3], const double xB[3], const double xC[3]
  *  @return FOOTPOINT_OK (the foot point);
  *          with loc and dist written: FOOTPOINT_OUTSIDE (the closest point, which lies on the edge of the segment),
  *          FOOTPOINT_NOT_UNIQUE (another point, elsewhere in space, is as near to 1e-10 of the longest edge; dist is
- *          right to that), FOOTPOINT_ERR_DEGENERATE (the segment has no area: its closest point, with dist > 0),
+ *          right to that), FOOTPOINT_NO_AREA (the segment has none: its closest point, with dist > 0),
  *          FOOTPOINT_UNPROVED (the nearest point found: rounding hides whether it is the nearest of all);
  *          with neither: FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DOMAIN (xS is farther away than 1e12 edges) */
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],

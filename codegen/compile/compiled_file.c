@@ -65,12 +65,15 @@ bool *function_reads(const struct function *f)
     return reads;
 }
 
-/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_sure, NAME_closest
- * and NAME_closest_n. */
+/* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_sure,
+ * NAME_closest and NAME_closest_n; along and along_n are none of a genome. */
 static bool check_names(const struct genome_file *f, struct diag *d)
 {
-    static const char *const suffix[] = {"_n", "_points", "_at", "_sure", "_closest", "_closest_n"};
-    for (size_t k = 0; k < f->genomes; k++)
+    static const char *const suffix[] = {"_n", "_points", "_at", "_checked_n", "_sure", "_closest", "_closest_n"};
+    for (size_t k = 0; k < f->genomes; k++) {
+        if (f->segment && (strcmp(f->genome[k].name, "along") == 0 || strcmp(f->genome[k].name, "along_n") == 0))
+            return diag_at(d, f->path, f->genome[k].line, 1, "genome '%s' takes the name of another function",
+                           f->genome[k].name);
         for (size_t s = 0; s < (f->segment ? sizeof suffix / sizeof *suffix : 2); s++) {
             const char *name = f->genome[k].name;
             const size_t n = strlen(name), tail = strlen(suffix[s]);
@@ -79,6 +82,7 @@ static bool check_names(const struct genome_file *f, struct diag *d)
                     return diag_at(d, f->path, f->genome[k].line, 1, "genome '%s' takes the name of a function of '%s'",
                                    name, f->genome[i].name);
         }
+    }
     return true;
 }
 

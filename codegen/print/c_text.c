@@ -54,6 +54,35 @@ void c_print_statements(const struct unit *u, const struct function *f, FILE *ou
     free(text);
 }
 
+/* Whether the statement at `text` sets the value of an operation that is needed. */
+static bool sets_needed(const struct program *p, const struct printer *r, const bool *needed, const char *text,
+                        size_t type)
+{
+    for (size_t i = 0; type && i < p->ops; i++) {
+        const size_t n = r->name[i] && needed[i] && i >= p->inputs ? strlen(r->name[i]) : 0;
+        if (n && strncmp(text + type, r->name[i], n) == 0 && text[type + n] == ' ')
+            return true;
+    }
+    return false;
+}
+
+struct printer *c_print_needed(const struct unit *u, const struct function *f, const bool *needed, FILE *out)
+{
+    struct memory *m = memory_open(), *few = memory_open();
+    struct printer *r = print_program(u, f, m->stream);
+    char *text = memory_close(m);
+    for (const char *t = text, *end; *t; t = end + 2) {
+        end = strstr(t, ";\n");
+        if (sets_needed(f->program, r, needed, t, declaration(t, u->options.precision)))
+            fprintf(few->stream, "%.*s;\n", (int)(end - t), t);
+    }
+    free(text);
+    text = memory_close(few);
+    print_packed(text, u->options.precision, out);
+    free(text);
+    return r;
+}
+
 bool c_scales_status(const struct unit *u, const struct function *f)
 {
     for (size_t i = 0; i < f->evidence->denominators; i++) {

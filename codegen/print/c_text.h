@@ -3,9 +3,14 @@
 #define FOOTPOINT_C_TEXT_H
 
 #include "../compile/compiled_file.h"
+#include "../program/dialect.h"
 
 /** The statements of a function, indented, short declarations side by side. */
 void c_print_statements(const struct unit *u, const struct function *f, FILE *out);
+
+/** Of the statements those alone that set the operations marked as needed, by operation.  The printer has the texts of all
+ *  operations; caller frees. */
+struct printer *c_print_needed(const struct unit *u, const struct function *f, const bool *needed, FILE *out);
 
 /** Whether the status compares with limits that go with the size of the segment: the header needs powers of |AB|. */
 bool c_scales_status(const struct unit *u, const struct function *f);

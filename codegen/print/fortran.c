@@ -108,11 +108,11 @@ static void print_declarations(char *names, FILE *out)
     fputs(column ? "\n" : "", out);
 }
 
-/* status = 0, or 2 where a denominator that may be 0 is too near it, or not finite. */
+/* status = 0, or -2 where a denominator that may be 0 is too near it, or not finite. */
 static void print_status(const struct unit *u, const struct function *f, struct printer *r, struct target *t)
 {
     struct memory *m = memory_open();
-    fputs("merge(0, 2", m->stream);
+    fputs("merge(0, -2", m->stream);
     const char *joint = ", ";
     for (size_t i = 0; i < f->evidence->denominators; i++) {
         const struct denominator *d = &f->evidence->denominator[i];
@@ -205,7 +205,7 @@ static void print_subroutine(const struct unit *u, const struct function *f, str
     fputc('\n', out);
     banner_print_as(u, f, "  !", WIDTH, out);
     fputs(segment  ? "  ! xi, eta dimensionless; nothing checked.\n"
-          : status ? "  ! status: 2 where a denominator is 0, or too near it to tell, or not finite; else 0.\n"
+          : status ? "  ! status: -2 where a denominator is 0, or too near it to tell, or not finite; else 0.\n"
                    : "",
           out);
     t->code = out;

@@ -147,5 +147,6 @@ void header_print(const struct unit *u, FILE *out)
         if (u->options.precision == PRECISION_DOUBLE)
             print_points(u, f, out);
     }
+    helpers_print_along(u, out);
     fputs("\n#endif\n", out);
 }

@@ -21,37 +21,16 @@ bool closest_exists(const struct unit *u)
     return u->file->order == CORNERS_ANY && (k->bilinear || strcmp(k->name, "tri3") == 0);
 }
 
-/* What p, the n vectors of row i, is made of. */
-static char *columns_text(size_t n)
-{
-    struct memory *m = memory_open();
-    for (size_t k = 0; k < n; k++)
-        fprintf(m->stream, "%s{x[%zu][i], x[%zu][i], x[%zu][i]}",
-                k == 0  ? ""
-                : k % 3 ? ", "
-                        : ",\n            ",
-                3 * k, 3 * k + 1, 3 * k + 2);
-    return memory_close(m);
-}
-
-static char *rows_text(size_t n)
-{
-    struct memory *m = memory_open();
-    for (size_t k = 0; k < n; k++)
-        fprintf(m->stream, "%sp[%zu]", k ? ", " : "", k);
-    return memory_close(m);
-}
-
 void closest_print_helpers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
     const struct segment_kind *k = u->file->segment;
     const size_t n = segment_vectors(k) + 1;
     char *guard = new_format("FOOTPOINT_%s_NEAREST", k->name), *nearest = new_format("%s_nearest", k->name);
-    char *count = new_format("%zu", n), *column = columns_text(n), *row = rows_text(n);
+    char *count = new_format("%zu", n), *column = lines_columns(u), *row = lines_rows(u, "p");
     const struct placeholder own[] = {
         {"KIND", k->name}, {"VECTORS", count}, {"COLUMNS", column}, {"ROWS", row}, {NULL, NULL}};
-    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"edge", "closest", NULL}, precision, NULL, out);
+    templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"closest", NULL}, precision, NULL, out);
     templates_print(guard, (const char *const[]){nearest, "closest_rest", NULL}, precision, own, out);
     free(row);
     free(column);
@@ -74,27 +53,17 @@ void closest_print_contract(const struct unit *u, FILE *out)
 static void print_nearest(const struct unit *u, const struct function *f, const char *name, FILE *out)
 {
     const enum precision precision = u->options.precision;
-    const size_t nodes = segment_vectors(u->file->segment);
-    struct memory *m = memory_open();
-    for (size_t k = 0; k <= nodes; k++)
-        fprintf(m->stream, "%sx[%zu]", k ? ", " : "", k);
-    char *vectors = memory_close(m), *least = sizes_least_name(u);
+    char *vectors = lines_rows(u, "x"), *least = sizes_least_name(u);
     char *nearest = new_format("    return footpoint_detail_%s_nearest(x, flaw, ", u->file->segment->name);
     fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s at[3],\n%*sint *region)\n{\n", name, lines_real(u),
             lines_real(u), (int)strlen(name) + 20, "");
     fprintf(out, "    %s xi, eta;\n", lines_real(u));
-    lines_print_search(u, f, vectors, "    ", out);
+    lines_print_search(u, f, vectors, "&xi, &eta", "    ", out);
     c_print(nearest, precision, out);
     fprintf(out, "%s, xi, eta, at, region);\n}\n", least);
     free(nearest);
     free(least);
     free(vectors);
-}
-
-/* How many vectors another unit of length changes. */
-static size_t scaled_nodes(const struct unit *u, const struct function *f)
-{
-    return sizes_scalable(f, u->file->segment) ? strlen(u->file->segment->nodes) : 0;
 }
 
 static void print_checked(const struct unit *u, const struct function *f, const char *name, const char *vectors,
@@ -107,7 +76,7 @@ static void print_checked(const struct unit *u, const struct function *f, const 
             vectors);
     c_print("    return footpoint_detail_closest(", u->options.precision, out);
     fprintf(out, "%s,\n                                    x, %zu, %zu, loc, dist, region);\n}\n", name,
-            scaled_nodes(u, f), segment_vectors(u->file->segment) + 1);
+            lines_scaled_nodes(u, f), segment_vectors(u->file->segment) + 1);
     free(head);
 }
 
@@ -116,7 +85,7 @@ static void print_loop(const struct unit *u, const struct function *f, const cha
 {
     const char *real = lines_real(u);
     const size_t n = segment_vectors(u->file->segment) + 1;
-    char *column = columns_text(n), *row = rows_text(n);
+    char *column = lines_columns(u), *row = lines_rows(u, "p");
     char *rest = new_format("    footpoint_detail_%s_closest_rest(", u->file->segment->name);
     fputc('\n', out);
     const int begin = fprintf(out, "FOOTPOINT_LOOP void %s_closest_n(", f->name);
@@ -125,13 +94,13 @@ static void print_loop(const struct unit *u, const struct function *f, const cha
             "%*s%s *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,\n%*sint *FOOTPOINT_RESTRICT status)\n",
             real, 3 * n, begin, "", real, real, begin, "", real, begin, "");
     fprintf(out,
-            "{\n    size_t i;\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {%s};\n"
+            "{\n    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {%s};\n"
             "        const %s *const row[%zu] = {%s};\n        %s at[3];\n"
             "        status[i] = %s(row, at, &region[i]);\n"
             "        xi[i] = at[0];\n        eta[i] = at[1];\n        dist[i] = at[2];\n    }\n",
             real, n, column, real, n, row, real, name);
     c_print(rest, u->options.precision, out);
-    fprintf(out, "%s, n, x, %zu,\n        xi, eta, dist, region, status);\n}\n", name, scaled_nodes(u, f));
+    fprintf(out, "%s, n, x, %zu,\n        xi, eta, dist, region, status);\n}\n", name, lines_scaled_nodes(u, f));
     free(rest);
     free(row);
     free(column);

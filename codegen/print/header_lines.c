@@ -57,8 +57,34 @@ char *lines_vectors(const struct unit *u)
     return memory_close(m);
 }
 
+char *lines_rows(const struct unit *u, const char *name)
+{
+    struct memory *m = memory_open();
+    for (size_t k = 0; k <= segment_vectors(u->file->segment); k++)
+        fprintf(m->stream, "%s%s[%zu]", k ? ", " : "", name, k);
+    return memory_close(m);
+}
+
+char *lines_columns(const struct unit *u)
+{
+    struct memory *m = memory_open();
+    for (size_t k = 0; k <= segment_vectors(u->file->segment); k++)
+        fprintf(m->stream, "%s{x[%zu][i], x[%zu][i], x[%zu][i]}",
+                k == 0  ? ""
+                : k % 3 ? ", "
+                        : ",\n            ",
+                3 * k, 3 * k + 1, 3 * k + 2);
+    return memory_close(m);
+}
+
+size_t lines_scaled_nodes(const struct unit *u, const struct function *f)
+{
+    return sizes_scalable(f, u->file->segment) ? strlen(u->file->segment->nodes) : 0;
+}
+
 /* Corners into the assumed order, and (u,v) found there back to the caller's. */
-static void print_ordered_search(const struct unit *u, const struct function *f, const char *indent, FILE *out)
+static void print_ordered_search(const struct unit *u, const struct function *f, const char *results,
+                                 const char *indent, FILE *out)
 {
     const bool shorter = u->file->order == CORNERS_NEAREST_SHORTER;
     fputs(indent, out);
@@ -72,14 +98,14 @@ static void print_ordered_search(const struct unit *u, const struct function *f,
           out);
     fputs(indent, out);
     c_print("footpoint_detail_turn_back(k, ", u->options.precision, out);
-    fputs(shorter ? "mirror ? v : u, mirror ? u : v, &xi, &eta);\n" : "u, v, &xi, &eta);\n", out);
+    fprintf(out, "%s, %s);\n", shorter ? "mirror ? v : u, mirror ? u : v" : "u, v", results);
 }
 
-void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *indent,
-                        FILE *out)
+void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *results,
+                        const char *indent, FILE *out)
 {
     if (u->file->order != CORNERS_ANY) {
-        print_ordered_search(u, f, indent, out);
+        print_ordered_search(u, f, results, indent, out);
         return;
     }
     const bool fits = strlen(f->name) + strlen(vectors) + 70 <= WIDTH;
@@ -88,23 +114,5 @@ void lines_print_search(const struct unit *u, const struct function *f, const ch
     fprintf(out, "flaw = footpoint_detail_%s(", f->name);
     if (!fits)
         fprintf(out, "\n%s    ", indent);
-    fprintf(out, "%s, &xi, &eta);\n", vectors);
-}
-
-void lines_print_again(const struct unit *u, const struct function *f, FILE *out)
-{
-    const struct segment_kind *k = u->file->segment;
-    char *text =
-        new_format("        status = turn++ ? FOOTPOINT_ERR_DEGENERATE : footpoint_detail_scale(x, %zu, %zu, y, "
-                   "&exponent);\n",
-                   sizes_scalable(f, k) ? strlen(k->nodes) : 0, segment_vectors(k) + 1);
-    c_print(text, u->options.precision, out);
-    fputs("        if (status != FOOTPOINT_OK)\n            return status;\n        ", out);
-    for (size_t i = 0; i <= segment_vectors(k); i++) {
-        char name[4];
-        segment_vector_name(k, i, name);
-        fprintf(out, "%s%s = y[%zu]", i ? ", " : "", name, i);
-    }
-    fputs(";\n", out);
-    free(text);
+    fprintf(out, "%s, %s);\n", vectors, results);
 }

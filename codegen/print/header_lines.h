@@ -14,13 +14,18 @@ void lines_print_head(const struct unit *u, const char *function, const char *la
 /** "xA, xB, ..., xS"; caller frees. */
 char *lines_vectors(const struct unit *u);
 
-/** The search: from the vectors, which are x, too, to xi, eta and flaw, which it declares.  Corners go into the order
- *  that the scene assumes, and u and v, declared where there is one, found there back to the caller's. */
-void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *indent,
-                        FILE *out);
+/** "NAME[0], NAME[1], ...", one of each vector; caller frees. */
+char *lines_rows(const struct unit *u, const char *name);
 
-/** The same search once more, with a segment y that is about 1 long; or what is wrong with the nodes x, which is so at
- *  once of a search that depends on the unit of length: without nodes there is no length. */
-void lines_print_again(const struct unit *u, const struct function *f, FILE *out);
+/** What p, the vectors of pair i, is made of: "{x[0][i], x[1][i], x[2][i]}, ..."; caller frees. */
+char *lines_columns(const struct unit *u);
+
+/** How many vectors another unit of length changes: none of a search that depends on it. */
+size_t lines_scaled_nodes(const struct unit *u, const struct function *f);
+
+/** The search: from the vectors, which are x, too, to the two results (pointers) and flaw, which it declares.  Corners go
+ *  into the order that the scene assumes, and u and v, declared where there is one, found there back to the caller's. */
+void lines_print_search(const struct unit *u, const struct function *f, const char *vectors, const char *results,
+                        const char *indent, FILE *out);
 
 #endif

@@ -1,7 +1,7 @@
 /* Text of the search: nodes as a mesh has them to xi, eta and the gap.  For a genome NAME of a segment,
  *   NAME_at:  xi and eta by straight-line code, corners in the order that the scene assumes, nothing checked;
  *   NAME:     xi, eta and the signed gap (9), corners in any order, segments of any size, with a status;
- *   NAME_n:   NAME_at for many pairs, from columns of coordinates;
+ *   NAME_n, NAME_checked_n:   NAME_at and NAME for many pairs, from columns of coordinates;
  * and of faces that have it NAME_closest, see header_closest.h. */
 #include "header_segment.h"
 
@@ -9,6 +9,7 @@
 #include "c_text.h"
 #include "header_closest.h"
 #include "header_float.h"
+#include "header_gap.h"
 #include "header_lines.h"
 #include "header_sizes.h"
 #include "templates.h"
@@ -72,29 +73,50 @@ static void print_at(const struct unit *u, const struct function *f, const char 
     free(head);
 }
 
-static void print_checked(const struct unit *u, const struct function *f, const char *vectors, FILE *out)
+/* The search with gap and status, for NAME and its loop; `full` as in the template "again". */
+static void print_search(const struct unit *u, const struct function *f, FILE *out)
 {
     const enum precision precision = u->options.precision;
+    const char *real = lines_real(u), *kind = u->file->segment->name;
+    char *name = new_format("footpoint_detail_checked_%s", f->name), *vectors = lines_rows(u, "x");
+    char *least = sizes_least_name(u),
+         *full = new_format("footpoint_detail_%s_gap(x, *xi, *eta, %s, gap)", kind, least);
+    c_print("\nFOOTPOINT_PART REAL_BITS\n", precision, out);
+    fprintf(out, "%s(const %s *const *x, int full, %s *xi, %s *eta, %s *gap)\n{\n", name, real, real, real, real);
+    if (u->file->order != CORNERS_ANY)
+        fprintf(out, "    const %s *const xS = x[4];\n    %s u, v;\n", real, real);
+    lines_print_search(u, f, vectors, "xi, eta", "    ", out);
+    if (gap_shares(u, f)) {
+        c_print("    if (full)\n        flaw |= ", precision, out);
+        c_print(full, precision, out);
+        fprintf(out, ";\n    {\n        ");
+        c_print("const REAL_BITS doubt = ", precision, out);
+        fprintf(out, "footpoint_detail_gap_%s(%s, *xi, *eta, gap);\n", f->name, vectors);
+        c_print("        return flaw | (full ? footpoint_detail_infinite(*gap) : doubt);\n    }\n}\n", precision, out);
+    } else {
+        c_print("    (void)full;\n    return flaw | ", precision, out);
+        c_print(full, precision, out);
+        fputs(";\n}\n", out);
+    }
+    free(full);
+    free(least);
+    free(vectors);
+    free(name);
+}
+
+static void print_checked(const struct unit *u, const struct function *f, const char *vectors, FILE *out)
+{
     const size_t n = segment_vectors(u->file->segment) + 1;
-    const char *real = lines_real(u), *any = u->file->order == CORNERS_ANY ? "" : ", u, v";
     char *head = new_format("FOOTPOINT_FN int %s", f->name);
+    print_search(u, f, out);
     fputc('\n', out);
     lines_print_head(u, head, "REAL loc[2],REAL *gap", out);
-    fprintf(out, "{\n    %s y[%zu][3], xi, eta, g%s;\n", real, n, any);
-    fputs("    int exponent = 0, turn = 0, status;\n    for (;;) {\n", out);
-    fprintf(out, "        const %s *const x[%zu] = {%s};\n", real, n, vectors);
-    lines_print_search(u, f, vectors, "        ", out);
-    char *least = sizes_least_name(u), *gap = new_format("footpoint_detail_%s_gap", u->file->segment->name);
-    fputs("        flaw |= ", out);
-    c_print(gap, precision, out);
-    fprintf(out, "(x, xi, eta, %s, &g);\n", least);
-    free(gap);
-    free(least);
-    c_print("        if (!(flaw >> REAL_TOP))\n"
-            "            return footpoint_detail_answer(xi, eta, g, exponent, loc, gap);\n",
-            precision, out);
-    lines_print_again(u, f, out);
-    fputs("    }\n}\n", out);
+    fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n    %s xi, eta, g;\n", lines_real(u), n, vectors,
+            lines_real(u));
+    fprintf(out, "    if (footpoint_detail_checked_%s(x, 0, &xi, &eta, &g) >> ", f->name);
+    c_print("REAL_TOP)\n        return footpoint_detail_again(", u->options.precision, out);
+    fprintf(out, "footpoint_detail_checked_%s, x, %zu, %zu, loc, gap);\n", f->name, lines_scaled_nodes(u, f), n);
+    fputs("    loc[0] = xi;\n    loc[1] = eta;\n    *gap = g;\n    return FOOTPOINT_OK;\n}\n", out);
     free(head);
 }
 
@@ -119,21 +141,46 @@ static void print_loop(const struct unit *u, const struct function *f, FILE *out
 {
     const char *real = lines_real(u);
     const size_t vectors = segment_vectors(u->file->segment) + 1;
+    char *columns = lines_columns(u), *rows = lines_rows(u, "p");
     fputc('\n', out);
     const int column = fprintf(out, "FOOTPOINT_LOOP void %s_n(", f->name);
     fprintf(out, "size_t n, const %s *const x[%zu],\n%*s%s *FOOTPOINT_RESTRICT xi, %s *FOOTPOINT_RESTRICT eta)\n", real,
             3 * vectors, column, "", real, real);
-    fprintf(out, "{\n    size_t i;\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {", real, vectors);
-    for (size_t k = 0; k < vectors; k++)
-        fprintf(out, "%s{x[%zu][i], x[%zu][i], x[%zu][i]}",
-                k == 0  ? ""
-                : k % 3 ? ", "
-                        : ",\n            ",
-                3 * k, 3 * k + 1, 3 * k + 2);
-    fprintf(out, "};\n        %s_at(", f->name);
-    for (size_t k = 0; k < vectors; k++)
-        fprintf(out, "p[%zu], ", k);
-    fputs("&xi[i], &eta[i]);\n    }\n}\n", out);
+    fprintf(out,
+            "{\n    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {%s};\n"
+            "        %s_at(%s, &xi[i], &eta[i]);\n    }\n}\n",
+            real, vectors, columns, f->name, rows);
+    free(rows);
+    free(columns);
+}
+
+/* The same of NAME; what is not good beyond doubt is searched in full behind it. */
+static void print_checked_loop(const struct unit *u, const struct function *f, FILE *out)
+{
+    const char *real = lines_real(u);
+    const size_t vectors = segment_vectors(u->file->segment) + 1;
+    char *columns = lines_columns(u), *rows = lines_rows(u, "p");
+    char *rest = new_format("    footpoint_detail_%s_checked_rest(", u->file->segment->name);
+    fputc('\n', out);
+    const int column = fprintf(out, "FOOTPOINT_LOOP void %s_checked_n(", f->name);
+    fprintf(out,
+            "size_t n, const %s *const x[%zu],\n%*s%s *FOOTPOINT_RESTRICT xi, %s *FOOTPOINT_RESTRICT eta,\n"
+            "%*s%s *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)\n",
+            real, 3 * vectors, column, "", real, real, column, "", real);
+    fprintf(out,
+            "{\n    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {%s};\n"
+            "        const %s *const row[%zu] = {%s};\n        %s u, v, g;\n        status[i] = "
+            "FOOTPOINT_ERR_DEGENERATE *\n",
+            real, vectors, columns, real, vectors, rows, real);
+    fprintf(out, "            (int)(footpoint_detail_checked_%s(row, 0, &u, &v, &g) >> ", f->name);
+    c_print("REAL_TOP);\n        xi[i] = u;\n        eta[i] = v;\n        gap[i] = g;\n    }\n", u->options.precision,
+            out);
+    c_print(rest, u->options.precision, out);
+    fprintf(out, "footpoint_detail_checked_%s, n, x, %zu,\n        xi, eta, gap, status);\n}\n", f->name,
+            lines_scaled_nodes(u, f));
+    free(rest);
+    free(rows);
+    free(columns);
 }
 
 void search_print_contract(const struct unit *u, FILE *out)
@@ -150,10 +197,13 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
 {
     char *vectors = lines_vectors(u);
     print_at(u, f, vectors, out);
+    if (gap_shares(u, f))
+        gap_print(u, f, out);
     print_checked(u, f, vectors, out);
     if (single_checks(u) && isfinite(f->measured->worst))
         print_sure(u, f, vectors, out);
     print_loop(u, f, out);
+    print_checked_loop(u, f, out);
     if (closest_exists(u))
         closest_print(u, f, vectors, out);
     free(vectors);

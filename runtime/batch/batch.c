@@ -68,7 +68,7 @@ static void fetch_places(const struct answers *to, size_t first)
 #endif
 }
 
-/* The pairs that are not judged good, one at a time; `prepared`: with the corners of the first one. */
+/* The pairs that are not found good, one at a time; `prepared`: with the corners of the first one. */
 static void search_again(struct block *b, size_t count, enum footpoint_tier tier, int sure, int prepared)
 {
     for (size_t i = 0; i < count; i++) {
@@ -84,7 +84,7 @@ static void search_again(struct block *b, size_t count, enum footpoint_tier tier
     }
 }
 
-/* Answers of `count` pairs as they are judged; how many are not good. */
+/* Answers of `count` pairs, with their statuses; how many are not good. */
 static size_t store_judged(const struct answers *to, const struct block *b, size_t first, size_t count)
 {
     size_t failed = 0;
@@ -136,8 +136,7 @@ static size_t locate_checked(const struct batch *batch, size_t first, size_t cou
     struct block b;
     uint64_t invalid;
     const size_t padded = gather_checked(batch->p, first, count, &b, &invalid);
-    batch->lanes->search[batch->tier](&b, padded);
-    batch->lanes->judge(&b, padded);
+    (void)batch->lanes->search[batch->tier](&b, padded);
     if (batch->p->sure)
         batch->lanes->verify(&b, padded);
     search_again(&b, count, batch->tier, batch->p->sure, 0);
@@ -156,9 +155,7 @@ static size_t locate_block(const struct batch *batch, size_t first)
         return locate_checked(batch, first, BLOCK);
     if (p->n - first >= AHEAD + BLOCK)
         fetch_places(&batch->to, first + AHEAD);
-    lanes->search[batch->tier](&b, BLOCK);
-    if (p->sure || !lanes->all_good[batch->to.gap || batch->to.gapf](&b, BLOCK)) {
-        lanes->judge(&b, BLOCK);
+    if (!lanes->search[batch->tier](&b, BLOCK) || p->sure) {
         if (p->sure)
             lanes->verify(&b, BLOCK);
         search_again(&b, BLOCK, batch->tier, p->sure, 0);
@@ -264,9 +261,8 @@ size_t footpoint_locate_prepared(const struct footpoint_segment *segment, enum f
         for (; i < count || i % LANES != 0; i++)
             for (size_t k = 0; k < 3; k++)
                 b.x[12 + k][i] = xs[3 * (first + (i < count ? i : count - 1)) + k];
-        lanes->prepared[tier](&b, i);
-        lanes->judge_prepared(&b, i);
-        search_again(&b, count, tier, 0, 1);
+        if (!lanes->prepared[tier](&b, i))
+            search_again(&b, count, tier, 0, 1);
         failed += store_judged(&to, &b, first, count);
     }
     return failed;

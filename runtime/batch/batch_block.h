@@ -23,15 +23,10 @@ struct lanes {
     /* Columns x of the BLOCK pairs from number `first`, and a look ahead; 0, and no columns, if an index is out of
      * range or, among triples, that of the last node, behind which there may be nothing to read. */
     int (*gather[KINDS])(struct block *b, const struct footpoint_pairs *p, size_t first);
-    /* xi and eta from x, and what the search says of itself into the status, for the functions that follow; `prepared`,
-     * here and below, takes the corners of the first pair for all. */
-    void (*search[FOOTPOINT_TIERS])(struct block *b, size_t count);
-    void (*prepared[FOOTPOINT_TIERS])(struct block *b, size_t count);
-    /* 1 only if the status of all pairs is FOOTPOINT_OK; the second one stores their gaps. */
-    int (*all_good[2])(struct block *b, size_t count);
-    /* Gaps and statuses: FOOTPOINT_OK, or FOOTPOINT_ERR_DEGENERATE where footpoint_locate_one has the answer. */
-    void (*judge)(struct block *b, size_t count);
-    void (*judge_prepared)(struct block *b, size_t count);
+    /* xi, eta and gap from x, and the status: FOOTPOINT_OK, or FOOTPOINT_ERR_DEGENERATE where footpoint_locate_one has the
+     * answer; 1 if all are FOOTPOINT_OK.  `prepared` takes the corners of the first pair for all. */
+    int (*search[FOOTPOINT_TIERS])(struct block *b, size_t count);
+    int (*prepared[FOOTPOINT_TIERS])(struct block *b, size_t count);
     /* Statuses of answers that are not sure. */
     void (*verify)(struct block *b, size_t count);
 };

@@ -16,7 +16,7 @@
 #define HAVE_X86 1
 #endif
 
-/* ---- gaps and statuses ---- */
+/* ---- nodes ---- */
 
 /* Corners of the first pair: values of their own, which no store through b can change. */
 FOOTPOINT_FN void first_corners(const struct block *b, double c[12])
@@ -36,22 +36,9 @@ FOOTPOINT_FN void first_corners(const struct block *b, double c[12])
     const double xC[3] = NODE(b, c, prepared, i, 6), xD[3] = NODE(b, c, prepared, i, 9);                               \
     const double xS[3] = {(b)->x[12][i], (b)->x[13][i], (b)->x[14][i]}
 
-/* The gap and, after a search, the status: FOOTPOINT_ERR_DEGENERATE also where the function for one pair has to be asked. */
-FOOTPOINT_FN void judge(struct block *b, size_t count, int prepared)
-{
-    double c[12];
-    first_corners(b, c);
-    for (size_t i = 0; i < count; i++) {
-        NODES_OF(b, c, prepared, i);
-        double gap;
-        const uint64_t flaw =
-            footpoint_detail_gap(xA, xB, xC, xD, xS, b->xi[i], b->eta[i], FOOTPOINT_QUAD4_LEAST, &gap);
-        b->gap[i] = gap;
-        b->status[i] = (int64_t)(((uint64_t)b->status[i] | flaw) >> 63) * FOOTPOINT_ERR_DEGENERATE;
-    }
-}
+/* ---- what is sure ---- */
 
-/* After judge: FOOTPOINT_ERR_DOMAIN where an answer is not sure. */
+/* FOOTPOINT_ERR_DOMAIN where an answer is not sure. */
 FOOTPOINT_FN void verify(struct block *b, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -62,67 +49,7 @@ FOOTPOINT_FN void verify(struct block *b, size_t count)
     }
 }
 
-/* a b + c, in one rounding if `fused`. */
-FOOTPOINT_FN double multiply_add(double a, double b, double c, int fused)
-{
-#ifdef __GNUC__
-    if (fused)
-        return __builtin_fma(a, b, c);
-#endif
-    return a * b + c;
-}
-
-FOOTPOINT_FN double square(const double a[3], int fused)
-{
-    return multiply_add(a[0], a[0], multiply_add(a[1], a[1], a[2] * a[2], fused), fused);
-}
-
-/* |a|^2 + b */
-FOOTPOINT_FN double add_square(const double a[3], double b, int fused)
-{
-    return multiply_add(a[0], a[0], multiply_add(a[1], a[1], multiply_add(a[2], a[2], b, fused), fused), fused);
-}
-
-/* Sufficient for FOOTPOINT_OK, at half the price and whatever the rounding; with `gap` that of footpoint_detail_gap as
- * well, out of what the two have in common, in its order of operations.  For |xi| + |eta| <= 9, |r_xi|^2 is at most 81
- * times the greater of |AB|^2, |DC|^2, so that the product of its test is less than 82^2 times the one below; the other
- * limits are well within those of the function for one pair. */
-FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
-{
-    uint64_t bad = 0;
-    for (size_t i = 0; i < count; i++) {
-        NODES_OF(b, b->xi, 0, i);
-        const double s = gap ? 0.5 * (1.0 + b->xi[i]) : multiply_add(0.5, b->xi[i], 0.5, fused);
-        const double t = gap ? 0.5 * (1.0 + b->eta[i]) : multiply_add(0.5, b->eta[i], 0.5, fused);
-        double ab[3], dc[3], ad[3], bc[3], as[3], u[3], v[3], n[3];
-        for (int k = 0; k < 3; k++) {
-            ab[k] = xB[k] - xA[k], dc[k] = xC[k] - xD[k], ad[k] = xD[k] - xA[k], bc[k] = xC[k] - xB[k];
-            as[k] = xS[k] - xA[k];
-            u[k] = multiply_add(t, dc[k] - ab[k], ab[k], fused && !gap);
-            v[k] = multiply_add(s, gap ? bc[k] - ad[k] : dc[k] - ab[k], ad[k], fused && !gap);
-        }
-        for (int k = 0; k < 3; k++) {
-            const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
-            n[k] = multiply_add(u[k1], v[k2], -(u[k2] * v[k1]), fused && !gap);
-        }
-        const double nn = gap ? vector_dot(n, n) : square(n, fused);
-        const double xi2 = add_square(ab, square(dc, fused), fused), eta2 = add_square(ad, square(bc, fused), fused);
-        const double size = xi2 + eta2, far = add_square(as, size, fused);
-        bad |= (uint64_t)b->status[i] | footpoint_detail_below(size, 2.0 * FOOTPOINT_QUAD4_LEAST) |
-               footpoint_detail_below(0.5 / FOOTPOINT_QUAD4_LEAST, size) |
-               footpoint_detail_bits(nn - 1e-15 * xi2 * eta2) | footpoint_detail_below(nn, 1e-150) |
-               footpoint_detail_below(1e150, far) | footpoint_detail_below(9.0, fabs(b->xi[i]) + fabs(b->eta[i]));
-        if (gap) {
-            double d[3];
-            for (int k = 0; k < 3; k++)
-                d[k] = as[k] - s * ab[k] - t * v[k];
-            b->gap[i] = vector_dot(d, n) / sqrt(nn);
-        }
-    }
-    return bad >> 63 == 0;
-}
-
-/* ---- xi and eta ---- */
+/* ---- xi, eta and gap ---- */
 
 #define TIERS(X, suffix, attributes)                                                                                   \
     X(fast, suffix, attributes)                                                                                        \
@@ -135,21 +62,26 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
     X(accurate, suffix, attributes)                                                                                    \
     X(full, suffix, attributes)
 
-/* Into the status what the search says of its denominators.  What depends on a prepared segment alone is computed once by
- * the compiler's own doing. */
+/* What depends on a prepared segment alone is computed once by the compiler's own doing. */
 #define SEARCH_EITHER(tier, name, attributes, prepared)                                                                \
-    attributes static void name(struct block *b, size_t count)                                                         \
+    attributes static int name(struct block *b, size_t count)                                                          \
     {                                                                                                                  \
         double c[12];                                                                                                  \
+        uint64_t bad = 0;                                                                                              \
         first_corners(b, c);                                                                                           \
-        double *const xi = b->xi, *const eta = b->eta;                                                                 \
+        double *const xi = b->xi, *const eta = b->eta, *const gap = b->gap;                                            \
         for (size_t i = 0; i < count; i++) {                                                                           \
             NODES_OF(b, c, prepared, i);                                                                               \
-            double at[2];                                                                                              \
-            b->status[i] = (int64_t)footpoint_detail_footpoint_quad4_##tier(xA, xB, xC, xD, xS, &at[0], &at[1]);       \
+            const double *const x[5] = {xA, xB, xC, xD, xS};                                                           \
+            double at[3];                                                                                              \
+            const uint64_t flaw = footpoint_detail_checked_footpoint_quad4_##tier(x, 0, &at[0], &at[1], &at[2]);       \
+            b->status[i] = (int64_t)(flaw >> 63) * FOOTPOINT_ERR_DEGENERATE;                                           \
             xi[i] = at[0];                                                                                             \
             eta[i] = at[1];                                                                                            \
+            gap[i] = at[2];                                                                                            \
+            bad |= flaw;                                                                                               \
         }                                                                                                              \
+        return bad >> 63 == 0;                                                                                         \
     }
 #define SEARCH(tier, suffix, attributes)                                                                               \
     SEARCH_EITHER(tier, tier##_##suffix, attributes, 0)                                                                \
@@ -175,22 +107,6 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
     GATHER(5, suffix, attributes, vectors)                                                                             \
     GATHER(6, suffix, attributes, vectors)                                                                             \
     GATHER(7, suffix, attributes, vectors)                                                                             \
-    attributes static int all_good_##suffix(struct block *b, size_t count)                                             \
-    {                                                                                                                  \
-        return all_good(b, count, 0, vectors > 0);                                                                     \
-    }                                                                                                                  \
-    attributes static int all_good_gaps_##suffix(struct block *b, size_t count)                                        \
-    {                                                                                                                  \
-        return all_good(b, count, 1, vectors > 0);                                                                     \
-    }                                                                                                                  \
-    attributes static void judge_##suffix(struct block *b, size_t count)                                               \
-    {                                                                                                                  \
-        judge(b, count, 0);                                                                                            \
-    }                                                                                                                  \
-    attributes static void judge_prepared_##suffix(struct block *b, size_t count)                                      \
-    {                                                                                                                  \
-        judge(b, count, 1);                                                                                            \
-    }                                                                                                                  \
     attributes static void verify_##suffix(struct block *b, size_t count)                                              \
     {                                                                                                                  \
         verify(b, count);                                                                                              \
@@ -200,9 +116,6 @@ FOOTPOINT_FN int all_good(struct block *b, size_t count, int gap, int fused)
                                                  gather6_##suffix, gather7_##suffix},                                  \
                                                 {TIERS(NAME_SEARCH, suffix, attributes)},                              \
                                                 {TIERS(NAME_PREPARED, suffix, attributes)},                            \
-                                                {all_good_##suffix, all_good_gaps_##suffix},                           \
-                                                judge_##suffix,                                                        \
-                                                judge_prepared_##suffix,                                               \
                                                 verify_##suffix};
 
 INSTRUCTIONS(plain, , 0)

@@ -99,7 +99,7 @@ int footpoint_certify(const double xA[3], const double xB[3], const double xC[3]
     if (status != FOOTPOINT_OK)
         return status;
     if (footpoint_bilinear_prove(&f, loc[0], loc[1], &p, &proof) != 1)
-        return FOOTPOINT_UNPROVED;
+        return FOOTPOINT_ERR_UNPROVED;
     rho[0] = proof.radius / f.m1 * ROUND_UP;
     rho[1] = proof.radius / f.m2 * ROUND_UP;
     return FOOTPOINT_OK;

@@ -227,7 +227,7 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
     answer->dist = signed_length(p.a, p.b, c[best].d);
     if (!footpoint_bilinear_has_area(f)) {
         answer->dist = fabs(answer->dist);
-        return FOOTPOINT_ERR_DEGENERATE;
+        return FOOTPOINT_NO_AREA;
     }
     if (!c[best].least)
         return FOOTPOINT_UNPROVED;
@@ -257,7 +257,7 @@ static int nearest_of_point(const double xA[3], const double xS[3], double loc[2
         d[i] = most > 0.0 ? d[i] / most : 0.0;
     loc[0] = loc[1] = 0.0;
     *dist = 2.0 * most * sqrt(vector_dot(d, d));
-    return FOOTPOINT_ERR_DEGENERATE;
+    return FOOTPOINT_NO_AREA;
 }
 
 int footpoint_robust(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],

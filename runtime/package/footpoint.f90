@@ -11,15 +11,18 @@ module footpoint
   implicit none
   private :: c_int, c_size_t, c_double, c_ptr
 
+  ! An answer is written where status >= FOOTPOINT_OK, and nothing where it is less.
   integer(c_int), parameter :: FOOTPOINT_OK = 0
-  integer(c_int), parameter :: FOOTPOINT_ERR_NOT_FINITE = 1
-  integer(c_int), parameter :: FOOTPOINT_ERR_DEGENERATE = 2
-  integer(c_int), parameter :: FOOTPOINT_ERR_DOMAIN = 3
-  integer(c_int), parameter :: FOOTPOINT_ERR_NO_CONVERGENCE = 4
-  integer(c_int), parameter :: FOOTPOINT_ERR_ARGUMENT = 5
-  integer(c_int), parameter :: FOOTPOINT_OUTSIDE = 6
-  integer(c_int), parameter :: FOOTPOINT_NOT_UNIQUE = 7
-  integer(c_int), parameter :: FOOTPOINT_UNPROVED = 8
+  integer(c_int), parameter :: FOOTPOINT_OUTSIDE = 1
+  integer(c_int), parameter :: FOOTPOINT_NOT_UNIQUE = 2
+  integer(c_int), parameter :: FOOTPOINT_NO_AREA = 3
+  integer(c_int), parameter :: FOOTPOINT_UNPROVED = 4
+  integer(c_int), parameter :: FOOTPOINT_ERR_NOT_FINITE = -1
+  integer(c_int), parameter :: FOOTPOINT_ERR_DEGENERATE = -2
+  integer(c_int), parameter :: FOOTPOINT_ERR_DOMAIN = -3
+  integer(c_int), parameter :: FOOTPOINT_ERR_NO_CONVERGENCE = -4
+  integer(c_int), parameter :: FOOTPOINT_ERR_ARGUMENT = -5
+  integer(c_int), parameter :: FOOTPOINT_ERR_UNPROVED = -6
 
   type, bind(C) :: footpoint_derivatives
     real(c_double) :: phi(4), r_xi(3), r_eta(3), normal(3), gap, d_xi(15), d_eta(15), d_gap(15)

@@ -41,13 +41,11 @@ int footpoint_locate_one(enum footpoint_tier tier, int sure, const double *const
 int footpoint_locate(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3],
                      double loc[2], double *gap)
 {
+    const double *const x[5] = {xA, xB, xC, xD, xS};
     double xi, eta, g;
-    const uint64_t search = footpoint_detail_footpoint_quad4_accurate(xA, xB, xC, xD, xS, &xi, &eta);
-    const uint64_t flaw = search | footpoint_detail_gap(xA, xB, xC, xD, xS, xi, eta, FOOTPOINT_QUAD4_LEAST, &g);
-    if (flaw >> 63 || !footpoint_check(xA, xB, xC, xD, xS, xi, eta)) {
-        const double *const x[5] = {xA, xB, xC, xD, xS};
+    const uint64_t flaw = footpoint_detail_checked_footpoint_quad4_accurate(x, 0, &xi, &eta, &g);
+    if (flaw >> 63 || !footpoint_check(xA, xB, xC, xD, xS, xi, eta))
         return footpoint_locate_one(FOOTPOINT_ACCURATE, 1, x, loc, gap);
-    }
     loc[0] = xi;
     loc[1] = eta;
     *gap = g;

@@ -1,16 +1,18 @@
 /* What a caller pays: functions of generated/footpoint_quad4.h bare (NAME_at), checked with gap and status (NAME) and
- * over arrays (NAME_n), and the library's checked searches, beside Newton's iteration until it stands, written by hand,
+ * over arrays (NAME_n, NAME_checked_n), and the library's checked searches, beside Newton's iteration until it stands, written by hand,
  * bare and with the same checks; and closest points of the closed face (NAME_closest, NAME_closest_n) beside four
- * triangles about the centroid.  Interleaved in one run on ordinary segments, for closest points every other slave node
+ * triangles about the centroid; and projection along a direction (footpoint_quad4_along, _along_n), 0.3 off the normal
+ * at most, beside Newton in three unknowns.  Interleaved in one run on ordinary segments, for closest points every other slave node
  * moved up to an edge beside its segment; prints lines
- *     call,ns,ratio,off   ns: least a search; ratio: Newton's ns / this one's, checked beside checked, or four triangles',
- *                         one at a time or in a loop over the same arrays; off: of closest points, worst error of the
- *                         distance over the longest edge
+ *     call,ns,ratio,off,bare   ns: least a search; ratio: Newton's ns / this one's, checked beside checked, or four
+ *                         triangles', one at a time or in a loop over the same arrays; off: of closest points and
+ *                         along a direction, worst error of the distance over the longest edge; bare: ns over that of the same search unchecked
  * The header and Newton are compiled with this file's flags; tests/long/calls.sh runs it. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"
 #include "../hard/draw.h"
 #include "../hard/hard.h"
+#include "../rivals/along_newton.h"
 #include "../rivals/four_triangles.h"
 #include "../rivals/rivals_converged.h"
 
@@ -19,7 +21,8 @@
 #include <string.h>
 #include <time.h>
 
-enum { CASES = 2048, ROUNDS = 400, STEPS = 50 };
+/* No power of 2: columns that begin at the same places of the cache would drive each other out. */
+enum { CASES = 2000, ROUNDS = 400, STEPS = 50 };
 
 static struct hard_case cases[CASES];
 static double column[15][CASES], xyz[5 * CASES][3], loc[CASES][2], xi[CASES], eta[CASES], gap[CASES];
@@ -27,6 +30,8 @@ static const double *columns[15];
 static double beside_column[15][CASES], beside[5 * CASES][3], dist[CASES], point[CASES][3];
 static const double *beside_columns[15];
 static int region[CASES];
+static double direction[CASES][3], direction_column[3][CASES];
+static const double *const directions[3] = {direction_column[0], direction_column[1], direction_column[2]};
 static int seg[CASES][4], slave[CASES], status[CASES];
 
 #define NODES(i) xyz[5 * (i)], xyz[5 * (i) + 1], xyz[5 * (i) + 2], xyz[5 * (i) + 3], xyz[5 * (i) + 4]
@@ -89,6 +94,10 @@ static void newton(void)
     static void name##_n(void)                                                                                         \
     {                                                                                                                  \
         footpoint_quad4_##name##_n(CASES, columns, xi, eta);                                                           \
+    }                                                                                                                  \
+    static void name##_checked_n(void)                                                                                 \
+    {                                                                                                                  \
+        footpoint_quad4_##name##_checked_n(CASES, columns, xi, eta, gap, status);                                      \
     }
 TIER(fast)
 TIER(coarse)
@@ -148,6 +157,48 @@ CLOSEST(precise)
 CLOSEST(accurate)
 CLOSEST(full)
 
+/* Along a direction. */
+static void newton_along(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        const double *const x[5] = {NODES(i)};
+        double at[3];
+        status[i] = rival_along_newton(x, direction[i], STEPS, RIVAL_NEWTON_TOLERANCE, at)
+                        ? FOOTPOINT_OK
+                        : FOOTPOINT_ERR_NO_CONVERGENCE;
+        loc[i][0] = at[0];
+        loc[i][1] = at[1];
+        dist[i] = at[2];
+    }
+}
+
+static void newton_along_n(void)
+{
+    for (int i = 0; i < CASES; i++) {
+        double p[5][3], at[3];
+        const double *const x[5] = {p[0], p[1], p[2], p[3], p[4]};
+        for (int k = 0; k < 15; k++)
+            p[k / 3][k % 3] = column[k][i];
+        status[i] = rival_along_newton(x, direction[i], STEPS, RIVAL_NEWTON_TOLERANCE, at)
+                        ? FOOTPOINT_OK
+                        : FOOTPOINT_ERR_NO_CONVERGENCE;
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+}
+
+static void along(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_quad4_along(NODES(i), direction[i], loc[i], &dist[i]);
+}
+
+static void along_n(void)
+{
+    footpoint_quad4_along_n(CASES, columns, directions, xi, eta, dist, status);
+}
+
 static void call_locate(void)
 {
     for (int i = 0; i < CASES; i++)
@@ -166,20 +217,26 @@ static void call_robust(void)
 }
 
 /* clang-format off */
-#define ROW(name, against) {#name, name, against}
-#define ROWS(name) ROW(name##_at, 0), ROW(name, 1), ROW(name##_n, 0)
+#define ROW(name, against) {#name, name, against, 0}
+#define CHECKED(name, before) {#name, name, 1, before}
+#define ROWS(name) ROW(name##_at, 0), CHECKED(name, 1), ROW(name##_n, 0), CHECKED(name##_checked_n, 1)
 #define ROWS_CLOSEST(name) ROW(name##_closest, FOUR), ROW(name##_closest_n, FOUR + 1)
 /* clang-format on */
-enum { FOUR = 2 };
+enum { FOUR = 2, ALONG = 4 };
 static const struct call {
     const char *name;
     void (*run)(void);
     int against; /* row that it is compared with */
+    int bare;    /* the bare search is so many rows before this one; 0: there is none */
 } calls[] = {
     ROW(newton_at, 0),
     ROW(newton, 1),
     ROW(four_triangles, FOUR),
     ROW(four_triangles_n, FOUR + 1),
+    ROW(newton_along, ALONG),
+    ROW(newton_along_n, ALONG + 1),
+    ROW(along, ALONG),
+    ROW(along_n, ALONG + 1),
     ROWS(fast),
     ROWS(coarse),
     ROWS(gauss2),
@@ -189,9 +246,9 @@ static const struct call {
     ROWS(precise),
     ROWS(accurate),
     ROWS(full),
-    {"footpoint_locate", call_locate, 1},
-    {"footpoint_locate_pairs", call_locate_pairs, 1},
-    {"footpoint_robust", call_robust, 1},
+    {"footpoint_locate", call_locate, 1, 0},
+    {"footpoint_locate_pairs", call_locate_pairs, 1, 0},
+    {"footpoint_robust", call_robust, 1, 0},
     ROWS_CLOSEST(fast),
     ROWS_CLOSEST(coarse),
     ROWS_CLOSEST(gauss2),
@@ -224,6 +281,44 @@ static void move_beside(void)
         for (int k = 0; k < 15; k++)
             beside_column[k][i] = beside[5 * i + k / 3][k % 3];
     }
+}
+
+/* Unit vectors near the normals of the segments. */
+static void draw_directions(void)
+{
+    uint64_t stream = 2;
+    for (int i = 0; i < CASES; i++) {
+        double n[3], length = 0, turned = 0;
+        for (int j = 0; j < 3; j++) {
+            const int a = (j + 1) % 3, b = (j + 2) % 3;
+            n[j] = (xyz[5 * i + 2][a] - xyz[5 * i][a]) * (xyz[5 * i + 3][b] - xyz[5 * i + 1][b]) -
+                   (xyz[5 * i + 2][b] - xyz[5 * i][b]) * (xyz[5 * i + 3][a] - xyz[5 * i + 1][a]);
+            length += n[j] * n[j];
+        }
+        for (int j = 0; j < 3; j++) {
+            direction[i][j] = n[j] / sqrt(length) + 0.3 * draw_flat(&stream, -1, 1);
+            turned += direction[i][j] * direction[i][j];
+        }
+        for (int j = 0; j < 3; j++)
+            direction_column[j][i] = direction[i][j] /= sqrt(turned);
+    }
+}
+
+/* Distances along a direction against those of Newton, where that has ended at the same point; over the longest edge. */
+static double worst_along(const struct call *call)
+{
+    double worst = 0;
+    call->run();
+    for (int i = 0; i < CASES; i++) {
+        const double *const x[5] = {NODES(i)};
+        double at[3], longest = 0;
+        const int known = rival_along_newton(x, direction[i], STEPS, 1e-14, at);
+        for (int j = 0; j < 3; j++)
+            longest = fmax(longest, fabs(xyz[5 * i + 2][j] - xyz[5 * i][j]));
+        if (known && status[i] >= FOOTPOINT_OK)
+            worst = fmax(worst, fabs(dist[i] - at[2]) / longest);
+    }
+    return worst;
 }
 
 /* Worst error of the distances that a call has left, over the longest edge, where the call has an answer. */
@@ -261,6 +356,7 @@ int main(void)
         slave[i] = 5 * i + 4;
     }
     move_beside();
+    draw_directions();
     for (int k = 0; k < 15; k++) {
         columns[k] = column[k];
         beside_columns[k] = beside_column[k];
@@ -273,12 +369,15 @@ int main(void)
             calls[c].run();
             least[c] = fmin(least[c], seconds() - start);
         }
-    printf("call,ns,ratio,off\n");
+    printf("call,ns,ratio,off,bare\n");
     for (int c = 0; c < CALLS; c++) {
         printf("%s,%.1f,%.1f,", calls[c].name, 1e9 * least[c] / CASES, least[calls[c].against] / least[c]);
         if (calls[c].against >= FOUR)
-            printf("%.1e", worst_distance(&calls[c]));
-        printf("\n");
+            printf("%.1e", calls[c].against >= ALONG ? worst_along(&calls[c]) : worst_distance(&calls[c]));
+        if (calls[c].bare)
+            printf(",%.2f\n", least[c] / least[c - calls[c].bare]);
+        else
+            printf(",\n");
     }
     return 0;
 }

@@ -26,9 +26,9 @@ find "$include" -name '*.h' | grep -vxF "$include/footpoint_batch.h" | sed 's|.*
 
 # ---- the library ----
 functions_of "$include"/*.h "$include"/footpoint/footpoint-*.h > "$work/declared"
-nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_0$/\1/p' | sort > "$work/exported"
+nm -D --defined-only "$lib/libfootpoint.so" | sed -n 's/.* T \(.*\)@@FOOTPOINT_1$/\1/p' | sort > "$work/exported"
 logged 'the library exports what its headers declare' diff "$work/declared" "$work/exported"
-nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_0$' > "$work/log"
+nm -D --defined-only "$lib/libfootpoint.so" | grep -vE '(@@| A )FOOTPOINT_1$' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'and nothing else'
 nm -g --defined-only "$lib/libfootpoint.a" | awk 'NF == 3 && $3 !~ /^_*footpoint_/' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'the archive has no other names'
@@ -98,9 +98,9 @@ functions_of "$installed/include/footpoint.h" > "$work/declared"
 module=$include/footpoint/footpoint.f90
 sed -n 's/^ *function \(footpoint_[a-z0-9_]*\)(.*/\1/p' "$module" | sort > "$work/module"
 logged 'the Fortran module has every function' diff "$work/declared" "$work/module"
-sed -n '/STATUS_COUNT/d; s/^#define \(FOOTPOINT_[A-Z_]*\) \([0-9]*\).*/\1 \2/p' \
+sed -n 's/^#define \(FOOTPOINT_[A-Z_]*\) (*\(-*[0-9][0-9]*\).*/\1 \2/p' \
     "$include/footpoint.h" > "$work/declared"
-sed -n 's/.*parameter :: \(FOOTPOINT_[A-Z_]*\) = \([0-9]*\)$/\1 \2/p' "$module" > "$work/module"
+sed -n 's/.*parameter :: \(FOOTPOINT_[A-Z_]*\) = \(-*[0-9]*\)$/\1 \2/p' "$module" > "$work/module"
 logged 'and every status' diff "$work/declared" "$work/module"
 if command -v gfortran > /dev/null; then
     cat > "$work/use.f90" <<'F'

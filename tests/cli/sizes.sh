@@ -83,7 +83,7 @@ END
 
 # sizes HEADER STATUSES WHAT
 sizes() {
-    functions=$(sed -n 's/^FOOTPOINT_FN int \([a-z0-9_]*\)(const double xA.*/\1/p' "$1" | grep -v -e '^footpoint_detail_' -e '_closest$' | paste -sd, -)
+    functions=$(sed -n 's/^FOOTPOINT_FN int \([a-z0-9_]*\)(const double xA.*/\1/p' "$1" | grep -v -e '^footpoint_detail_' -e '_closest$' -e '_along$' | paste -sd, -)
     # shellcheck disable=SC2086
     ${CC:-gcc} $strict -DHEADER="\"$1\"" -DFUNCTIONS="$functions" -DEXPECTED="((const int[3]){$2})" "$work/sizes.c" -o "$work/sizes" -lm \
         > "$work/log" 2>&1 && "$work/sizes" >> "$work/log" 2>&1
@@ -91,9 +91,9 @@ sizes() {
     [ $good -eq 0 ] || sed 's/^/# /' "$work/log"
     report $((!good)) "$3"
 }
-sizes "$work/sized.h" 0,2,2 'a pole is met at any size, and nothing else is'
+sizes "$work/sized.h" 0,-2,-2 'a pole is met at any size, and nothing else is'
 # A Gregory patch divides by the lengths of its edges, a Bezier patch does not.
 sizes "$PWD/generated/footpoint_bezier.h" 0,0,0 'footpoint_bezier.h at any size'
 for kind in gregory paper_gregory; do
-    sizes "$PWD/generated/footpoint_$kind.h" 0,0,2 "footpoint_$kind.h at any size"
+    sizes "$PWD/generated/footpoint_$kind.h" 0,0,-2 "footpoint_$kind.h at any size"
 done

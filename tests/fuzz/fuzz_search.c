@@ -105,12 +105,12 @@ static int is_untouched(const double *x, size_t n)
 
 static int has_answer(int status)
 {
-    return status == FOOTPOINT_OK || status == FOOTPOINT_UNPROVED;
+    return status >= FOOTPOINT_OK;
 }
 
 static void check_answer(const char *what, int status, const double *x, size_t n)
 {
-    require(status >= 0 && status < FOOTPOINT_STATUS_COUNT, what);
+    require(status >= FOOTPOINT_STATUS_LEAST && status <= FOOTPOINT_STATUS_MOST, what);
     require(has_answer(status) ? is_finite(x, n) : is_untouched(x, n), what);
 }
 

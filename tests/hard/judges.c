@@ -31,10 +31,8 @@ static void count_status(struct tally *a, int status)
     a->answered += status == FOOTPOINT_OK;
     a->outside += status == FOOTPOINT_OUTSIDE;
     a->not_unique += status == FOOTPOINT_NOT_UNIQUE;
-    a->unproved += status == FOOTPOINT_UNPROVED;
-    a->refused += status == FOOTPOINT_ERR_NOT_FINITE || status == FOOTPOINT_ERR_DEGENERATE ||
-                  status == FOOTPOINT_ERR_DOMAIN || status == FOOTPOINT_ERR_NO_CONVERGENCE ||
-                  status == FOOTPOINT_ERR_ARGUMENT;
+    a->unproved += status == FOOTPOINT_UNPROVED || status == FOOTPOINT_ERR_UNPROVED;
+    a->refused += (status < FOOTPOINT_OK && status != FOOTPOINT_ERR_UNPROVED) || status == FOOTPOINT_NO_AREA;
 }
 
 /* ---- footpoint_robust ---- */
@@ -124,8 +122,8 @@ void judge_robust(const struct hard_case *h, struct truth *t, struct tally *a)
     double loc[2] = {UNTOUCHED, UNTOUCHED}, dist = UNTOUCHED, error;
     const int status = footpoint_robust(NODES(h), loc, &dist);
     count_status(a, status);
-    if (status == FOOTPOINT_ERR_NOT_FINITE || status == FOOTPOINT_ERR_DOMAIN) {
-        if (status == FOOTPOINT_ERR_NOT_FINITE || t->surface.distance < FARTHEST)
+    if (status < FOOTPOINT_OK) {
+        if (status != FOOTPOINT_ERR_DOMAIN || t->surface.distance < FARTHEST)
             blame(a, &a->wrong_status, "refused");
         if (loc[0] != UNTOUCHED || loc[1] != UNTOUCHED || dist != UNTOUCHED)
             blame(a, &a->wrong_status, "written in spite of the status");
@@ -136,7 +134,7 @@ void judge_robust(const struct hard_case *h, struct truth *t, struct tally *a)
         return;
     }
     if (t->count == 0) {
-        if (status != FOOTPOINT_ERR_DEGENERATE)
+        if (status != FOOTPOINT_NO_AREA)
             blame(a, &a->wrong_status, "a single point that is not degenerate");
         return;
     }
@@ -155,7 +153,7 @@ void judge_robust(const struct hard_case *h, struct truth *t, struct tally *a)
         judge_point(t, status, loc, dist, a);
     if (status == FOOTPOINT_NOT_UNIQUE && !is_ambiguous(t))
         blame(a, &a->wrong_status, "unique");
-    if (status == FOOTPOINT_ERR_DEGENERATE && truth_has_area(h))
+    if (status == FOOTPOINT_NO_AREA && truth_has_area(h))
         blame(a, &a->wrong_status, "not degenerate");
 }
 

@@ -7,7 +7,7 @@ command -v nvcc > /dev/null || { echo 'ok 1 - # skip no nvcc'; exit 0; }
 # program HEADER: every search function of a header on 20,000 ordinary segments, on both sides
 program() {
     functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const double xA.*/\1/p' "$1" |
-        grep -v -e '^footpoint_detail_' -e '_closest$')
+        grep -v -e '^footpoint_detail_' -e '_closest$' -e '_along$')
     cat <<'CU'
 #include <math.h>
 #include <stdio.h>

@@ -168,9 +168,9 @@ static void test_no_area(void **state)
     const double a[3] = {0, 0, 0}, b[3] = {1, 1, 1}, c[3] = {3, 3, 3}, s[3] = {3, 3, 0}, far[3] = {1e30, 0, 0};
     double loc[2] = {UNTOUCHED, UNTOUCHED}, dist = UNTOUCHED;
     (void)state;
-    assert_int_equal(footpoint_robust(a, b, c, b, s, loc, &dist), FOOTPOINT_ERR_DEGENERATE);
+    assert_int_equal(footpoint_robust(a, b, c, b, s, loc, &dist), FOOTPOINT_NO_AREA);
     assert_true(fabs(dist - sqrt(6)) < 1e-12); /* from (2,2,2) */
-    assert_int_equal(footpoint_robust(b, b, b, b, s, loc, &dist), FOOTPOINT_ERR_DEGENERATE);
+    assert_int_equal(footpoint_robust(b, b, b, b, s, loc, &dist), FOOTPOINT_NO_AREA);
     assert_true(loc[0] == 0 && loc[1] == 0 && dist == 3);
     loc[0] = loc[1] = dist = UNTOUCHED;
     assert_int_equal(footpoint_robust(a, b, c, b, far, loc, &dist), FOOTPOINT_ERR_DOMAIN);
@@ -222,8 +222,8 @@ static void test_certify_refuses(void **state)
     const double centre[2] = {0, 0}, away[2] = {3, -2}, bad[2] = {0, (double)NAN};
     double rho[2] = {UNTOUCHED, UNTOUCHED};
     (void)state;
-    assert_int_equal(footpoint_certify(NODES(&focal), centre, rho), FOOTPOINT_UNPROVED);
-    assert_int_equal(footpoint_certify(NODES(&q), away, rho), FOOTPOINT_UNPROVED);
+    assert_int_equal(footpoint_certify(NODES(&focal), centre, rho), FOOTPOINT_ERR_UNPROVED);
+    assert_int_equal(footpoint_certify(NODES(&q), away, rho), FOOTPOINT_ERR_UNPROVED);
     assert_int_equal(footpoint_certify(NODES(&q), bad, rho), FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_certify(q.xs, q.xs, q.xs, q.xs, q.x[0], centre, rho), FOOTPOINT_ERR_DEGENERATE);
     assert_true(rho[0] == UNTOUCHED && rho[1] == UNTOUCHED);

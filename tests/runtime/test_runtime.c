@@ -271,14 +271,14 @@ static void test_newton_statuses(void **state)
 static void test_strerror(void **state)
 {
     (void)state;
-    const char *unknown = footpoint_strerror(-1);
-    assert_string_equal(footpoint_strerror(FOOTPOINT_STATUS_COUNT), unknown);
-    assert_string_equal(footpoint_strerror(INT_MAX), unknown);
+    const char *unknown = footpoint_strerror(INT_MAX);
+    assert_string_equal(footpoint_strerror(FOOTPOINT_STATUS_MOST + 1), unknown);
+    assert_string_equal(footpoint_strerror(FOOTPOINT_STATUS_LEAST - 1), unknown);
     assert_string_equal(footpoint_strerror(INT_MIN), unknown);
-    for (int i = 0; i < FOOTPOINT_STATUS_COUNT; i++) {
+    for (int i = FOOTPOINT_STATUS_LEAST; i <= FOOTPOINT_STATUS_MOST; i++) {
         assert_true(strlen(footpoint_strerror(i)) > 0);
         assert_string_not_equal(footpoint_strerror(i), unknown);
-        for (int j = 0; j < i; j++)
+        for (int j = FOOTPOINT_STATUS_LEAST; j < i; j++)
             assert_string_not_equal(footpoint_strerror(i), footpoint_strerror(j));
     }
 }

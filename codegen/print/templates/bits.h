@@ -24,6 +24,12 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_below(REAL x, REAL least)
     return (footpoint_detail_bits(x) & ~(REAL_BITS)0 >> 1) - footpoint_detail_bits(least);
 }
 
+/* If |x| > most, or NaN. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_above(REAL x, REAL most)
+{
+    return footpoint_detail_bits(most) - (footpoint_detail_bits(x) & ~(REAL_BITS)0 >> 1);
+}
+
 /* If x is infinite or NaN. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_infinite(REAL x)
 {

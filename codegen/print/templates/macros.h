@@ -21,6 +21,21 @@
 #define FOOTPOINT_LOOP FOOTPOINT_FN
 #endif
 #endif
+#ifndef FOOTPOINT_COLD /* before what is seldom called: stays a function of its own */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define FOOTPOINT_COLD static __attribute__((noinline, cold, unused))
+#else
+#define FOOTPOINT_COLD FOOTPOINT_FN
+#endif
+#endif
+#ifndef FOOTPOINT_EACH /* before loops over arrays, which overlap nowhere; of clang say -DFOOTPOINT_EACH=
+                       * '_Pragma("clang loop vectorize(assume_safety)")', which warns where it is not obeyed */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_EACH _Pragma("GCC ivdep")
+#else
+#define FOOTPOINT_EACH
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -37,8 +52,8 @@
 #define FOOTPOINT_OK 0
 #endif
 #ifndef FOOTPOINT_ERR_NOT_FINITE
-#define FOOTPOINT_ERR_NOT_FINITE 1
+#define FOOTPOINT_ERR_NOT_FINITE (-1)
 #endif
 #ifndef FOOTPOINT_ERR_DEGENERATE
-#define FOOTPOINT_ERR_DEGENERATE 2
+#define FOOTPOINT_ERR_DEGENERATE (-2)
 #endif

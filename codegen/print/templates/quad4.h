@@ -27,3 +27,21 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_gap(const REAL *const *x, REAL x
 {
     return footpoint_detail_gap(x[0], x[1], x[2], x[3], x[4], xi, eta, least, gap);
 }
+
+/* The gap of r = c0 + xi c1 + eta c2 + xi eta c3: a, b, c are c1, c2, c3, all times one number, whose square is 4 / unit,
+ * d = (xS - c0) / per, and ratio is 1 / per over that number. */
+FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_over(const REAL a[3], const REAL b[3],
+                                                     const REAL c[3], const REAL d[3], REAL size,
+                                                     REAL ratio, REAL per, REAL unit, REAL xi,
+                                                     REAL eta, REAL least, REAL *gap)
+{
+    const REAL twist = ratio * (xi * eta);
+    REAL u[3], v[3], w[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        u[i] = a[i] + eta * c[i];
+        v[i] = b[i] + xi * c[i];
+        w[i] = d[i] + twist * c[i];
+    }
+    return footpoint_detail_height(u, v, w, size, per, unit, xi, eta, least, gap);
+}

@@ -1,7 +1,7 @@
 /* Whether an answer in float is as good as it should be; see header_float.h. */
 
 #ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN 3
+#define FOOTPOINT_ERR_DOMAIN (-3)
 #endif
 
 /* 1 if a foot point is within `most` of (xi,eta), in xi and in eta, than which no point of the segment is nearer;

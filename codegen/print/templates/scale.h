@@ -51,13 +51,3 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_normal_gap(const REAL u[3], const REAL
            footpoint_detail_outside(nn) | footpoint_detail_bits(nn - REAL_FLAT * (uu * vv)) |
            footpoint_detail_infinite(loc + *gap);
 }
-
-/* What a checked search has found in a unit of 2^exponent. */
-FOOTPOINT_PART int footpoint_detail_answer(REAL xi, REAL eta, REAL g, int exponent, REAL loc[2],
-                                           REAL *gap)
-{
-    loc[0] = xi;
-    loc[1] = eta;
-    *gap = exponent ? ldexp(g, exponent) : g;
-    return FOOTPOINT_OK;
-}

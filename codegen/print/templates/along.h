@@ -1,0 +1,47 @@
+/* Projection along a direction. */
+
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+#ifndef FOOTPOINT_OUTSIDE
+#define FOOTPOINT_OUTSIDE 1
+#endif
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 2
+#endif
+
+FOOTPOINT_PART void footpoint_detail_cross(const REAL a[3], const REAL b[3], REAL c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+FOOTPOINT_PART REAL footpoint_detail_dot(const REAL a[3], const REAL b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* How far |x| is above 1, and 0 below. */
+FOOTPOINT_PART REAL footpoint_detail_excess(REAL x)
+{
+    const REAL more = fabs(x) - 1.0;
+    return 0.5 * (more + fabs(more));
+}
+
+/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+FOOTPOINT_FN int footpoint_detail_along_scale(const REAL along[3], REAL p[3])
+{
+    REAL most = 0.0;
+    int exponent, i;
+    if (!footpoint_detail_finite(&along, 1))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 0; i < 3; i++)
+        most = fabs(along[i]) > most ? fabs(along[i]) : most;
+    if (footpoint_detail_below(most, REAL_MIN) >> REAL_TOP)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, &exponent);
+    for (i = 0; i < 3; i++)
+        p[i] = ldexp(along[i], -exponent);
+    return FOOTPOINT_OK;
+}

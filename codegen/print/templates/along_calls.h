@@ -1,0 +1,55 @@
+/* What callers have of projection along a direction. */
+
+/* PREFIX_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
+ *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
+ *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
+ *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
+ *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
+ *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ * PREFIX_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2], REAL *dist)
+{
+    const REAL *const x[VECTORS] = {NODE_NAMES};
+    REAL at[3];
+    int status;
+    if (footpoint_detail_KIND_along(x, along, at, &status) >> REAL_TOP)
+        return footpoint_detail_KIND_along_again(x, along, loc, dist);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = at[2];
+    return status;
+}
+
+FOOTPOINT_LOOP void PREFIX_along_n(size_t n, const REAL *const x[COORDINATES],
+                                   const REAL *const along[3], REAL *FOOTPOINT_RESTRICT xi,
+                                   REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT dist,
+                                   int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const REAL p[VECTORS][3] = {COLUMNS};
+        const REAL q[3] = {along[0][i], along[1][i], along[2][i]};
+        const REAL *const row[VECTORS] = {ROWS};
+        REAL at[3];
+        int outside;
+        const REAL_BITS flaw = footpoint_detail_KIND_along(row, q, at, &outside);
+        status[i] = outside - (int)(2 * (flaw >> REAL_TOP)); /* < 0 where it is asked in full */
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] < FOOTPOINT_OK) {
+            const REAL p[VECTORS][3] = {COLUMNS};
+            const REAL q[3] = {along[0][i], along[1][i], along[2][i]};
+            const REAL *const row[VECTORS] = {ROWS};
+            REAL loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_KIND_along_again(row, q, loc, &dist[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
