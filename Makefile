@@ -57,6 +57,7 @@ OBJ := build/$(CONFIG)
 
 WARN := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 OPT_release := -O3 -DNDEBUG
+TEST_OPT_release := -O1
 OPT_debug   := -O0 -g
 OPT_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT_fma     := -O3 -mfma -ffp-contract=fast
@@ -83,7 +84,7 @@ bench_lib   := $(filter-out tests/bench/bench_gregory.c tests/bench/bench_method
 # Instruction sets that the methods of the bench are compiled for; the bench takes the best that its machine has.
 ALL_ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
 ISAS     ?= $(ALL_ISAS)
-$(call demand,ISAS,$(if $(filter-out $(ALL_ISAS),$(ISAS)),,$(ISAS)),not instruction sets of the bench; there are $(ALL_ISAS))
+$(call demand,ISAS,$(if $(filter-out $(ALL_ISAS) quick,$(ISAS)),,$(ISAS)),not instruction sets of the bench; there are $(ALL_ISAS))
 
 object = $(patsubst %.c,$(OBJ)/%.o,$(1))
 pkg     = $(shell pkg-config $(1) 2>/dev/null)
@@ -106,7 +107,11 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
 	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -MMD -MP -c $< -o $@
 
-$(call object,$(evolve_mpi)): CFLAGS += $(CFLAGS_mpi)
+$(call object,$(evolve_mpi)): private CFLAGS += $(CFLAGS_mpi)
+# One object for the archive and the shared library.
+$(call object,$(runtime_lib)): private CFLAGS += -fPIC -fno-semantic-interposition
+# Tests call what is optimised; they themselves need not be.
+$(call object,$(test_main)): private CFLAGS += $(TEST_OPT_$(CONFIG))
 
 # A file with one line, written where that is new.
 line = mkdir -p $(@D) && { [ "$$(cat $@ 2> /dev/null)" = '$(1)' ] || echo '$(1)' > $@; }
@@ -202,7 +207,7 @@ $(BIN)/footpoint-bench: $(call object,tests/bench/bench_main.c $(bench_lib)) \
 ABI := $(shell sed -n 's/^FOOTPOINT_\([0-9]*\) {/\1/p' runtime/package/footpoint.map)
 SONAME := libfootpoint.so.$(ABI)
 
-$(LIB).so: $(patsubst %.c,$(OBJ)/pic/%.o,$(runtime_lib)) runtime/package/footpoint.map
+$(LIB).so: $(call object,$(runtime_lib)) runtime/package/footpoint.map
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,runtime/package/footpoint.map $(filter %.o,$^) -o $@ -lm
@@ -213,11 +218,6 @@ $(BIN)/footpoint.mod: runtime/package/footpoint.f90
 	$(call say,FC,$<)
 	$(Q)$(FC) -std=f2003 -Wall -Wextra -pedantic -Werror -fsyntax-only -J$(@D) $<
 	@touch $@
-
-$(OBJ)/pic/%.o: %.c $(OBJ)/flags
-	@mkdir -p $(@D)
-	$(call say,CC,$< (pic))
-	$(Q)$(CC) $(CFLAGS) $(CFLAGS_$(basename $(notdir $<))) -fPIC -MMD -MP -c $< -o $@
 
 $(OBJ)/isas: FORCE
 	@$(call line,$(ISAS))
@@ -246,11 +246,11 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 	$(call say,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -O1 -Wall -Wextra $< -o $(OBJ)/count_rivals && $(OBJ)/count_rivals > $@
 
-# The headers' functions for the tests, all of them in one file each: no optimisation changes a result of theirs.
+# The headers' functions for the tests, all of them in one file each: no optimisation changes a result of theirs, but for
+# fused multiply-add, which takes one.
 of_headers := test_headers test_digits header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
-CFLAGS_header_functions += -O1
-CFLAGS_headers_long += -O1
+$(foreach file,header_functions headers_long test_closest,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
@@ -260,15 +260,18 @@ FAST := -ffp-contract=fast -fno-math-errno -fno-trapping-math -fno-signed-zeros 
 ISA_x86-64    := -march=x86-64
 ISA_x86-64-v3 := -march=x86-64-v3
 ISA_x86-64-v4 := -march=x86-64-v4 -mprefer-vector-width=512
+# What the tests take where none of these has been built: half the time to compile.
+METHODS_quick := -O1 -DNDEBUG
+methods_opt = $(or $(METHODS_$(1)),$(OPT_release))
 isa_id = $(subst -,_,$(1))
 
 $(OBJ)/tests/bench/bench_methods-%.o: tests/bench/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
                                 $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$< ($*))
-	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(OPT_release) $(FAST) $(ISA_$*) -I$(OBJ) \
+	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(call methods_opt,$*) $(FAST) $(ISA_$*) -I$(OBJ) \
 	    -DBENCH_ISA=$(call isa_id,$*) -DBENCH_ISA_NAME='"$*"' \
-	    -DBENCH_FLAGS='"$(strip $(OPT_release) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
+	    -DBENCH_FLAGS='"$(strip $(call methods_opt,$*) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
 
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
@@ -310,14 +313,14 @@ JOBS ?= $(shell nproc)
 build-tests: $(ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o) all $(TESTS)
 
 # The longest first, so that processors are busy to the end.
-LONGEST := languages hard evolve checkpoint statuses counts
-LONGEST := $(BIN)/tests/test_calibration $(LONGEST:%=tests/cli/%.sh)
+LONGEST := statuses evolve header hard checkpoint bench counts languages
+LONGEST := $(BIN)/tests/test_headers $(LONGEST:%=tests/cli/%.sh)
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh))
 run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 
-# The tests take one instruction set of the bench's methods, or those that have been built before.
+# The tests take the bench's methods that have been built before, or those that compile soonest.
 isa_objects = $(wildcard $(ALL_ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o))
-check: export ISAS := $(or $(isa_objects:$(OBJ)/tests/bench/bench_methods-%.o=%),$(firstword $(ALL_ISAS)))
+check: export ISAS := $(or $(isa_objects:$(OBJ)/tests/bench/bench_methods-%.o=%),quick)
 check: ## run the tests, less those that take long (some minutes; JOBS= at a time)
 	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), as many at a time as there are processors
 # (JOBS=), those after the word --alone one by one; a program that prints no plan, or dies, fails.  Prints of each how long it took and the processor time in
-# that.  Closes with "N passed, N failed"; exits 1 if anything failed.
+# that.  Closes with both of all of them and "N passed, N failed"; exits 1 if anything failed.
 if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed seconds" to a file of counts
     counts=$2 test=$3
     out=$(mktemp) || exit 3
@@ -29,6 +29,7 @@ fi
 export CMOCKA_MESSAGE_OUTPUT=TAP
 counts=$(mktemp) || exit 3
 trap 'rm -f "$counts"' EXIT
+begin=$(date +%s)
 at_a_time=${JOBS:-$(nproc)} tests=0
 for test; do
     [ "$test" != --alone ] || continue
@@ -36,9 +37,9 @@ for test; do
 done
 printf '%s\n' "$@" | sed '/^--alone$/,$d' | xargs -r -n 1 -P "$at_a_time" sh "$0" --one "$counts"
 printf '%s\n' "$@" | sed '1,/^--alone$/d' | xargs -r -n 1 sh "$0" --one "$counts"
-awk -v tests=$tests '{ passed += $1; failed += $2; seconds += $3 }
+awk -v tests=$tests -v wall=$(($(date +%s) - begin)) '{ passed += $1; failed += $2; seconds += $3 }
     END {
         failed += tests - NR
-        printf "%.0f s of processor time\n%d passed, %d failed\n", seconds, passed, failed
+        printf "%.0f s of processor time in %d s\n%d passed, %d failed\n", seconds, wall, passed, failed
         exit failed > 0
     }' "$counts"

@@ -88,7 +88,7 @@ static bool is_empty(struct interval x)
     return !(x.lo <= x.hi);
 }
 
-bool forms_evaluate(struct forms *w, const struct interval *box)
+static bool evaluate(struct forms *w, const struct interval *box, bool affine)
 {
     const struct known *x = w->known;
     w->inside = true;
@@ -97,7 +97,7 @@ bool forms_evaluate(struct forms *w, const struct interval *box)
         w->range[i] = interval_meet(range_of(w, &x->program->op[i], box), x->value[i]);
         if (is_empty(w->range[i]))
             return false;
-        if (w->affine)
+        if (affine)
             affine_set(w, i);
         if (w->twin[i] >= 0)
             w->range[i] = interval_meet(w->range[i], interval_multiply(w->range[w->twin[i]], w->ratio[i]));
@@ -109,6 +109,16 @@ bool forms_evaluate(struct forms *w, const struct interval *box)
             return false;
     }
     return true;
+}
+
+bool forms_evaluate(struct forms *w, const struct interval *box)
+{
+    return evaluate(w, box, w->affine);
+}
+
+bool forms_hold_at(struct forms *w, const struct interval *point)
+{
+    return evaluate(w, point, false) && w->inside;
 }
 
 bool box_is_empty(const struct interval *box, size_t variables)

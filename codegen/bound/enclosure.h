@@ -7,6 +7,9 @@
 /** Evaluate over a box (by variable).  False: it has no point of the region. */
 bool forms_evaluate(struct forms *w, const struct interval *box);
 
+/** True if all requires are > 0 at a point, a box without width, of which intervals tell all: no affine forms. */
+bool forms_hold_at(struct forms *w, const struct interval *point);
+
 /** The same after cutting off what the requires exclude. */
 bool forms_evaluate_narrowed(struct forms *w, struct interval *box);
 

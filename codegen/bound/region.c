@@ -135,7 +135,7 @@ bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double
             at[k] = draw_coordinate(r->doubles[r->known->input[k]], seed, bits);
             box[k] = interval_point(at[k]);
         }
-        found = region_holds(r, box);
+        found = r->known->program->outputs == 0 || forms_hold_at(r->required, box);
     }
     region_inputs(r, at, input);
     free(at);

@@ -3,8 +3,9 @@
 
 #include <string.h>
 
+/* Those that are linked, ISAS= of the Makefile; "quick" is what the tests compile, little optimised. */
+extern const struct bench_table bench_table_quick __attribute__((weak));
 #ifdef __x86_64__
-/* Those that are linked, ISAS= of the Makefile. */
 extern const struct bench_table bench_table_x86_64 __attribute__((weak)), bench_table_x86_64_v3 __attribute__((weak)),
     bench_table_x86_64_v4 __attribute__((weak));
 
@@ -22,7 +23,7 @@ static int has_v4(void)
 }
 
 /* The best first. */
-static int tables(const struct bench_table *found[3])
+static int tables(const struct bench_table *found[4])
 {
     int n = 0;
     __builtin_cpu_init();
@@ -32,21 +33,27 @@ static int tables(const struct bench_table *found[3])
         found[n++] = &bench_table_x86_64_v3;
     if (&bench_table_x86_64)
         found[n++] = &bench_table_x86_64;
+    if (&bench_table_quick)
+        found[n++] = &bench_table_quick;
     return n;
 }
 #else
-extern const struct bench_table bench_table_portable;
+extern const struct bench_table bench_table_portable __attribute__((weak));
 
-static int tables(const struct bench_table *found[3])
+static int tables(const struct bench_table *found[4])
 {
-    found[0] = &bench_table_portable;
-    return 1;
+    int n = 0;
+    if (&bench_table_portable)
+        found[n++] = &bench_table_portable;
+    if (&bench_table_quick)
+        found[n++] = &bench_table_quick;
+    return n;
 }
 #endif
 
 const struct bench_table *bench_table_for(const char *isa)
 {
-    const struct bench_table *found[3];
+    const struct bench_table *found[4];
     const int n = tables(found);
     for (int i = 0; i < n; i++)
         if (!isa || strcmp(found[i]->isa, isa) == 0)

@@ -19,6 +19,7 @@
 struct bench_options {
     const char *scene, *isa, *map;
     bool all, csv, contact, quiet;
+    size_t rounds;
 };
 
 #define AT(member) offsetof(struct bench_options, member)
@@ -34,17 +35,19 @@ static const struct option_row rows[] = {
              "that this machine has)"},
     {"map", 0, OPTION_TEXT, AT(map), "FOLDER",
      .help = "errors of our functions over the segment, FOLDER/SCENE-FUNCTION.vtk"},
+    {"rounds", 0, OPTION_WHOLE, AT(rounds), "N", 1, BENCH_ROUNDS,
+     .help = "turns that each method takes; fewer are done sooner, with more noise (default: 41)"},
     {"contact", 0, OPTION_FLAG, AT(contact),
      .help = "instead: contact or not, and how deep, by the pinball test; comma-separated values"},
     {"quiet", 0, OPTION_FLAG, AT(quiet),
      .help = "say nothing while working: otherwise, but for --all, which scene is done and what is left"}};
-static const struct option_table options = {
-    .program = "footpoint-bench",
-    .usage = "usage: footpoint-bench [--scene NAME] [--all] [--csv] [--isa NAME] [--map FOLDER] [--contact] [--quiet]\n"
-             "Speed against error of every search, on held-out samples.\n",
-    .row = rows,
-    .rows = sizeof rows / sizeof *rows,
-    .surplus = "unexpected argument '%s'"};
+static const struct option_table options = {.program = "footpoint-bench",
+                                            .usage = "usage: footpoint-bench [--scene NAME] [--all] [--csv] [--isa "
+                                                     "NAME] [--map FOLDER] [--rounds N] [--contact] [--quiet]\n"
+                                                     "Speed against error of every search, on held-out samples.\n",
+                                            .row = rows,
+                                            .rows = sizeof rows / sizeof *rows,
+                                            .surplus = "unexpected argument '%s'"};
 
 /* Every method on one part of a scene's samples; maps only where `map` is a folder. */
 static bool bench_part(const struct bench_options *o, const struct bench_table *table, const struct scene *scene,
@@ -55,7 +58,7 @@ static bool bench_part(const struct bench_options *o, const struct bench_table *
     const char *sample = part == PART_HELDOUT && scene->source != SOURCE_RANDOM ? "grid" : "random";
     bool done = scene_samples(scene, part, &set, d);
     if (done) {
-        struct bench_run run = bench_measure(table, scene, training, &set);
+        struct bench_run run = bench_measure(table, scene, training, &set, o->rounds);
         if (o->csv)
             bench_print_csv(scene, sample, table, &run);
         else if (o->all)
@@ -148,7 +151,7 @@ static bool bench_one(const struct bench_options *o, const struct bench_table *t
 
 int main(int argc, char **argv)
 {
-    struct bench_options o = {0};
+    struct bench_options o = {.rounds = BENCH_ROUNDS};
     struct diag d;
     const enum options_outcome outcome = options_read(&options, argc, argv, &o, NULL, &d);
     if (outcome != OPTIONS_READ)

@@ -1,6 +1,6 @@
 /* Errors and times; see bench_measure.h.
  *
- * The methods take turns, ROUNDS times, and the median of a method's turns counts, so that whatever else the machine
+ * The methods take turns, --rounds times, and the median of a method's turns counts, so that whatever else the machine
  * does falls on all of them alike.  How far the ratio to converged Newton, of the same round, scatters is the noise. */
 #include "bench_measure.h"
 
@@ -16,13 +16,7 @@
 #include <string.h>
 #include <time.h>
 
-enum {
-    ERROR_SAMPLES = 600000,
-    TIMED_BLOCKS = 78,
-    TIMED_SAMPLES = TIMED_BLOCKS * BENCH_BLOCK,
-    ROUNDS = 41,
-    REPEATS = 4
-};
+enum { ERROR_SAMPLES = 600000, TIMED_BLOCKS = 78, TIMED_SAMPLES = TIMED_BLOCKS * BENCH_BLOCK, REPEATS = 4 };
 
 const char *const bench_mode_name[BENCH_MODES] = {"scalar", "batch"};
 
@@ -182,25 +176,26 @@ static bool runs_on(const struct bench_method *m, const struct scene *scene)
 }
 
 /* From the times of the turns, in order of the rounds. */
-static void take_times(struct bench_result *r, int mode, double ns[ROUNDS], const double newton[ROUNDS])
+static void take_times(struct bench_result *r, int mode, size_t rounds, double *ns, const double *newton)
 {
-    double ratio[ROUNDS];
-    for (int i = 0; i < ROUNDS; i++)
+    double ratio[BENCH_ROUNDS];
+    for (size_t i = 0; i < rounds; i++)
         ratio[i] = newton[i] / ns[i];
-    gsl_sort(ratio, 1, ROUNDS);
+    gsl_sort(ratio, 1, rounds);
     r->noise[mode] = 0.5 *
-                     (gsl_stats_quantile_from_sorted_data(ratio, 1, ROUNDS, 0.75) -
-                      gsl_stats_quantile_from_sorted_data(ratio, 1, ROUNDS, 0.25)) /
-                     gsl_stats_median_from_sorted_data(ratio, 1, ROUNDS);
-    gsl_sort(ns, 1, ROUNDS);
-    r->ns[mode] = ns[ROUNDS / 2];
+                     (gsl_stats_quantile_from_sorted_data(ratio, 1, rounds, 0.75) -
+                      gsl_stats_quantile_from_sorted_data(ratio, 1, rounds, 0.25)) /
+                     gsl_stats_median_from_sorted_data(ratio, 1, rounds);
+    gsl_sort(ns, 1, rounds);
+    r->ns[mode] = ns[rounds / 2];
     r->ns_min[mode] = ns[0];
 }
 
-static void measure_times(struct bench_run *run, struct timed *t)
+static void measure_times(struct bench_run *run, struct timed *t, size_t rounds)
 {
-    double(*ns)[BENCH_MODES][ROUNDS] = new_array((size_t)run->count, sizeof *ns), newton[BENCH_MODES][ROUNDS];
-    for (int round = 0; round < ROUNDS; round++)
+    double(*ns)[BENCH_MODES][BENCH_ROUNDS] = new_array((size_t)run->count, sizeof *ns);
+    double newton[BENCH_MODES][BENCH_ROUNDS];
+    for (size_t round = 0; round < rounds; round++)
         for (int mode = 0; mode < BENCH_MODES; mode++)
             for (int i = 0; i < run->count; i++)
                 if (mode == BENCH_SCALAR || run->result[i].method->batch)
@@ -210,14 +205,14 @@ static void measure_times(struct bench_run *run, struct timed *t)
         for (int mode = 0; mode < BENCH_MODES; mode++) {
             struct bench_result *r = &run->result[i];
             if (mode == BENCH_SCALAR || r->method->batch)
-                take_times(r, mode, ns[i][mode], newton[mode]);
+                take_times(r, mode, rounds, ns[i][mode], newton[mode]);
             r->ratio[mode] = run->result[0].ns[mode] / r->ns[mode];
         }
     free(ns);
 }
 
 struct bench_run bench_measure(const struct bench_table *table, const struct scene *scene,
-                               const struct sample_set *training, const struct sample_set *set)
+                               const struct sample_set *training, const struct sample_set *set, size_t rounds)
 {
     const size_t n = set->n < ERROR_SAMPLES ? set->n : ERROR_SAMPLES;
     struct bench_run run = {new_array((size_t)table->count, sizeof *run.result), 0};
@@ -234,7 +229,7 @@ struct bench_run bench_measure(const struct bench_table *table, const struct sce
             r->ops = counts_of(r, &timed);
             measure_errors(r, s, n);
         }
-    measure_times(&run, &timed);
+    measure_times(&run, &timed, rounds);
     free(timed.in);
     free(s);
     return run;

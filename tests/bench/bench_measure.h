@@ -7,6 +7,9 @@
 #include "../support/error_stats.h"
 #include "bench_methods.h"
 
+/** Turns that each method takes: most, and usually. */
+enum { BENCH_ROUNDS = 41 };
+
 enum bench_mode { BENCH_SCALAR, BENCH_BATCH, BENCH_MODES };
 extern const char *const bench_mode_name[BENCH_MODES];
 
@@ -32,9 +35,9 @@ struct bench_run {
 void bench_find(const struct bench_result *r, const struct sample *const *s, size_t n, double (*found)[2]);
 
 /** Tune the methods on training samples; measure errors on all of the set (at most 600000, evenly spread), operations
- *  and times on fewer. */
+ *  and times on fewer, each method taking 1..BENCH_ROUNDS turns. */
 struct bench_run bench_measure(const struct bench_table *table, const struct scene *scene,
-                               const struct sample_set *training, const struct sample_set *set);
+                               const struct sample_set *training, const struct sample_set *set, size_t rounds);
 void bench_run_free(struct bench_run *run);
 
 #endif

@@ -7,9 +7,10 @@ expect 'help' 0 '*' '' "$bench" --help
 expect 'version' 0 'footpoint-bench 0.1.0' '' "$bench" --version
 expect 'an argument too many' 2 '' "footpoint-bench: unexpected argument 'x'" "$bench" x
 expect 'unknown instruction set' 2 '' "footpoint-bench: error: no methods for 'z80' here" "$bench" --isa z80
+expect 'no rounds' 2 '' "footpoint-bench: error: --rounds 0 is out of range" "$bench" --rounds 0
 expect 'unknown scene' 3 '' '*' "$bench" --scene none.scene
 
-expect 'a scene of no function' 0 '*' '' "$bench" --csv --quiet --scene $scene
+expect 'a scene of no function' 0 '*' '' "$bench" --csv --quiet --rounds 5 --scene $scene
 cp "$work/stdout" "$work/small.csv"
 awk -F, '
     NR == 1 { columns = NF; bad += !/^scene,sample,method,ours,mode,mul,div,add,sqrt,ns,ratio,mean_xi,p99_xi,/; next }
@@ -53,7 +54,7 @@ expect 'rounding errors are alike' 0 '4 rivals below the front' '' \
 
 mkdir "$work/maps"
 sed 's/^heldout.*/heldout = 300;/; s/^training.*/training = 300;/' evolve/scenes/quad4.scene > "$work/quad4.scene"
-expect 'maps' 0 '*' '*' "$bench" --csv --scene "$work/quad4.scene" --map "$work/maps"
+expect 'maps' 0 '*' '*' "$bench" --csv --rounds 5 --scene "$work/quad4.scene" --map "$work/maps"
 [ "$(sed 's/[0-9]* s$/N s/' "$work/stderr")" = 'bench: quad4.scene, 1 of 1, N s' ]; report $((! $?)) 'what is done is told'
 awk '$1 == "DIMENSIONS" { cells = ($2 - 1) * ($3 - 1) } $1 == "CELL_DATA" { bad += $2 != cells } /^[0-9.e+-]+$/ { n++ }
     END { exit !(!bad && n == 3 * cells) }' "$work"/maps/quad4-footpoint_quad4_accurate.vtk
@@ -83,7 +84,7 @@ expect 'table of the hard cases' 0 "<tr><td>flat</td>$flat</tr>" '' \
     sh -c "awk -f tests/report/hard.awk '$work/hard.csv' | grep flat"
 
 # The front alone: methods in the order of their errors, each faster than those after it in one of the modes.
-expect 'the front' 0 '*' '*' "$bench" --quiet --scene $scene
+expect 'the front' 0 '*' '*' "$bench" --quiet --rounds 5 --scene $scene
 awk '/^[* ] [a-z]/ && NF > 9 && !/ method / { k = /^\*/; n++; bad += n > 1 && $(9 + k) + 0 > last; last = $(9 + k) + 0 }
     END { exit !(n > 3 && n < 40 && !bad) }' "$work/stdout"
 report $((! $?)) 'is some dozen lines, the most accurate last'

@@ -7,6 +7,8 @@ mpirun="mpirun -q --oversubscribe"
 [ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
 cp tests/scenes/small.scene "$work/"
 options="--scene $work/small.scene --seed 5 --from-scratch --islands 3 --population 60 --quiet"
+# Growth of seeds comes before what is tested below, and is repeated on any ranks in evolve.sh.
+plain="$options --growth no"
 same() { cmp -s "$1" "$2"; report $((! $?)) "$3"; }
 
 usage() { expect "$1" 2 '' "footpoint-evolve: error: $2" "$evolve" --scene quad4 $3; }
@@ -34,12 +36,13 @@ same "$work/whole.gen" "$work/parts.gen" 'begun on 3 ranks, resumed on 2: the sa
 same "$work/whole.csv" "$work/parts.csv" 'and the same log'
 later "checkpoint: two topologies, SIGUSR1"
 for topology in torus ${FOOTPOINT_LONG:+random none}; do
-    "$evolve" $options --topology $topology --generations 25 -o "$work/t1.gen" > /dev/null 2>&1
-    $mpirun -n 2 "$evolve" $options --topology $topology --generations 25 -o "$work/t2.gen" > /dev/null 2>&1
+    "$evolve" $plain --topology $topology --generations 25 -o "$work/t1.gen" > /dev/null 2>&1
+    $mpirun -n 2 "$evolve" $plain --topology $topology --generations 25 -o "$work/t2.gen" > /dev/null 2>&1
     same "$work/t1.gen" "$work/t2.gen" "$topology: the same genomes from 1 and 2 ranks"
 done
 
 # Killed, and ended by signals.
+options=$plain
 started() { # started PID: its first checkpoint is there
     tries=200
     until [ -e "$work/ck" ] || [ $((tries -= 1)) = 0 ] || ! kill -0 "$1" 2> /dev/null; do sleep 0.05; done
@@ -68,7 +71,6 @@ interrupted() { # interrupted NAME SIGNAL STATUS [OPTIONS...]: then resumed to i
 interrupted 'kill -9' KILL 137
 interrupted SIGTERM TERM 143
 [ -z "$FOOTPOINT_LONG" ] || interrupted SIGUSR1 USR1 0
-options="$options --growth no"
 interrupted 'time limit' none 0 --time-limit 2
 
 # What must not be resumed; nothing is touched.

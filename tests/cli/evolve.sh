@@ -151,12 +151,12 @@ report $((! $?)) 'one tier of one gene beside one that is evolved'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
-    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --population 60 --generations 60 -o $work/t.gen" /dev/null > "$work/tty"
+    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --population 60 --growth no --generations 60 -o $work/t.gen" /dev/null > "$work/tty"
     tr '\r' '\n' < "$work/tty" | sed -n 's/\x1b\[K//; /^[0-9]*\/60 .* left /p' > "$work/lines"
     [ -s "$work/lines" ] && [ -z "$(awk 'length > 59' "$work/lines")" ] && tail -1 "$work/lines" | grep -q '^60/60 '
     report $((! $?)) 'a line on a terminal'
 fi
-$mpirun -n 2 "$evolve" --scene "$work/small.scene" --population 60 --generations 60 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
+$mpirun -n 2 "$evolve" --scene "$work/small.scene" --population 60 --growth no --generations 60 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
 [ "$(wc -l < "$work/lines")" -gt 10 ] && ! grep -q "$(printf '[\r\033]')" "$work/lines" &&
     tail -1 "$work/lines" | grep -q '^generation 60/60  0 s left  .* genes x samples/s  steps xi .* eta .*  paper xi .*  eta '
 report $((! $?)) 'plain lines in a file'
