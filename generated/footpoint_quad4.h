@@ -666,7 +666,7 @@ static const double footpoint_quad4_fast_points[][19] = {
  *   operations:     45 mul, 1 div, 49 add, 0 sqrt, 0 compare; 30 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  8ad5c8da7af19a2d8e5600b84da4fd6e328114df70c8d3ac2d85439f926b4605
- *   poles:          t29: proved free of zeros, |t29| >= 1.2e-07
+ *   poles:          t29: proved free of zeros, |t29| >= 1.1e-08
  *   rounding:       xi 8.3e-14 sampled; eta 3e-14 sampled (10000 points)
  *   training_both:  genes 98 mean 4.821e-03
  *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, samples 200000
@@ -1722,7 +1722,7 @@ static const double footpoint_quad4_precise_points[][19] = {
  *   operations:     115 mul, 4 div, 101 add, 0 sqrt, 0 compare; 75 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  130e8e459992c98d07a0e4fda828e4cf1c67c4790d58539d91343bd1e41cb0c3
- *   poles:          t32: undecided
+ *   poles:          t32: proved free of zeros, |t32| >= 5.7e-14
  *   poles:          t45 * t47 - t48 * t48: proved free of zeros, |...| >= 0.00021
  *   poles:          t57 * t58 - t60 * t60: proved free of zeros, |...| >= 0.00021
  *   poles:          t72 * t72 - t68 * t70: proved free of zeros, |...| >= 0.00021
@@ -1910,7 +1910,7 @@ static const double footpoint_quad4_accurate_points[][19] = {
  *   operations:     131 mul, 5 div, 116 add, 0 sqrt, 0 compare; 84 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  17af4782923539949af1a60c00af67592ed082dcd259dc3262985791a3c0f353
- *   poles:          t31: undecided
+ *   poles:          t31: proved free of zeros, |t31| >= 5.7e-14
  *   poles:          t42 * t43 - t45 * t45: proved free of zeros, |...| >= 0.00021
  *   poles:          t54 * t55 - t57 * t57: proved free of zeros, |...| >= 0.00021
  *   poles:          t66 * t67 - t69 * t69: proved free of zeros, |...| >= 0.00021

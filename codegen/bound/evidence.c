@@ -17,6 +17,8 @@ enum { BOXES_FOR_EMPTY = 200 };
 #define DRAW 16.0 /* a random coordinate */
 #define MOST_BALLS 4e6
 
+#define MOST_THRESHOLD 0x1p-26 /* a bound with fewer digits right does not tell a denominator from 0 */
+
 /* ---- finding out ---- */
 
 struct search {
@@ -79,7 +81,7 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
         region_inputs(r, pole.witness, d->witness);
     }
     const double bound = r->known->complete ? bound_error(r, op, boxes / 10) : INFINITY;
-    d->threshold = bound < INFINITY ? bound : 0;
+    d->threshold = bound < (pole.verdict == POLE_FREE ? INFINITY : MOST_THRESHOLD) ? bound : 0;
     free(pole.witness);
 }
 
