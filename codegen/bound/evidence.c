@@ -37,7 +37,7 @@ static long boxes_for(struct search *s, size_t searches)
     return boxes;
 }
 
-/* Where an operation is 0.  Of a product, where a factor is: proved one by one, as is found out before. */
+/* Where an operation is 0.  Of a product that is too much at once, where a factor is. */
 static struct pole find_zero(struct search *s, int op, long boxes)
 {
     struct region *r = s->region;
@@ -45,20 +45,15 @@ static struct pole find_zero(struct search *s, int op, long boxes)
     const struct interval known = r->known->value[op];
     if (known.lo > 0 || known.hi < 0)
         return (struct pole){.verdict = POLE_FREE, .least = fmin(fabs(known.lo), fabs(known.hi)), .values = known};
-    struct pole pole;
-    if (x->kind == OP_MUL) {
+    struct pole pole = pole_find(r, op, boxes);
+    s->work -= (double)pole.draws * (DRAW + (double)r->known->shift) * (double)r->known->variables;
+    if (pole.verdict == POLE_UNDECIDED && x->kind == OP_MUL) {
         const struct pole a = find_zero(s, x->a, boxes);
-        if (x->squared || a.verdict != POLE_FREE)
-            pole = a;
-        else
-            pole = find_zero(s, x->b, boxes);
+        pole = x->squared || a.verdict != POLE_FREE ? a : find_zero(s, x->b, boxes);
         if (pole.verdict == POLE_FREE) {
             pole.least = interval_multiply(interval_point(a.least), interval_point(pole.least)).lo;
             pole.values = interval_multiply(r->known->value[x->a], r->known->value[x->b]);
         }
-    } else {
-        pole = pole_find(r, op, boxes);
-        s->work -= (double)pole.draws * (DRAW + (double)r->known->shift) * (double)r->known->variables;
     }
     if (pole.verdict == POLE_FREE)
         r->known->value[op] = interval_meet(known, pole.values);
