@@ -1696,7 +1696,7 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_closest_n(size_t n, const floa
  *   operations:     115 mul, 4 div, 101 add, 0 sqrt, 0 compare; 75 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  85b1f06259bf1cfc38f586bb1c541cde909f401dde4bddf73c28dc8b9cc013cf
- *   poles:          t32: undecided
+ *   poles:          t32: proved free of zeros, |t32| >= 5.7e-14
  *   poles:          t45 * t47 - t48 * t48: proved free of zeros, |...| >= 0.00021
  *   poles:          t57 * t58 - t60 * t60: proved free of zeros, |...| >= 0.00021
  *   poles:          t72 * t72 - t68 * t70: proved free of zeros, |...| >= 0.00021
