@@ -31,8 +31,7 @@ extern "C" {
 #define FOOTPOINT_OUTSIDE 1 /* the answer, which lies on the edge of the segment, or beyond it */
 #endif
 #ifndef FOOTPOINT_NOT_UNIQUE
-#define FOOTPOINT_NOT_UNIQUE                                                                                           \
-    2 /* an answer; another is as good: as near, to 1e-10 of the longest edge, or also in the segment */
+#define FOOTPOINT_NOT_UNIQUE 2 /* an answer; another is as near, to 1e-10 of the longest edge, or in the segment, too */
 #endif
 #ifndef FOOTPOINT_NO_AREA
 #define FOOTPOINT_NO_AREA 3 /* the closest point of a segment that has no area */

@@ -284,7 +284,7 @@ static bool choose_operator(struct line_editor *e, gsl_rng *rng, const struct ge
     const bool fresh_sum = gene == GENE_ADD || gene == GENE_SUB || gene == GENE_MIN || gene == GENE_MAX;
     *edit = (struct line_edit){EDIT_OPERATION, edit->line, gene, x->a, x->b, 1};
     return x->b >= 0 && gene != x->gene && !divides(gene) && !divides(x->gene) &&
-           (sum == fresh_sum || e->power[x->b] == 0);
+           (sum == fresh_sum || (e->power[x->a] == 0 && e->power[x->b] == 0));
 }
 
 /* A term with a number or without. */

@@ -16,7 +16,7 @@ expect 'coordinates are floats' 0 0 '' sh -c \
 expect 'header' 0 '' '' "$codegen" --quiet --effort 10 --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/f.h"
 expect 'in float' 0 ' * precision: float' '' grep '^ . precision' "$work/f.h"
 expect 'whose banner has errors of the float code alone' 0 4 '' grep -c '^ .   heldout' "$work/f.h"
-functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const float xA.*/\1/p' "$work/f.h" | grep -v -e _detail_ -e '_closest$')
+functions=$(sed -n 's/^FOOTPOINT_FN int \(footpoint_[a-z0-9_]*\)(const float xA.*/\1/p' "$work/f.h" | grep -v -e _detail_ -e '_closest$' -e '_along$')
 {
     echo '#include "f.h"'
     echo 'int use(const float *const x[5], float loc[2], float *gap);'

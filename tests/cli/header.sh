@@ -128,6 +128,14 @@ use() {
     echo '        x[k] = column[k];'
     awk -v type="$2" '
     function flush_function(   i, call) {
+        if (name ~ /_checked$/) {
+            printf "    %s_n(8, x, column[70], column[71], column[72], status);\n", name
+            return
+        }
+        if (name ~ /_along$/) {
+            printf "    %s_n(8, x, x, column[70], column[71], column[72], status);\n", name
+            return
+        }
         if (name ~ /_closest$/) {
             printf "    %s_n(8, x, column[70], column[71], column[72], region, status);\n", name
             return
@@ -211,7 +219,7 @@ cat > "$work/fresh/poles.c" <<'END'
 int main(void)
 {
     const double x[] = {1, 1, 0, 3, HUGE_VAL, 2}, y[] = {2, 1, 0, -9, 1, 0 * HUGE_VAL};
-    const int expected[] = {0, 2, 2, 2, 2, 2};
+    const int expected[] = {0, -2, -2, -2, -2, -2};
     double r[6], s[6];
     int status[6], i;
     p_g_n(6, x, y, r, s, status);
