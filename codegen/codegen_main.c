@@ -1,9 +1,9 @@
 /* footpoint-codegen: genomes in, code or a table of operation counts out. */
 #include "codegen_options.h"
 #include "genome/outfile.h"
+#include "header/header.h"
 #include "print/formulas.h"
 #include "print/fortran.h"
-#include "print/header.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -44,8 +44,8 @@ static bool constants(struct fits *f, const struct tree *in, size_t target, size
     return fit_constants(f->fitter, f->objective, in, target, ITERATIONS, out, &error);
 }
 
-static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
-                   const struct tree *mate, size_t target, size_t max_length, struct tree *child)
+static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
+                    const struct tree *mate, size_t target, size_t max_length, struct tree *child)
 {
     const int last = objective_last(f->objective, target);
     const double at = gsl_rng_uniform(rng);
@@ -56,6 +56,16 @@ static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, c
     if (at < guided_insertions + guided_prunings + restarts)
         return guide_restart(f->guide, rng, genes, t, mate, last, max_length, child);
     return lines_edit(f->editor, rng, genes, t, mate, max_length, child);
+}
+
+/* Nothing that depends on the unit of length, whatever the change was. */
+static bool change(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
+                   const struct tree *mate, size_t target, size_t max_length, struct tree *child)
+{
+    if (!changed(f, rng, genes, t, mate, target, max_length, child))
+        return false;
+    lines_load(f->lines->code, child, -1, LINES_INNER);
+    return lines_keep_powers(f->lines->code);
 }
 
 struct fits *fits_new(struct objective *objective)

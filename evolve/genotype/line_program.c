@@ -109,6 +109,8 @@ int line_function(const struct genome_file *program, const char *name)
 
 static int power_of(int gene, int a, int b)
 {
+    if (a == NO_POWER || b == NO_POWER)
+        return NO_POWER;
     if (gene == GENE_SQRT)
         return a == ANY_POWER || a % 2 != 0 ? ANY_POWER : a / 2;
     if (gene_arity(gene) == 1)
@@ -117,7 +119,7 @@ static int power_of(int gene, int a, int b)
         const int sum = gene == GENE_MUL ? a + b : a - b;
         return a == ANY_POWER || b == ANY_POWER || sum < -100 || sum > 100 ? ANY_POWER : sum;
     }
-    return a == b ? a : ANY_POWER;
+    return a == b || b == ANY_POWER ? a : a == ANY_POWER ? b : NO_POWER;
 }
 
 /* Lets of a frame; those of unlike sums are of any. */
@@ -139,7 +141,7 @@ static void find_powers(struct line_rules *r)
                 *top++ = power_of(gene, a, b);
             }
         }
-        r->power[f->inputs + k] = (signed char)stack[0];
+        r->power[f->inputs + k] = (signed char)(stack[0] == NO_POWER ? ANY_POWER : stack[0]);
         free(stack);
     }
 }
@@ -153,6 +155,17 @@ void lines_powers(const struct lines *c, signed char *power)
         else
             power[i] = x->gene < 0 ? (x->number == 0 ? ANY_POWER : 0) : c->rules->power[x->gene - GENE_SYMBOL];
     }
+}
+
+bool lines_keep_powers(const struct lines *c)
+{
+    signed char *power = new_array(c->lines, sizeof *power);
+    lines_powers(c, power);
+    bool good = true;
+    for (size_t i = 0; i < c->lines; i++)
+        good = good && !(c->needed[i] && power[i] == NO_POWER);
+    free(power);
+    return good;
 }
 
 /* ---- rules ---- */

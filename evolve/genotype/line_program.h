@@ -19,7 +19,8 @@ enum {
     LINE_GENE = 1 << 24,
     LINE_GENES = 3,
     LINE_NUMBER = -1, /* gene of a line that is a number */
-    ANY_POWER = 127   /* of a length: of a value that may be added to any */
+    ANY_POWER = 127,  /* of a length: of a value that may be added to any */
+    NO_POWER = 126    /* of a sum of unlike ones */
 };
 
 /** What the values of a program mean, and the functions that it may be made of. */
@@ -99,8 +100,10 @@ static inline bool line_is_guard(const struct lines *c, size_t i)
 }
 /** Set needed[] and divides[]. */
 void lines_mark(struct lines *c);
-/** Power of a length that each line is, ANY_POWER of a sum of unlike ones; zero is a number of any power. */
+/** Power of a length that each line is; zero is a number of any power. */
 void lines_powers(const struct lines *c, signed char *power);
+/** Whether no line adds unlike powers of a length: what it gives does not depend on the unit. */
+bool lines_keep_powers(const struct lines *c);
 /** image[i]: the line that exchanging xi and eta makes of line i, or -1. */
 void lines_images(struct lines *c, int *image);
 

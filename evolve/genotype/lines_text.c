@@ -70,8 +70,8 @@ static bool find_arguments(const struct genome_file *f, const struct genome_expr
         statement[k] = genome_statement_of(f, (size_t)(out[k]->gene[0] - GENE_SYMBOL));
     }
     const char *is = strchr(f->statement[statement[0]].text, '=');
-    if (statement[0] != statement[1] || !is || sscanf(is, "= %*s %79s %79s%n", argument[0], argument[1], &end) != 2 ||
-        is[end] != '\0')
+    if (statement[0] != statement[1] || out[0]->gene[0] == out[1]->gene[0] || !is ||
+        sscanf(is, "= %*s %79s %79s%n", argument[0], argument[1], &end) != 2 || is[end] != '\0')
         return false;
     for (int k = 0; k < 2; k++) {
         const long own = genome_find_symbol(f, argument[k]);

@@ -14,6 +14,7 @@ codegen/bound:      codegen/prove codegen/program codegen/graph codegen/genome
 codegen/compile:    codegen/bound codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome
 codegen/print/templates:
 codegen/print:      codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
+codegen/header:     codegen/print codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
 codegen:            codegen/*
 generated:
 runtime:                                                        # public headers

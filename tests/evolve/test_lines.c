@@ -185,6 +185,7 @@ static void test_changes(void **state)
         signed char power[4 * LONGEST];
         lines_load(f->lines, &child, -1, LINES_INNER);
         lines_powers(f->lines, power);
+        assert_true(lines_keep_powers(f->lines));
         for (int h = 0; h < 2; h++)
             assert_true(power[f->lines->root[h]] == 0 || power[f->lines->root[h]] == ANY_POWER);
         if (k % 4 == 0)

@@ -4,19 +4,24 @@
  *     ARGUMENTS   of a call, from vectors x   FUNCTIONS(F)              F(name) for each function
  *     ORDER       places below, one a vector  EXTREME                   largest power of 2 that edges are made of
  * and wide_NAME(x, loc), which is NAME_at in the numbers of tests/generated/wide_number.h, where corners may have any order
- * (WIDE).  EXACT: the compiler keeps the order of operations, so that bits can be compared.  CLOSEST(F), where the header has them: F(NAME_closest) for
- * each function, whose distance stands for the gap. */
+ * (WIDE).  EXACT: the compiler keeps the order of operations, so that bits can be compared.  CLOSEST(F), where the header
+ * has them: F(NAME_closest) for each function, whose distance stands for the gap.  Each call of NAME goes to NAME_checked_n,
+ * too, between two good pairs. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 typedef int checked(const R (*x)[3], R loc[2], R *gap);
+typedef void arrays(size_t n, const R *const x[3 * VECTORS], R *xi, R *eta, R *gap, int *status);
 typedef void wide_at(const __float128 (*x)[3], __float128 loc[2]);
+
+static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc[2], R gap);
 
 #define WRAP(name)                                                                                                     \
     static int call_##name(const R(*x)[3], R loc[2], R *gap)                                                           \
     {                                                                                                                  \
-        return name(ARGUMENTS, loc, gap);                                                                              \
+        const int status = name(ARGUMENTS, loc, gap);                                                                  \
+        return as_arrays(name##_checked_n, x, status, loc, *gap);                                                      \
     }
 FUNCTIONS(WRAP)
 #ifdef CLOSEST
@@ -72,6 +77,35 @@ static void take_places(R x[VECTORS][3])
     for (i = 0; i < VECTORS; i++)
         for (j = 0; j < 3; j++)
             x[i][j] = (R)place[order[i]][j];
+}
+
+/* The same number: to the bit, where the compiler keeps the order of operations. */
+static int is_same(R a, R b)
+{
+#ifdef EXACT
+    return memcmp(&a, &b, sizeof a) == 0;
+#else
+    const R off = a > b ? a - b : b - a, size = a > 1 ? a : a < -1 ? -a : 1;
+    return off <= (sizeof(R) == 4 ? (R)1e-5 : (R)1e-13) * size;
+#endif
+}
+
+/* The status of NAME, or 98: NAME_checked_n gives another or another answer, for this pair or for the good ones. */
+static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc[2], R gap)
+{
+    R good[VECTORS][3], column[3 * VECTORS][3], xi[3], eta[3], g[3];
+    const R *at[3 * VECTORS];
+    int found[3] = {77, 77, 77}, i, k;
+    take_places(good);
+    for (i = 0; i < 3 * VECTORS; i++) {
+        at[i] = column[i];
+        for (k = 0; k < 3; k++)
+            column[i][k] = k == 1 ? x[i / 3][i % 3] : good[i / 3][i % 3];
+    }
+    checked_n(3, at, xi, eta, g, found);
+    if (found[1] != status || found[0] != FOOTPOINT_OK || found[2] != FOOTPOINT_OK)
+        return 98;
+    return status < 0 || (is_same(xi[1], loc[0]) && is_same(eta[1], loc[1]) && is_same(g[1], gap)) ? status : 98;
 }
 
 /* Nodes times 2^power; normals keep their length. */
@@ -131,17 +165,6 @@ static void test_no_area(int f)
         resize(x, power);
         expect(f, x, FOOTPOINT_ERR_DEGENERATE, "a line", power, 0);
     }
-}
-
-/* The same number: to the bit, where the compiler keeps the order of operations. */
-static int is_same(R a, R b)
-{
-#ifdef EXACT
-    return memcmp(&a, &b, sizeof a) == 0;
-#else
-    const R off = a > b ? a - b : b - a;
-    return off <= (sizeof(R) == 4 ? (R)1e-5 : (R)1e-13);
-#endif
 }
 
 /* The same in every unit of length. */

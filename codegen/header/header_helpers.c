@@ -2,10 +2,10 @@
 #include "header_helpers.h"
 
 #include "../genome/text.h"
+#include "../print/templates.h"
 #include "header_closest.h"
 #include "header_lines.h"
 #include "header_sizes.h"
-#include "templates.h"
 
 #include <stdlib.h>
 #include <string.h>

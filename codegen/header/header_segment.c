@@ -6,13 +6,13 @@
 #include "header_segment.h"
 
 #include "../genome/text.h"
-#include "c_text.h"
+#include "../print/c_text.h"
+#include "../print/templates.h"
 #include "header_closest.h"
 #include "header_float.h"
 #include "header_gap.h"
 #include "header_lines.h"
 #include "header_sizes.h"
-#include "templates.h"
 
 #include <ctype.h>
 #include <math.h>

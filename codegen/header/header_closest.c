@@ -7,10 +7,10 @@
 #include "header_closest.h"
 
 #include "../genome/text.h"
-#include "c_text.h"
+#include "../print/c_text.h"
+#include "../print/templates.h"
 #include "header_lines.h"
 #include "header_sizes.h"
-#include "templates.h"
 
 #include <stdlib.h>
 #include <string.h>

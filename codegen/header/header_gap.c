@@ -9,12 +9,12 @@
 
 #include "../genome/random.h"
 #include "../genome/text.h"
+#include "../print/c_text.h"
+#include "../print/templates.h"
 #include "../program/dialects.h"
 #include "../program/evaluate.h"
-#include "c_text.h"
 #include "header_lines.h"
 #include "header_sizes.h"
-#include "templates.h"
 
 #include <stdlib.h>
 #include <string.h>

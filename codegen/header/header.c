@@ -4,12 +4,12 @@
 #include "header.h"
 
 #include "../genome/text.h"
-#include "banner.h"
-#include "c_text.h"
+#include "../print/banner.h"
+#include "../print/c_text.h"
+#include "../print/templates.h"
 #include "header_float.h"
 #include "header_helpers.h"
 #include "header_segment.h"
-#include "templates.h"
 
 #include <ctype.h>
 #include <stdlib.h>

@@ -9,7 +9,7 @@
 #include "header_float.h"
 
 #include "../genome/text.h"
-#include "templates.h"
+#include "../print/templates.h"
 
 #include <ctype.h>
 #include <stdlib.h>
