@@ -40,8 +40,8 @@ static struct tree read_program(const struct archive *a, const struct genome_fil
     const struct tier *t = &a->scene->tier[tier];
     const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = t->terminals};
     const struct genome_expr *const out[2] = {xi, eta};
-    struct tree program = {new_array(t->max_length, sizeof *program.gene), 0};
-    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, t->last != NULL, t->max_length, &program)) {
+    struct tree program = {new_array(tier_genes(t), sizeof *program.gene), 0};
+    if (!xi || !eta || !lines_read(a->lines, f, out, &genes, t->last != NULL, tier_genes(t), &program)) {
         free(program.gene);
         program = (struct tree){NULL, 0};
     }
@@ -237,10 +237,10 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)
 }
 
 /* The tier can breed from it. */
-static bool fits_tier(const struct archive *a, size_t tier, int output, size_t max_length, const struct archive_seed *s)
+static bool fits_tier(const struct archive *a, size_t tier, int output, const struct archive_seed *s)
 {
     const struct tier *t = &a->scene->tier[tier];
-    bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= max_length;
+    bool known = (s->tier < 0 || s->tier == (long)tier) && s->output == output && s->tree.length <= tier_genes(t);
     if (output == TIER_BOTH)
         return known;
     for (size_t i = 0; known && i < s->tree.length; i++) {
@@ -251,12 +251,12 @@ static bool fits_tier(const struct archive *a, size_t tier, int output, size_t m
     return known;
 }
 
-size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed)
+size_t archive_seeds(const struct archive *a, size_t tier, int output, struct tree **seed)
 {
     size_t n = 0;
     *seed = new_array(a->seeds + 1, sizeof **seed);
     for (size_t i = 0; i < a->seeds; i++)
-        if (fits_tier(a, tier, output, max_length, &a->seed[i]))
+        if (fits_tier(a, tier, output, &a->seed[i]))
             (*seed)[n++] = a->seed[i].tree;
     return n;
 }
@@ -288,13 +288,13 @@ double archive_error(const struct archive *a, struct objective *o, size_t tier, 
 }
 
 /* Programs may have the 99 % and largest errors of the champion that was, or else of the best seed within the budget. */
-static void find_tails(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, size_t max_length)
+static void find_tails(struct archive *a, const struct plan *plan, struct objective *o, size_t tier)
 {
     const struct champion *c = &a->champion[tier][TIER_BOTH];
     const size_t target = archive_target(a, tier, TIER_BOTH);
     const double budget = a->scene->tier[tier].budget;
     struct tree *seed;
-    const size_t n = archive_seeds(a, tier, TIER_BOTH, max_length, &seed);
+    const size_t n = archive_seeds(a, tier, TIER_BOTH, &seed);
     const struct tree *best = c->tree.length > 0 ? &c->tree : NULL;
     double least = INFINITY;
     for (size_t i = 0; i < n && c->tree.length == 0; i++) {
@@ -338,13 +338,13 @@ static void take_exact(struct archive *a, struct objective *exact, size_t tier, 
 }
 
 /* The first seed of a tier that has a champion is that champion. */
-static void start_fronts(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, int output,
-                         size_t max_length)
+static void start_fronts(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, int output)
 {
+    const size_t longest = tier_genes(&a->scene->tier[tier]);
     struct tree *seed;
-    a->front[tier][output] = front_new(plan->front_limit, max_length);
-    a->old[tier][output] = front_new(plan->front_limit, max_length);
-    const size_t n = archive_seeds(a, tier, output, max_length, &seed);
+    a->front[tier][output] = front_new(plan->front_limit, longest);
+    a->old[tier][output] = front_new(plan->front_limit, longest);
+    const size_t n = archive_seeds(a, tier, output, &seed);
     for (size_t i = 0; i < n; i++) {
         const double error = archive_error(a, o, tier, output, &seed[i]);
         const bool start = i == 0 && a->champion[tier][output].length_before > 0;
@@ -354,7 +354,7 @@ static void start_fronts(struct archive *a, const struct plan *plan, struct obje
     free(seed);
 }
 
-void archive_measure(struct archive *a, const struct plan *plan, struct objective *o, size_t max_length)
+void archive_measure(struct archive *a, const struct plan *plan, struct objective *o)
 {
     struct objective *exact = objective_new(a->program, o->table, o->norm);
     if (!a->frame)
@@ -363,12 +363,11 @@ void archive_measure(struct archive *a, const struct plan *plan, struct objectiv
     a->old = new_array(a->scene->tiers, sizeof *a->old);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
-            const size_t longest = max_length ? max_length : a->scene->tier[i].max_length;
             if (k == TIER_BOTH)
-                find_tails(a, plan, o, i, longest);
+                find_tails(a, plan, o, i);
             measure_champion(a, plan, exact, i, k);
             take_exact(a, exact, i, k);
-            start_fronts(a, plan, o, i, k, longest);
+            start_fronts(a, plan, o, i, k);
         }
     objective_free(exact);
 }
@@ -381,15 +380,16 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
         m->origin = (int)origin;
 }
 
-static void replace_champion(struct archive *a, int output, struct champion *c, const struct member *m)
+static void replace_champion(struct archive *a, struct objective *o, size_t tier, int output, const struct member *m)
 {
+    struct champion *c = &a->champion[tier][output];
     free(c->tree.gene);
     c->tree.gene = new_array(m->tree.length, sizeof *m->tree.gene);
     if (output == TIER_BOTH)
         tree_copy(&m->tree, &c->tree);
     else
         tree_bind(a->program, &m->tree, &c->tree);
-    c->error = m->error;
+    c->error = objective_error(o, &m->tree, archive_target(a, tier, output), INFINITY); /* tails apart */
     c->cost = m->cost;
     c->bred = true;
     c->seed = m->origin == ORIGIN_SEED;
@@ -408,7 +408,7 @@ static bool outdoes(const struct plan *plan, double budget, const struct member 
            merit(plan, budget, m->error, m->cost) < worth * now;
 }
 
-static void choose_champion(struct archive *a, const struct plan *plan, size_t tier, int output)
+static void choose_champion(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, int output)
 {
     const struct front *f = a->front[tier][output];
     const double budget = a->scene->tier[tier].budget;
@@ -422,13 +422,13 @@ static void choose_champion(struct archive *a, const struct plan *plan, size_t t
     if (!best && a->champion[tier][output].tree.length == 0)
         best = front_member(f, 0); /* the cheapest, where none is within the budget */
     if (best)
-        replace_champion(a, output, &a->champion[tier][output], best);
+        replace_champion(a, o, tier, output, best);
 }
 
-void archive_choose_champions(struct archive *a, const struct plan *plan)
+void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o)
 {
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
             if (a->champion[i][k].exact == 0)
-                choose_champion(a, plan, i, k);
+                choose_champion(a, plan, o, i, k);
 }

@@ -78,7 +78,7 @@ bool archive_read_seeds(struct archive *a, const char *path, struct diag *d);
 /** The seeds of an output that may breed: the champion (its constants rounded) and those added, as far as they use the
  *  tier's terminals alone and are not too long.  Returns how many; *seed is an array for the caller to free, of trees
  *  that the archive owns. */
-size_t archive_seeds(const struct archive *a, size_t tier, int output, size_t max_length, struct tree **seed);
+size_t archive_seeds(const struct archive *a, size_t tier, int output, struct tree **seed);
 
 /** Expressions of a tier are of one gene: its terminals become seeds, so that archive_choose_champions chooses among
  *  them.
@@ -96,13 +96,12 @@ void archive_find_exact(struct archive *a, const struct plan *plan, const struct
 void archive_print_exact(const struct archive *a, FILE *stream);
 
 /** Measure the champions that were read, and found the fronts with champions and seeds.
- *  @param[in] o           objective of decimal numbers
- *  @param[in] max_length  genes of the longest members of a front; 0: as each tier says */
-void archive_measure(struct archive *a, const struct plan *plan, struct objective *o, size_t max_length);
+ *  @param[in] o  objective of decimal numbers */
+void archive_measure(struct archive *a, const struct plan *plan, struct objective *o);
 
 /** The genes of a tier: its terminals and functions, the paper's 201 constants -5.00..5.00 in steps of 0.05 and,
  * rounded, those of the tier's champions.
- *  @param[in] rational  % beside + - *, where the tier lists no functions */
+ *  @param[in] rational  quotients beside + - *, where the tier lists no functions; of trees, protected ones */
 struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational);
 
 /** Genes of a tier's terminals; owned by the caller. */
@@ -125,7 +124,7 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
  *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest fitness by the plan, if it is
  *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header.
  *  Where the tier says what trees end in, those alone. */
-void archive_choose_champions(struct archive *a, const struct plan *plan);
+void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o);
 
 /** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */

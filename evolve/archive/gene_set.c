@@ -53,8 +53,8 @@ int *archive_symbols(const struct archive *a, size_t tier)
 
 struct gene_set archive_genes(const struct archive *a, size_t tier, bool rational)
 {
-    static const int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, GENE_PDIV};
     const struct tier *t = &a->scene->tier[tier];
+    const int operation[] = {GENE_ADD, GENE_SUB, GENE_MUL, t->program ? GENE_DIV : GENE_PDIV};
     const struct champion *c = a->champion[tier];
     struct gene_set s = {.symbols = t->terminals};
     if (t->functions > 0) {

@@ -37,24 +37,11 @@ double *columns_at(const struct columns *c, size_t column)
     return c->data + column * c->room;
 }
 
-struct columns_float columns_float_new(const struct columns *c)
+struct columns columns_thin(const struct columns *all, size_t stride)
 {
-    struct columns_float f = {.n = c->n, .count = c->count, .room = room(c->n, sizeof(float))};
-    f.memory = new_array(f.room * f.count + LINE / sizeof(float), sizeof(float));
-    f.data = align(f.memory);
-    for (size_t j = 0; j < c->count; j++)
-        for (size_t i = 0; i < c->n; i++)
-            columns_float_at(&f, j)[i] = (float)columns_at(c, j)[i];
-    return f;
-}
-
-void columns_float_free(struct columns_float *c)
-{
-    free(c->memory);
-    *c = (struct columns_float){0};
-}
-
-float *columns_float_at(const struct columns_float *c, size_t column)
-{
-    return c->data + column * c->room;
+    struct columns c = columns_new((all->n + stride - 1) / stride, all->count);
+    for (size_t j = 0; j < c.count; j++)
+        for (size_t i = 0; i < c.n; i++)
+            columns_at(&c, j)[i] = columns_at(all, j)[i * stride];
+    return c;
 }

@@ -21,15 +21,8 @@ void columns_free(struct columns *c);
 /** First row of a column. */
 double *columns_at(const struct columns *c, size_t column);
 
-/** The same table in float. */
-struct columns_float {
-    size_t n, count, room;
-    float *data;   /* not owned: aligned in `memory` */
-    float *memory; /* owned */
-};
-struct columns_float columns_float_new(const struct columns *c);
-void columns_float_free(struct columns_float *c);
-float *columns_float_at(const struct columns_float *c, size_t column);
+/** A table of every `stride`-th sample of another. */
+struct columns columns_thin(const struct columns *all, size_t stride);
 
 /** A genome in a table: symbol s of a gene is column s; constants are the program's, or, where `constant` is NULL,
  *  decimal numbers coded in their genes (decimal.h). */

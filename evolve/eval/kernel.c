@@ -1,6 +1,5 @@
 /* The evaluator of evolution.  A prefix genome is translated once (kernel_translate.c) to instructions that each work
- * on a tile of eight vectors, which stays in registers from instruction to instruction: 64 samples in double and 128 in
- * float with 512 bits.  Leaves are operands of their operator: columns are read in place from the first-level cache,
+ * on a tile of eight vectors, which stays in registers from instruction to instruction: 64 samples with 512 bits.  Leaves are operands of their operator: columns are read in place from the first-level cache,
  * constants are broadcast from the instruction.  A second tile of registers takes the shorter branch of an operator of
  * two branches; what does not fit there is stored in slots of memory, rarely.  The error |value - target| is added up
  * in the end of the tile's run, and no value is written back.
@@ -43,45 +42,18 @@
 #define PLAIN_BYTES 16
 #endif
 
-#define REAL double
-#define INTEGER int64_t
-#define CONSTANT_OF as_double
-#define ENGINE double_plain
+#define ENGINE plain
 #define DIVIDE_TILE PLAIN_TILE
 #define BYTES PLAIN_BYTES
 #define TARGET
 #include "kernel_engine.h"
 #if defined __x86_64__
-#define ENGINE double_256
+#define ENGINE with_256
 #define DIVIDE_TILE PLAIN_TILE
 #define BYTES 32
 #define TARGET TARGET_256
 #include "kernel_engine.h"
-#define ENGINE double_512
-#define DIVIDE_TILE QUICK_TILE
-#define BYTES 64
-#define TARGET TARGET_512
-#include "kernel_engine.h"
-#endif
-#undef REAL
-#undef INTEGER
-#undef CONSTANT_OF
-
-#define REAL float
-#define INTEGER int32_t
-#define CONSTANT_OF as_float
-#define ENGINE float_plain
-#define DIVIDE_TILE PLAIN_TILE
-#define BYTES PLAIN_BYTES
-#define TARGET
-#include "kernel_engine.h"
-#if defined __x86_64__
-#define ENGINE float_256
-#define DIVIDE_TILE PLAIN_TILE
-#define BYTES 32
-#define TARGET TARGET_256
-#include "kernel_engine.h"
-#define ENGINE float_512
+#define ENGINE with_512
 #define DIVIDE_TILE QUICK_TILE
 #define BYTES 64
 #define TARGET TARGET_512
@@ -92,12 +64,12 @@
 typedef double engine_fn(struct kernel_run *);
 static const struct {
     int bits;
-    engine_fn *run[2]; /* in double, in float */
+    engine_fn *run;
 } engine[KERNEL_WIDTHS] = {
-    {8 * PLAIN_BYTES, {double_plain, float_plain}},
+    {8 * PLAIN_BYTES, plain},
 #if defined __x86_64__
-    {256, {double_256, float_256}},
-    {512, {double_512, float_512}},
+    {256, with_256},
+    {512, with_512},
 #endif
 };
 
@@ -172,7 +144,7 @@ static double run(struct kernel *k, const struct kernel_task *t, struct kernel_r
     r->code = translator_code(k->translator, t, &r->table, &slots);
     reserve(k, slots + 1);
     r->slot = k->slot;
-    const double sum = engine[k->width].run[r->table.single](r);
+    const double sum = engine[k->width].run(r);
     k->work += (double)t->length * (double)r->done;
     return sum;
 }
@@ -180,23 +152,13 @@ static double run(struct kernel *k, const struct kernel_task *t, struct kernel_r
 double kernel_error_sum(struct kernel *k, const struct kernel_task *t, size_t target, double bound)
 {
     const size_t stride = t->table->room * sizeof(double);
-    struct kernel_run r = {
-        .table = {t->table->data, t->table->n, stride, false}, .target = target * stride, .bound = bound};
-    return run(k, t, &r);
-}
-
-double kernel_error_sum_float(struct kernel *k, const struct kernel_task *t, const struct columns_float *table,
-                              size_t target, double bound)
-{
-    const size_t stride = table->room * sizeof(float);
-    struct kernel_run r = {.table = {table->data, table->n, stride, true}, .target = target * stride, .bound = bound};
+    struct kernel_run r = {.table = {t->table->data, t->table->n, stride}, .target = target * stride, .bound = bound};
     return run(k, t, &r);
 }
 
 void kernel_values(struct kernel *k, const struct kernel_task *t, double *value)
 {
-    struct kernel_run r = {.table = {t->table->data, t->table->n, t->table->room * sizeof(double), false},
-                           .value = value};
+    struct kernel_run r = {.table = {t->table->data, t->table->n, t->table->room * sizeof(double)}, .value = value};
     run(k, t, &r);
 }
 

@@ -23,10 +23,6 @@ void kernel_free(struct kernel *k);
  *  the partial sum exceeds `bound`; also INFINITY where a value is not finite. */
 double kernel_error_sum(struct kernel *k, const struct kernel_task *t, size_t target, double bound);
 
-/** The same computed in float, over `table` in place of the task's; the sums of the blocks are added in double. */
-double kernel_error_sum_float(struct kernel *k, const struct kernel_task *t, const struct columns_float *table,
-                              size_t target, double bound);
-
 /** The values themselves, into value[0..n-1]. */
 void kernel_values(struct kernel *k, const struct kernel_task *t, double *value);
 

@@ -23,18 +23,16 @@ static const struct kind {
 
 struct workload {
     struct columns table; /* VARIABLES columns and the target */
-    struct columns_float single;
     struct genome_file *program;
     struct tree tree[GENOMES];
     int gene[GENOMES][LONGEST];
     size_t genes;
 };
 
-static double kernel_sum(const struct workload *w, const struct tree *t, struct kernel *k, bool single)
+static double kernel_sum(const struct workload *w, const struct tree *t, struct kernel *k)
 {
     const struct kernel_task task = {t->gene, t->length, w->program->constant, &w->table};
-    return single ? kernel_error_sum_float(k, &task, &w->single, VARIABLES, INFINITY)
-                  : kernel_error_sum(k, &task, VARIABLES, INFINITY);
+    return kernel_error_sum(k, &task, VARIABLES, INFINITY);
 }
 
 /* Random genomes whose values are finite, so that they are evaluated to the end. */
@@ -53,13 +51,12 @@ static void fill(struct workload *w, struct kernel *k, const struct kind *kind)
     for (size_t j = 0; j <= VARIABLES; j++)
         for (size_t i = 0; i < SAMPLES; i++)
             columns_at(&w->table, j)[i] = 2 * gsl_rng_uniform(rng) - 1;
-    w->single = columns_float_new(&w->table);
     for (size_t i = 0; i < GENOMES; i++) {
         struct tree *t = &w->tree[i];
         t->gene = w->gene[i];
         do
             tree_random(rng, &genes, 16, false, kind->longest, t);
-        while (t->length < kind->shortest || !isfinite(kernel_sum(w, t, k, true)));
+        while (t->length < kind->shortest || !isfinite(kernel_sum(w, t, k)));
         w->genes += t->length;
     }
     gsl_rng_free(rng);
@@ -74,12 +71,12 @@ static double now(void)
 }
 
 /* Seconds for all genomes. */
-static double lap(const struct workload *w, struct kernel *k, bool single)
+static double lap(const struct workload *w, struct kernel *k)
 {
     volatile double sink;
     const double start = now();
     for (size_t i = 0; i < GENOMES; i++)
-        sink = kernel_sum(w, &w->tree[i], k, single);
+        sink = kernel_sum(w, &w->tree[i], k);
     (void)sink;
     return now() - start;
 }
@@ -87,18 +84,17 @@ static double lap(const struct workload *w, struct kernel *k, bool single)
 static void race(struct kernel *const kernel[KERNEL_WIDTHS], const struct kind *kind, FILE *stream)
 {
     static struct workload w;
-    double best[2 * KERNEL_WIDTHS]; /* by precision and width */
+    double best[KERNEL_WIDTHS];
     fill(&w, kernel[KERNEL_PLAIN], kind);
     for (int round = 0; round < ROUNDS; round++)
-        for (int i = 0; i < 2 * KERNEL_WIDTHS; i++)
-            if (kernel[i % KERNEL_WIDTHS])
-                best[i] = fmin(round == 0 ? INFINITY : best[i], lap(&w, kernel[i % KERNEL_WIDTHS], i >= KERNEL_WIDTHS));
-    for (int i = 0; i < 2 * KERNEL_WIDTHS; i++)
-        if (kernel[i % KERNEL_WIDTHS])
-            fprintf(stream, "footpoint%s,%s,%d,%.3e\n", kind->name, i >= KERNEL_WIDTHS ? "float" : "double",
-                    kernel_bits((enum kernel_width)(i % KERNEL_WIDTHS)), (double)w.genes * SAMPLES / best[i]);
+        for (int i = 0; i < KERNEL_WIDTHS; i++)
+            if (kernel[i])
+                best[i] = fmin(round == 0 ? INFINITY : best[i], lap(&w, kernel[i]));
+    for (int i = 0; i < KERNEL_WIDTHS; i++)
+        if (kernel[i])
+            fprintf(stream, "footpoint%s,%d,%.3e\n", kind->name, kernel_bits((enum kernel_width)i),
+                    (double)w.genes * SAMPLES / best[i]);
     genome_file_free(w.program);
-    columns_float_free(&w.single);
     columns_free(&w.table);
 }
 
@@ -107,7 +103,7 @@ void evolve_benchmark(FILE *stream)
     struct kernel *kernel[KERNEL_WIDTHS];
     for (int k = 0; k < KERNEL_WIDTHS; k++)
         kernel[k] = kernel_supports((enum kernel_width)k) ? kernel_new((enum kernel_width)k) : NULL;
-    fprintf(stream, "engine,precision,bits,genes_samples_per_s\n");
+    fprintf(stream, "engine,bits,genes_samples_per_s\n");
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         race(kernel, &kinds[i], stream);
     for (int k = 0; k < KERNEL_WIDTHS; k++)

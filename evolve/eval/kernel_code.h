@@ -43,8 +43,7 @@ struct instruction {
     size_t a; /* bytes: the column, the first column of two, or the slot, from where they begin */
     union {
         size_t b; /* bytes: the second column */
-        double as_double;
-        float as_float;
+        double number;
     } u;
 };
 
@@ -52,7 +51,6 @@ struct instruction {
 struct kernel_table {
     const void *data;
     size_t n, stride; /* stride: bytes from column to column */
-    bool single;      /* float instead of double */
 };
 
 /* What an engine runs: for the error sum when `value` is NULL, or else for the values. */

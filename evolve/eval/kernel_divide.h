@@ -1,4 +1,4 @@
-/* Division for the engines of 512 bits.  The divider takes 16 cycles for a vector of doubles (10 in float), in which
+/* Division for the engines of 512 bits.  The divider takes 16 cycles for a vector of doubles, in which
  * the other units could do 32 operations.  So half of a tile is divided by Newton's method with fused multiply-add
  * meanwhile, to the same bits: the quotient is correctly rounded (Markstein, IBM J. Res. Dev. 34 (1990) 111; Muller et
  * al., Handbook of Floating-Point Arithmetic, 2nd ed., section 4.7).
@@ -20,14 +20,13 @@
 
 #define DIVIDE_FN static inline __attribute__((always_inline)) TARGET_512
 
-/* ordinary & (high ^ 2 high): bit 30 of a high half, or of a float, stays set if the top bits of its exponent differ.
- */
+/* ordinary & (high ^ 2 high): bit 30 of a high half stays set if the top bits of its exponent differ. */
 DIVIDE_FN __m512i also_ordinary(__m512i ordinary, __m512i high)
 {
     return _mm512_ternarylogic_epi32(ordinary, high, _mm512_add_epi32(high, high), 0x60);
 }
 
-DIVIDE_FN __m512d quotient_double(__m512d x, __m512d y, __m512i *ordinary)
+DIVIDE_FN __m512d quotient(__m512d x, __m512d y, __m512i *ordinary)
 {
     const __m512d one = _mm512_set1_pd(1), r0 = _mm512_rcp14_pd(y);
     const __m512d e0 = _mm512_fnmadd_pd(y, r0, one), r1 = _mm512_fmadd_pd(r0, e0, r0);
@@ -40,19 +39,6 @@ DIVIDE_FN __m512d quotient_double(__m512d x, __m512d y, __m512i *ordinary)
     return _mm512_fmadd_pd(_mm512_fnmadd_pd(q2, y, x), r3, q2);
 }
 
-/* Of 24 digits in place of 53, so one step less; the range is [2^-63, 2^64).  Tried with the hardest quotients of every
- * odd divisor. */
-DIVIDE_FN __m512 quotient_float(__m512 x, __m512 y, __m512i *ordinary)
-{
-    const __m512 one = _mm512_set1_ps(1), r1 = _mm512_rcp14_ps(y);
-    const __m512 e1 = _mm512_fnmadd_ps(y, r1, one), r2 = _mm512_fmadd_ps(r1, e1, r1);
-    const __m512 e2 = _mm512_fnmadd_ps(y, r2, one), q1 = _mm512_mul_ps(x, r2);
-    const __m512 r3 = _mm512_fmadd_ps(r2, _mm512_add_ps(e2, _mm512_set1_ps(0x1p-47f)), r2);
-    const __m512 q2 = _mm512_fmadd_ps(q1, e2, q1);
-    *ordinary = also_ordinary(also_ordinary(*ordinary, _mm512_castps_si512(x)), _mm512_castps_si512(r3));
-    return _mm512_fmadd_ps(_mm512_fnmadd_ps(q2, y, x), r3, q2);
-}
-
 DIVIDE_FN bool all_ordinary(__m512i ordinary)
 {
     return _mm512_test_epi32_mask(ordinary, _mm512_set1_epi32(1 << 30)) == 0xffff;
@@ -62,7 +48,7 @@ DIVIDE_FN bool all_ordinary(__m512i ordinary)
 #define NEWTON(M, op, t, X, Y) M(0, op, t, X, Y) M(1, op, t, X, Y) M(2, op, t, X, Y) M(3, op, t, X, Y)
 #define DIVIDER(M, op, t, X, Y) M(4, op, t, X, Y) M(5, op, t, X, Y) M(6, op, t, X, Y) M(7, op, t, X, Y)
 #define OPERATE(i, op, t, X, Y) OPERATE_##op(i, t, X(i), Y(i))
-#define QUOTIENT(i, op, t, X, Y) const VECTOR quotient_##i = PASTE(quotient_, REAL)(X(i), Y(i), &ordinary);
+#define QUOTIENT(i, op, t, X, Y) const VECTOR quotient_##i = quotient(X(i), Y(i), &ordinary);
 #define ACCEPT(i, op, t, X, Y) t##i = quotient_##i;
 #define QUICK_TILE(op, t, X, Y)                                                                                        \
     DIVIDER(OPERATE, op, t, X, Y)                                                                                      \

@@ -1,15 +1,14 @@
-/* The interpreter, included once for each precision and width of registers.  Before: REAL, INTEGER (an integer of its
- * size), CONSTANT_OF (member of the instruction's union), BYTES (of a register), TARGET (attribute of the function),
- * ENGINE (its name), DIVIDE_TILE (PLAIN_TILE, or a quicker division). */
+/* The interpreter, included once for each width of registers.  Before: BYTES (of a register), TARGET (attribute of the
+ * function), ENGINE (its name), DIVIDE_TILE (PLAIN_TILE, or a quicker division). */
 
-#define TILE (8 * BYTES / sizeof(REAL)) /* samples */
+#define TILE (8 * BYTES / sizeof(double)) /* samples */
 #define VECTOR PASTE(ENGINE, _vector)
 #define BITS PASTE(ENGINE, _bits)
 #define ELSEWHERE PASTE(ENGINE, _elsewhere)
 
-typedef REAL VECTOR __attribute__((vector_size(BYTES), may_alias));
-typedef INTEGER BITS __attribute__((vector_size(BYTES), may_alias));
-typedef REAL ELSEWHERE __attribute__((vector_size(BYTES), may_alias, aligned(sizeof(REAL))));
+typedef double VECTOR __attribute__((vector_size(BYTES), may_alias));
+typedef int64_t BITS __attribute__((vector_size(BYTES), may_alias));
+typedef double ELSEWHERE __attribute__((vector_size(BYTES), may_alias, aligned(sizeof(double))));
 
 /* Not for sanitizers: they would make minutes of compilation of it. */
 TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE(struct kernel_run *r)
@@ -17,16 +16,16 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
     static const void *const label[CODES] = {
         GENES_OF_TWO(LABELS) LABEL(load_column), LABEL(load_constant), LABEL(store), LABEL(slow), LABEL(end),
     };
-    const BITS magnitude = (BITS){0} + (INTEGER)(UINT64_MAX >> (65 - 8 * sizeof(INTEGER)));
+    const BITS magnitude = (BITS){0} + INT64_MAX;
     double sum = 0;
     VECTOR EIGHT(NAMES, a), EIGHT(NAMES, b);
     EIGHT_DO(CLEAR, a)
     EIGHT_DO(CLEAR, b)
     for (size_t row = 0; row < r->table.n; row += KERNEL_BLOCK) {
         const size_t rest = r->table.n - row, left = rest < KERNEL_BLOCK ? rest : KERNEL_BLOCK;
-        REAL lane[KERNEL_LANES] __attribute__((aligned(64))) = {0};
+        double lane[KERNEL_LANES] __attribute__((aligned(64))) = {0};
         for (size_t first = 0; first < left; first += TILE) {
-            const char *const column = (const char *)r->table.data + (row + first) * sizeof(REAL);
+            const char *const column = (const char *)r->table.data + (row + first) * sizeof(double);
             const struct instruction *at = r->code - 1;
             NEXT GENES_OF_TWO(HANDLERS) load_column:
             {
@@ -35,7 +34,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
                 NEXT
             }
         load_constant : {
-            const VECTOR c = at->u.CONSTANT_OF - (VECTOR){0};
+            const VECTOR c = at->u.number - (VECTOR){0};
             EIGHT_DO(FILL, c)
             NEXT
         }
@@ -45,7 +44,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
             NEXT
         }
         slow : {
-            REAL *x = (REAL *)r->slot;
+            double *x = (double *)r->slot;
             EIGHT_DO(SAVE, r->slot)
             switch (at->gene) {
                 GENES_OF_ONE(SLOW_CASE)
@@ -60,7 +59,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
                 EIGHT_DO(PUT, to)
             } else if (r->value) {
                 EIGHT_DO(SAVE, r->slot)
-                memcpy(r->value + row + first, r->slot, (left - first) * sizeof(REAL));
+                memcpy(r->value + row + first, r->slot, (left - first) * sizeof(double));
             } else {
                 const char *goal = column + r->target;
                 EIGHT_DO(DIFFERENCE, goal)
@@ -69,7 +68,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
                 } else {
                     EIGHT_DO(SAVE, r->slot)
                     for (size_t j = 0; first + j < left; j++)
-                        lane[(first + j) % KERNEL_LANES] += ((const REAL *)r->slot)[j];
+                        lane[(first + j) % KERNEL_LANES] += ((const double *)r->slot)[j];
                 }
             }
         }
@@ -79,7 +78,7 @@ TARGET __attribute__((no_sanitize("address", "undefined"))) static double ENGINE
         for (size_t half = KERNEL_LANES / 2; half > 0; half /= 2)
             for (size_t j = 0; j < half; j++)
                 lane[j] += lane[j + half];
-        sum += (double)lane[0];
+        sum += lane[0];
         if (!(sum <= r->bound))
             return INFINITY;
     }

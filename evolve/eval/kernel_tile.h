@@ -13,7 +13,7 @@
 #define SAVE(i, p) AT(p, i) = a##i;
 #define PUT(i, p) *(ELSEWHERE *)(void *)((char *)(p) + (i)*BYTES) = a##i;
 #define DIFFERENCE(i, p) a##i = (VECTOR)((BITS)(a##i - AT_CONST(p, i)) & magnitude);
-#define ADD_TO_LANE(i, first) *(VECTOR *)(lane + ((first) + (i)*BYTES / sizeof(REAL)) % KERNEL_LANES) += a##i;
+#define ADD_TO_LANE(i, first) *(VECTOR *)(lane + ((first) + (i)*BYTES / sizeof(double)) % KERNEL_LANES) += a##i;
 
 /* The operators: t##i = x op y. */
 #define OPERATE_ADD(i, t, x, y) t##i = (x) + (y);
@@ -60,7 +60,7 @@
 #define WITH_PQ                                                                                                        \
     WITH_P(column)                                                                                                     \
     const char *q = column + at->u.b;
-#define WITH_C const VECTOR c = at->u.CONSTANT_OF - (VECTOR){0};
+#define WITH_C const VECTOR c = at->u.number - (VECTOR){0};
 #define WITH_PC WITH_P(column) WITH_C
 #define HANDLER(name, op, t, WITH, X, Y)                                                                               \
     name : {                                                                                                           \
@@ -96,5 +96,5 @@
 #endif
 #define SLOW_CASE(op, ...)                                                                                             \
     case GENE_##op:                                                                                                    \
-        INDEPENDENT for (size_t i = 0; i < TILE; i++) x[i] = (REAL)kernel_apply(GENE_##op, (double)x[i], 0);           \
+        INDEPENDENT for (size_t i = 0; i < TILE; i++) x[i] = kernel_apply(GENE_##op, x[i], 0);                         \
         break;

@@ -65,18 +65,13 @@ static void reserve(struct translator *t, size_t length)
     t->depth = t->slots = 0;
 }
 
-static double rounded(const struct translator *t, double x)
-{
-    return t->table->single ? (double)(float)x : x;
-}
-
-static struct node leaf(const struct translator *t, const struct kernel_task *task, size_t i)
+static struct node leaf(const struct kernel_task *task, size_t i)
 {
     const int gene = task->gene[i];
     struct node leaf = {COLUMN, 0, i + 1, 0};
     if (gene < 0) {
         leaf.kind = CONSTANT;
-        leaf.constant = rounded(t, task->constant ? task->constant[-1 - gene].value : decimal_value(gene));
+        leaf.constant = task->constant ? task->constant[-1 - gene].value : decimal_value(gene);
     }
     return leaf;
 }
@@ -88,7 +83,6 @@ static int ershov_number(int gene, const struct node *x, const struct node *y)
     return number > least ? number : least;
 }
 
-/* Rounding an operator of floats twice, to double and to float, is rounding it once. */
 static struct node operator_of(const struct translator *t, const struct kernel_task *task, size_t i)
 {
     const int gene = task->gene[i];
@@ -96,7 +90,7 @@ static struct node operator_of(const struct translator *t, const struct kernel_t
     struct node n = {BRANCH, 0, y->end, 0};
     if (x->kind == CONSTANT && y->kind == CONSTANT) {
         n.kind = CONSTANT;
-        n.constant = rounded(t, kernel_apply(gene, x->constant, y->constant));
+        n.constant = kernel_apply(gene, x->constant, y->constant);
     } else {
         n.number = ershov_number(gene, x, y);
     }
@@ -121,14 +115,6 @@ static size_t column(const struct translator *t, int gene)
     return (size_t)(gene - GENE_SYMBOL) * t->table->stride;
 }
 
-static void write_constant(const struct translator *t, struct instruction *to, double value)
-{
-    if (t->table->single)
-        to->u.as_float = (float)value;
-    else
-        to->u.as_double = value;
-}
-
 /* The two operands of an operator, at least one of them a leaf. */
 static void write_chain(struct translator *t, const struct kernel_task *task, const struct pending *p, size_t x,
                         size_t y)
@@ -142,7 +128,7 @@ static void write_chain(struct translator *t, const struct kernel_task *task, co
     for (int i = 0; i < 2; i++)
         switch (t->node[operand[i]].kind) {
         case CONSTANT:
-            write_constant(t, to, t->node[operand[i]].constant);
+            to->u.number = t->node[operand[i]].constant;
             break;
         case COLUMN:
             *place = column(t, task->gene[operand[i]]);
@@ -175,7 +161,7 @@ static void write_node(struct translator *t, const struct kernel_task *task, str
     if (p->store)
         emit(t, STORE)->a = p->slot-- * SLOT;
     if (n->kind == CONSTANT) {
-        write_constant(t, emit(t, LOAD_CONSTANT), n->constant);
+        emit(t, LOAD_CONSTANT)->u.number = n->constant;
     } else if (n->kind == COLUMN) {
         emit(t, LOAD_COLUMN)->a = column(t, gene);
     } else if (gene_arity(gene) == 1) {
@@ -196,7 +182,7 @@ const struct instruction *translator_code(struct translator *t, const struct ker
     t->table = table;
     reserve(t, task->length);
     for (size_t i = task->length; i-- > 0;)
-        t->node[i] = gene_arity(task->gene[i]) == 0 ? leaf(t, task, i) : operator_of(t, task, i);
+        t->node[i] = gene_arity(task->gene[i]) == 0 ? leaf(task, i) : operator_of(t, task, i);
     emit(t, END);
     later(t, (struct pending){0, 0, false, false});
     while (t->depth > 0) {

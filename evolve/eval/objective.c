@@ -15,8 +15,6 @@ struct objective *objective_new(const struct genome_file *program, const struct 
         o->rules = line_rules_new(program);
         o->lines = lines_run_new(o->rules, table);
     }
-    if (norm == NORM_MEAN)
-        o->single = columns_float_new(table);
     return o;
 }
 
@@ -27,7 +25,6 @@ void objective_free(struct objective *o)
     kernel_free(o->kernel);
     lines_run_free(o->lines);
     line_rules_free(o->rules);
-    columns_float_free(&o->single);
     free(o->scratch);
     free(o);
 }
@@ -95,15 +92,6 @@ double objective_error(struct objective *o, const struct tree *t, size_t target,
     kernel_values(o->kernel, &task, o->scratch);
     errors_absolute(o->scratch, columns_at(o->table, target), n);
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
-}
-
-double objective_rank(struct objective *o, const struct tree *t, size_t target, double bound)
-{
-    if (o->norm != NORM_MEAN || objective_takes_both(o, target))
-        return objective_error(o, t, target, bound);
-    const struct kernel_task task = task_of(o, t);
-    const double n = (double)o->table->n;
-    return kernel_error_sum_float(o->kernel, &task, &o->single, target, bound * n) / n;
 }
 
 double objective_work(const struct objective *o)

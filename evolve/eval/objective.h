@@ -13,11 +13,10 @@ struct objective {
     const struct genome_file *program; /* not owned: what the genes mean */
     enum scene_norm norm;
     bool decimal; /* constants of trees are coded in their genes (decimal.h), not the program's; false at first */
-    struct kernel *kernel;       /* owned */
-    double *scratch;             /* owned: two values for each sample */
-    struct line_rules *rules;    /* owned: of the program; NULL where there is none */
-    struct lines_run *lines;     /* owned: for programs of both outputs */
-    struct columns_float single; /* owned: the table in float; empty unless the norm is the mean */
+    struct kernel *kernel;    /* owned */
+    double *scratch;          /* owned: two values for each sample */
+    struct line_rules *rules; /* owned: of the program; NULL where there is none */
+    struct lines_run *lines;  /* owned: for programs of both outputs */
 };
 struct objective *objective_new(const struct genome_file *program, const struct columns *table, enum scene_norm norm);
 void objective_free(struct objective *o);
@@ -46,9 +45,6 @@ double objective_error_in_tails(struct objective *o, const struct tree *t, size_
                                 double bound);
 /** 99 % and largest error of a program. */
 struct tails objective_tails(struct objective *o, const struct tree *t, size_t target);
-
-/** The same for ranking: the mean is computed in float, with about six digits in half the time; not of programs. */
-double objective_rank(struct objective *o, const struct tree *t, size_t target, double bound);
 
 /** Genes times samples evaluated so far; of programs, lines times samples. */
 double objective_work(const struct objective *o);

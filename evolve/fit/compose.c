@@ -5,7 +5,6 @@
 #include "compose.h"
 
 #include "../genotype/lines_text.h"
-#include "fit_constants.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -179,6 +178,21 @@ static void advance(struct composer *s, struct candidates *list)
     *list = next;
 }
 
+static void add_pair(struct composer *s, int xi, int eta, struct candidates *list)
+{
+    const struct tree t = {(int[2]){xi, eta}, 2};
+    lines_load(s->lines, &t, -1, LINES_INNER);
+    add(s, list, 0);
+}
+
+/* Where no starts are named: each pair of terminals. */
+static void add_pairs(struct composer *s, struct candidates *list)
+{
+    for (size_t i = 0; i < s->genes->symbols; i++)
+        for (size_t k = 0; k < s->genes->symbols; k++)
+            add_pair(s, s->genes->symbol[i], s->genes->symbol[k], list);
+}
+
 /* The frame's values p, q as a program of the terminals. */
 static void add_start(struct composer *s, char *const name[2], struct candidates *list)
 {
@@ -211,6 +225,8 @@ void compose_programs(const struct tier *tier, const struct gene_set *genes, con
     s.lines = lines_new(s.objective->rules);
     for (size_t i = 0; i < tier->starts; i++)
         add_start(&s, tier->start[i], &list);
+    if (tier->starts == 0)
+        add_pairs(&s, &list);
     while (list.n > 0)
         advance(&s, &list);
     drop(&list);

@@ -6,7 +6,6 @@
 
 #include "../common/decimal.h"
 #include "../eval/errors.h"
-#include "../eval/tape.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>

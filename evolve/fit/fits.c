@@ -1,7 +1,6 @@
 /* Fits for islands; see fits.h. */
 #include "fits.h"
 
-#include "fit_linear.h"
 #include "fit_lines.h"
 #include "guide.h"
 
@@ -13,35 +12,24 @@ static const double guided_insertions = 0.08, guided_prunings = 0.08, restarts =
 struct fits {
     struct objective *objective; /* not owned */
     struct columns thin;         /* owned: about ROWS of the samples */
-    struct fitter *fitter;       /* owned: to `thin` */
-    struct lines_run *lines;     /* owned: the same for programs */
+    struct lines_run *lines;     /* owned: on `thin` */
     struct guide *guide;         /* owned */
     struct line_editor *editor;  /* owned */
 };
 
-static bool root_terms(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
+static bool fit(struct fits *f, const struct tree *in, size_t target, int iterations, struct tree *out)
 {
-    return !objective_takes_both(f->objective, target) && fit_root_terms(f->fitter, in, target, max_length, out);
+    return lines_fit(f->lines, in, objective_last(f->objective, target), f->objective->norm, iterations, out);
 }
 
-static bool tune(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
+static bool tune(struct fits *f, const struct tree *in, size_t target, struct tree *out)
 {
-    (void)max_length;
-    if (objective_takes_both(f->objective, target))
-        return lines_fit(f->lines, in, objective_last(f->objective, target), f->objective->norm, TUNING, out);
-    tape_load(f->fitter->tape, in);
-    fitter_descend_norm(f->fitter, target, f->objective->norm, TUNING);
-    tape_store(f->fitter->tape, out);
-    return true;
+    return fit(f, in, target, TUNING, out);
 }
 
-static bool constants(struct fits *f, const struct tree *in, size_t target, size_t max_length, struct tree *out)
+static bool constants(struct fits *f, const struct tree *in, size_t target, struct tree *out)
 {
-    double error;
-    (void)max_length;
-    if (objective_takes_both(f->objective, target))
-        return lines_fit(f->lines, in, objective_last(f->objective, target), f->objective->norm, ITERATIONS, out);
-    return fit_constants(f->fitter, f->objective, in, target, ITERATIONS, out, &error);
+    return fit(f, in, target, ITERATIONS, out);
 }
 
 static bool changed(struct fits *f, gsl_rng *rng, const struct gene_set *genes, const struct tree *t,
@@ -72,8 +60,7 @@ struct fits *fits_new(struct objective *objective)
 {
     const size_t stride = objective->table->n / ROWS;
     struct fits *f = new_array(1, sizeof *f);
-    *f = (struct fits){objective, columns_thin(objective->table, stride > 1 ? stride : 1), NULL, NULL, NULL, NULL};
-    f->fitter = fitter_new(&f->thin);
+    *f = (struct fits){objective, columns_thin(objective->table, stride > 1 ? stride : 1), NULL, NULL, NULL};
     f->lines = lines_run_new(objective->rules, &f->thin);
     f->guide = guide_new(objective->rules, &f->thin);
     f->editor = line_editor_new(objective->rules);
@@ -84,7 +71,6 @@ void fits_free(struct fits *f)
 {
     if (!f)
         return;
-    fitter_free(f->fitter);
     lines_run_free(f->lines);
     guide_free(f->guide);
     line_editor_free(f->editor);
@@ -94,5 +80,5 @@ void fits_free(struct fits *f)
 
 struct fitting fits_hooks(struct fits *f)
 {
-    return (struct fitting){f, root_terms, tune, constants, change};
+    return (struct fitting){f, tune, constants, change};
 }

@@ -179,13 +179,14 @@ static void sum_answers(struct guide *g, int n)
     }
 }
 
-/* An inner line that the answers need; -1: none. */
+/* An operation that the answers need, or an answer; -1: none was found. */
 static int random_line(const struct guide *g, gsl_rng *rng)
 {
     const struct lines *c = g->editor->from;
     for (int tries = 0; tries < 64; tries++) {
         const size_t i = gsl_rng_uniform_int(rng, c->lines);
-        if (c->needed[i] && line_is_operation(&c->line[i]) && !line_is_guard(c, i))
+        const bool answer = (int)i == c->root[0] || (int)i == c->root[1];
+        if (c->needed[i] && (answer || line_is_operation(&c->line[i])) && !line_is_guard(c, i))
             return (int)i;
     }
     return -1;
@@ -258,6 +259,22 @@ static void look_for_terms(struct guide *g, const struct gene_set *genes, gsl_rn
     }
 }
 
+static bool divides(const struct gene_set *genes)
+{
+    for (size_t i = 0; i < genes->operations; i++)
+        if (genes->operation[i] == GENE_DIV)
+            return true;
+    return false;
+}
+
+/* Where a line gets a multiple of itself, it may be divided for it instead. */
+static void divide_for(const struct gene_set *genes, gsl_rng *rng, struct line_edit *edit)
+{
+    const int other = edit->x == edit->line ? edit->y : edit->y == edit->line ? edit->x : -1;
+    if (other >= 0 && divides(genes) && gsl_rng_uniform(rng) < 0.5)
+        *edit = (struct line_edit){EDIT_QUOTIENT, edit->line, 0, other, -1, edit->c};
+}
+
 bool guide_insert(struct guide *g, gsl_rng *rng, const struct gene_set *genes, const struct tree *t, int last,
                   size_t max, struct tree *child)
 {
@@ -273,7 +290,10 @@ bool guide_insert(struct guide *g, gsl_rng *rng, const struct gene_set *genes, c
         if (n >= 0)
             look_for_terms(g, genes, rng, n, &best);
     }
-    return best.gain > 1e-3 * total && lines_apply(g->editor, t, &best.edit, gsl_rng_uniform(rng) < 0.7, max, child);
+    if (!(best.gain > 1e-3 * total))
+        return false;
+    divide_for(genes, rng, &best.edit);
+    return lines_apply(g->editor, t, &best.edit, gsl_rng_uniform(rng) < 0.7, max, child);
 }
 
 /* ---- pruning ---- */

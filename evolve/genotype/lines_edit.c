@@ -102,9 +102,16 @@ static int value_of(struct line_editor *e, const struct line_edit *edit)
     case EDIT_OPERATION:
         return lines_operation(e->to, edit->gene, clean(e, edit->x), edit->y < 0 ? -1 : clean(e, edit->y));
     case EDIT_TERM:
+    case EDIT_QUOTIENT:
         break;
     }
     int term = clean(e, edit->x);
+    if (edit->kind == EDIT_QUOTIENT) {
+        const int one = lines_number(e->to, 1), part = scaled(e, term, edit->c);
+        const int divisor = lines_operation(e->to, GENE_SUB, one, part);
+        const int guard = lines_operation(e->to, GENE_MAX, divisor, lines_number(e->to, 0.25));
+        return lines_operation(e->to, GENE_DIV, clean(e, edit->line), guard);
+    }
     if (edit->y >= 0)
         term = lines_operation(e->to, GENE_MUL, term, clean(e, edit->y));
     if (edit->c == -1)

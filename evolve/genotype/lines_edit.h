@@ -11,7 +11,8 @@ struct line_edit {
         EDIT_VALUE,     /* c x */
         EDIT_NUMBER,    /* c */
         EDIT_OPERATION, /* x gene y */
-        EDIT_TERM       /* the line itself + c x y, or c x where y is -1 */
+        EDIT_TERM,      /* the line itself + c x y, or c x where y is -1 */
+        EDIT_QUOTIENT   /* the line itself / (1 - c x), to first order + c x times itself; the divisor is kept from 0 */
     } kind;
     int line, gene, x, y;
     double c;

@@ -3,6 +3,8 @@
  * kind, as in the paper, or grows a new branch.  No operator makes a genome longer than its limit. */
 #include "tree.h"
 
+#include "../common/decimal.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,17 +76,19 @@ void tree_random(gsl_rng *rng, const struct gene_set *s, int depth, bool full, s
     t->length = grow(rng, s, depth, full, room, t->gene);
 }
 
-struct branch tree_branch(const struct tree *t, size_t at)
+/* A branch: its first gene and its length. */
+struct branch {
+    size_t at, length;
+};
+
+static struct branch random_branch(gsl_rng *rng, const struct tree *t)
 {
+    const size_t at = below(rng, t->length);
     return (struct branch){at, gene_span(t->gene + at, t->length - at)};
 }
 
-struct branch tree_random_branch(gsl_rng *rng, const struct tree *t)
-{
-    return tree_branch(t, below(rng, t->length));
-}
-
-void tree_splice(const struct tree *t, struct branch out, const int *gene, size_t n, struct tree *child)
+/* child = t with its branch `out` replaced by n genes. */
+static void splice(const struct tree *t, struct branch out, const int *gene, size_t n, struct tree *child)
 {
     const size_t after = out.at + out.length, rest = t->length - after;
     memcpy(child->gene, t->gene, out.at * sizeof *gene);
@@ -100,17 +104,17 @@ void tree_cross(gsl_rng *rng, const struct tree *a, const struct tree *b, size_t
     bool fits_a, fits_b;
     int tries = CROSS_TRIES;
     do {
-        p = tree_random_branch(rng, a);
-        q = tree_random_branch(rng, b);
+        p = random_branch(rng, a);
+        q = random_branch(rng, b);
         fits_a = a->length - p.length + q.length <= max;
         fits_b = b->length - q.length + p.length <= max;
     } while (!(fits_a && fits_b) && --tries > 0);
     if (fits_a)
-        tree_splice(a, p, b->gene + q.at, q.length, child_a);
+        splice(a, p, b->gene + q.at, q.length, child_a);
     else
         tree_copy(a, child_a);
     if (fits_b)
-        tree_splice(b, q, a->gene + p.at, p.length, child_b);
+        splice(b, q, a->gene + p.at, p.length, child_b);
     else
         tree_copy(b, child_b);
 }
@@ -152,8 +156,19 @@ void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct tree *t)
 void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child)
 {
     int fresh[2 << BRANCH_DEPTH];
-    const struct branch out = tree_random_branch(rng, t);
+    const struct branch out = random_branch(rng, t);
     const size_t kept = t->length - out.length, room = kept < max ? max - kept : 1;
     const int depth = (int)below(rng, BRANCH_DEPTH + 1);
-    tree_splice(t, out, fresh, grow(rng, s, depth, false, room, fresh), child);
+    splice(t, out, fresh, grow(rng, s, depth, false, room, fresh), child);
+}
+
+void tree_bind(struct genome_file *program, const struct tree *t, struct tree *bound)
+{
+    tree_copy(t, bound);
+    for (size_t i = 0; i < t->length; i++)
+        if (t->gene[i] < 0) {
+            char text[DECIMAL_TEXT];
+            decimal_text(t->gene[i], text);
+            bound->gene[i] = -1 - (int)genome_add_constant(program, text);
+        }
 }

@@ -39,35 +39,6 @@ void tree_mutate_gene(gsl_rng *rng, const struct gene_set *s, struct tree *t);
 /** Copy of `t` with a random new branch; at most `max` genes. t has no more than that. */
 void tree_mutate_branch(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child);
 
-/* Beyond the paper, tree_edit.c.  All return false, and leave `child` undefined, where the change is impossible. */
-
-/** Copy of `a` with a branch of `b` in place of one of its own that is at least half as long; at most `max` genes. */
-bool tree_graft(gsl_rng *rng, const struct tree *a, const struct tree *b, size_t max, struct tree *child);
-/** Copy of `t` with a small new branch. */
-bool tree_mutate_twig(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child);
-/** Copy with a branch x replaced by an operation on x and a small new branch. */
-bool tree_wrap(gsl_rng *rng, const struct gene_set *s, const struct tree *t, size_t max, struct tree *child);
-/** A branch of `t` alone. */
-bool tree_hoist(gsl_rng *rng, const struct tree *t, struct tree *child);
-/** Copy with an operation replaced by one of its operands. */
-bool tree_shrink(gsl_rng *rng, const struct tree *t, struct tree *child);
-/** t + c x: x a small new branch, or one of `mate`; c small. */
-bool tree_add_term(gsl_rng *rng, const struct gene_set *s, const struct tree *t, const struct tree *mate, size_t max,
-                   struct tree *child);
-/** Copy less one of the terms that its root adds. */
-bool tree_drop_term(gsl_rng *rng, const struct tree *t, struct tree *child);
-/** Copy with one of its constants, a decimal number, changed: mostly by a factor near 1. */
-bool tree_shift_constant(gsl_rng *rng, const struct tree *t, struct tree *child);
-
-/** A branch: its first gene and its length. */
-struct branch {
-    size_t at, length;
-};
-struct branch tree_branch(const struct tree *t, size_t at);
-struct branch tree_random_branch(gsl_rng *rng, const struct tree *t);
-/** child = t with its branch `out` replaced by n genes. */
-void tree_splice(const struct tree *t, struct branch out, const int *gene, size_t n, struct tree *child);
-
 void tree_copy(const struct tree *from, struct tree *to);
 /** Copy of a tree whose decimal numbers become constants of a program. */
 void tree_bind(struct genome_file *program, const struct tree *t, struct tree *bound);

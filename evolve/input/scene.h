@@ -48,11 +48,12 @@ struct tier {
     int frame_line, frame_column; /* where the scene names it; 0: it does not */
     char **terminal;              /* owned: names of inputs or lets of the frame, with the suffix of tier_suffix() */
     size_t terminals;
-    size_t max_length; /* genes of one expression */
-    bool rational;     /* % beside + - *, where no functions are listed */
+    size_t max_length; /* operations of a program, or genes of one expression */
+    bool rational;     /* quotients beside + - *, where no functions are listed */
     char **function;   /* owned: names of operators and of functions of the frame */
     size_t functions;  /* 0: none are listed */
-    bool program;      /* bred as programs that make xi and eta (line_program.h): a function is one of the frame's */
+    bool calls;        /* one of them is a function of the frame */
+    bool program;      /* bred as programs that make xi and eta (line_program.h) */
     double budget;     /* operations of one expression, or of a program, in the plan's cost model; 0: none is set */
     char *last;        /* owned: function of the frame that programs end in; NULL: none */
     char *(*start)[2]; /* owned: pairs of values of the frame that programs are first made of */
@@ -61,6 +62,17 @@ struct tier {
     int at;   /* which of the tiers' own reference points it is, from 1; 0: the scene's */
     int line; /* where it stands in the scene; 0: it follows */
 };
+
+/** Genes of a tier's longest expression; a program has two and then three for each operation (line_program.h). */
+static inline size_t tier_genes(const struct tier *t)
+{
+    return t->program ? 2 + 3 * t->max_length : t->max_length;
+}
+/** Its expressions are one gene each, chosen among the terminals: nothing to evolve. */
+static inline bool tier_is_chosen(const struct tier *t)
+{
+    return !t->program && t->max_length == 1;
+}
 
 /** Outputs of a tier, first..last: 0 is xi, 1 eta, and 2 both, of a tier of programs. */
 enum { TIER_BOTH = 2, TIER_OUTPUTS };
@@ -96,6 +108,12 @@ struct scene {
  *  ("file:line: error: ..."). */
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d);
 void scene_free(struct scene *s);
+
+/** Give all tiers another max_length. */
+void scene_set_lengths(struct scene *s, size_t max_length);
+/** Let tiers have trees of one output, the paper's, in the place of programs.  False with *d where a tier's functions
+ *  are those of a frame. */
+bool scene_take_trees(struct scene *s, struct diag *d);
 
 /** The scene that is called as s->segment, evolve/scenes/<kind>.scene.  NULL with *d: there is none, it has no tiers of
  *  its own, or it is `s` itself. */

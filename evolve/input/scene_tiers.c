@@ -68,7 +68,7 @@ static bool read_functions(const struct scene_reader *r, const config_setting_t 
             if (strcmp(t->function[k], name) == 0)
                 return key_fail(r, e, "function '%s' stands twice", name);
         t->function[t->functions++] = new_text(name, strlen(name));
-        t->program = t->program || !known;
+        t->calls = t->calls || !known;
         sums += strcmp(name, "+") == 0 || strcmp(name, "*") == 0;
     }
     return sums == 2 || key_fail(r, s, "'functions' must hold \"+\" and \"*\", which terms are added with");
@@ -78,8 +78,7 @@ static bool read_functions(const struct scene_reader *r, const config_setting_t 
 static bool read_last(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
     return key_string(r, s, "last", &t->last) &&
-           (t->program ||
-            key_fail(r, s, "tier '%s': 'last' is for programs: 'functions' names none of the frame", t->name));
+           (t->program || key_fail(r, s, "tier '%s': 'last' is for programs, of more operations than 1", t->name));
 }
 
 /* The frame that the tier names, or the scene; or else that of the scene of their kind. */
@@ -133,12 +132,6 @@ static const config_setting_t *setting(const config_setting_t *g, const config_s
     return own ? own : config_setting_get_member(root, key);
 }
 
-/* Genes of a program of so many lines (line_program.h). */
-static size_t program_genes(size_t lines)
-{
-    return 2 + 3 * lines;
-}
-
 static bool read_starts(const struct scene_reader *r, const config_setting_t *s, struct tier *t)
 {
     if (!config_setting_is_list(s) || config_setting_length(s) == 0)
@@ -154,6 +147,12 @@ static bool read_starts(const struct scene_reader *r, const config_setting_t *s,
                 return false;
     }
     return true;
+}
+
+static void set_length(struct tier *t, size_t length)
+{
+    t->max_length = length;
+    t->program = t->calls || length > 1;
 }
 
 static bool read_tier(const struct scene_reader *r, config_setting_t *g, const config_setting_t *root,
@@ -174,11 +173,11 @@ static bool read_tier(const struct scene_reader *r, config_setting_t *g, const c
         !key_count(r, setting(g, root, "max_length"), "max_length", 1, 100000, &length) ||
         !read_functions(r, setting(g, root, "functions"), t))
         return false;
-    t->max_length = t->program ? program_genes((size_t)length) : (size_t)length;
+    set_length(t, (size_t)length);
     own = config_setting_get_member(g, "reference");
     if (own && !read_tier_reference(r, own, scene, t))
         return false;
-    if (own && t->program)
+    if (own && t->calls)
         return key_fail(r, own, "tier '%s': functions of a frame are about the scene's reference point", t->name);
     const config_setting_t *starts = setting(g, root, "starts");
     if (starts && t->program && !read_starts(r, starts, t))
@@ -204,5 +203,22 @@ bool scene_read_tiers(const struct scene_reader *r, config_setting_t *root, stru
     for (int i = 0; i < config_setting_length(list); i++)
         if (!read_tier(r, config_setting_get_elem(list, (unsigned)i), root, scene))
             return false;
+    return true;
+}
+
+void scene_set_lengths(struct scene *s, size_t max_length)
+{
+    for (size_t i = 0; i < s->tiers; i++)
+        set_length(&s->tier[i], max_length);
+}
+
+bool scene_take_trees(struct scene *s, struct diag *d)
+{
+    for (struct tier *t = s->tier; t < s->tier + s->tiers; t++) {
+        if (t->calls)
+            return diag_at(d, s->path, t->line, 0, "tier '%s' is of programs, which the paper's breeding has not",
+                           t->name);
+        t->program = false;
+    }
     return true;
 }

@@ -4,23 +4,19 @@
  * generation began: every size is under the same pressure, and growth must pay.  Equal errors and equal structures are
  * kept once, and no cost may crowd out the others.  A child whose ratio is sure to exceed the parents' worst is not
  * evaluated to the end, as it would not be let in.  Where the front has not moved for long, the population starts anew
- * from random trees with an empty front; when that stagnates in turn, the best of all times join it. */
+ * from changed programs with an empty front; when that stagnates in turn, the best of all times join it. */
 #include "breed.h"
+
+#include "../common/decimal.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIES = 4 };                              /* to make a child that was not seen lately */
-static const double moved = 0.999;               /* progress: an error less than this part of the front's */
-static const double smallest = 1e-300;           /* an error of 0 is compared, too */
-static const double coarse = 1e-3, slack = 1e-3; /* mean errors that single precision tells apart, to this fraction */
-static const double immigrants = 0.02;           /* random trees among the children */
-
-enum edit { GRAFT, TWIG, GENE, WRAP, HOIST, SHRINK, ADD_TERM, DROP_TERM, CONSTANT, EDITS };
-static const double edit_rate[EDITS] = {
-    [GRAFT] = 0.25,  [TWIG] = 0.15,    [GENE] = 0.15,      [WRAP] = 0.10,    [HOIST] = 0.02,
-    [SHRINK] = 0.08, [ADD_TERM] = 0.1, [DROP_TERM] = 0.05, [CONSTANT] = 0.10};
+enum { TRIES = 4 };                    /* to make a child that was not seen lately */
+static const double moved = 0.999;     /* progress: an error less than this part of the front's */
+static const double smallest = 1e-300; /* an error of 0 is compared, too */
+static const double immigrants = 0.02; /* random programs among the children */
 
 static double ratio(const struct island *is, const struct individual *x)
 {
@@ -28,17 +24,6 @@ static double ratio(const struct island *is, const struct individual *x)
     if (place > is->stage->limit || x->error == INFINITY)
         return INFINITY;
     return (x->error + smallest) / (is->reference[place] + smallest);
-}
-
-/* Single precision tells most of the hopeless, in half the time, where it is fine enough for errors so large. */
-static double measured(struct island *is, const struct tree *t, double bound)
-{
-    if (objective_takes_both(is->objective, is->goal.target))
-        return objective_error_in_tails(is->objective, t, is->goal.target, &is->goal.tails, bound);
-    const bool rank = is->objective->norm == NORM_MEAN && bound > coarse && bound < INFINITY;
-    if (rank && objective_rank(is->objective, t, is->goal.target, (1 + slack) * bound) == INFINITY)
-        return INFINITY;
-    return objective_error(is->objective, t, is->goal.target, bound);
 }
 
 /* The error of an individual that is counted already. */
@@ -51,7 +36,8 @@ static void evaluate(struct island *is, struct individual *x)
         return;
     if (r->hash != x->hash) {
         const double bound = is->bound < INFINITY ? is->bound * is->reference[place] : INFINITY;
-        *r = (struct remembered){x->hash, measured(is, &x->tree, bound)};
+        *r = (struct remembered){
+            x->hash, objective_error_in_tails(is->objective, &x->tree, is->goal.target, &is->goal.tails, bound)};
         is->evaluations++;
     }
     x->error = r->error;
@@ -127,20 +113,15 @@ static void rank_population(struct island *is)
 static void fit_constants(struct island *is, struct tree *t)
 {
     const struct fitting *f = is->goal.fit;
-    if (!f)
-        return;
-    const bool tune = gsl_rng_uniform(is->rng) < is->plan->tune;
-    const bool root_terms = !tune && gsl_rng_uniform(is->rng) < is->plan->fit;
-    if ((tune && f->tune && f->tune(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)) ||
-        (root_terms && f->root_terms && f->root_terms(f->fits, t, is->goal.target, is->goal.max_length, &is->scratch)))
+    if (gsl_rng_uniform(is->rng) < is->plan->tune && f->tune(f->fits, t, is->goal.target, &is->scratch))
         tree_copy(&is->scratch, t);
 }
 
-static void fill_with_random_trees(struct island *is, size_t first)
+static void fill_at_random(struct island *is, size_t first)
 {
     is->bound = INFINITY;
     for (size_t i = first; i < is->plan->population; i++) {
-        population_random_tree(is, i, &is->now[i].tree);
+        population_draw(is, i, &is->now[i].tree);
         fit_constants(is, &is->now[i].tree);
         population_count(is, &is->now[i]);
         evaluate(is, &is->now[i]);
@@ -149,10 +130,21 @@ static void fill_with_random_trees(struct island *is, size_t first)
     rank_population(is);
 }
 
+/* Two numbers, which insertions can add terms to: from this alone, if there is no seed. */
+static void begin_with_numbers(struct island *is)
+{
+    struct individual *x = &is->now[0];
+    const struct tree numbers = {(int[2]){decimal_gene(-0.1), decimal_gene(0.1)}, 2};
+    tree_copy(&numbers, &x->tree);
+    population_count(is, x);
+    evaluate(is, x);
+}
+
 void breed_front_start(struct island *is, const struct tree *seed, size_t n)
 {
-    size_t living = 0;
+    size_t living = 1;
     fix_reference(is);
+    begin_with_numbers(is);
     for (size_t i = 0; i < n; i++) { /* more of them than live here are parents by the front */
         struct individual *x = &is->now[living];
         tree_copy(&seed[i], &x->tree);
@@ -160,59 +152,24 @@ void breed_front_start(struct island *is, const struct tree *seed, size_t n)
         evaluate(is, x);
         living += living + 1 < is->plan->population / 2;
     }
-    fill_with_random_trees(is, living);
+    fill_at_random(is, living);
 }
 
+/* Of the front mostly the dear ones: those near the budget. */
 static const struct tree *choose(struct island *is)
 {
-    if (gsl_rng_uniform(is->rng) >= is->plan->front_parents)
-        return population_choose(is);
     const size_t n = front_count(is->stage);
-    if (n == 0)
+    if (n == 0 || gsl_rng_uniform(is->rng) >= is->plan->front_parents)
         return population_choose(is);
-    size_t k = gsl_rng_uniform_int(is->rng, n);
-    if (objective_takes_both(is->objective, is->goal.target)) { /* mostly the dear ones: those near the budget */
-        const size_t other = gsl_rng_uniform_int(is->rng, n);
-        k = other > k ? other : k;
-    }
-    return &front_member(is->stage, k)->tree;
+    const size_t one = gsl_rng_uniform_int(is->rng, n), other = gsl_rng_uniform_int(is->rng, n);
+    return &front_member(is->stage, one > other ? one : other)->tree;
 }
 
-static bool edit(struct island *is, struct tree *child)
+static bool change(struct island *is, struct tree *child)
 {
-    gsl_rng *rng = is->rng;
-    const struct gene_set *genes = is->goal.genes;
-    const size_t max = is->goal.max_length;
-    const struct tree *t = choose(is), *mate = choose(is);
     const struct fitting *f = is->goal.fit;
-    if (objective_takes_both(is->objective, is->goal.target))
-        return f->change(f->fits, rng, genes, t, mate, is->goal.target, max, child);
-    double at = gsl_rng_uniform(rng);
-    int which = 0;
-    while (which + 1 < EDITS && (at -= edit_rate[which]) >= 0)
-        which++;
-    switch ((enum edit)which) {
-    case GRAFT:
-        return tree_graft(rng, t, mate, max, child);
-    case TWIG:
-        return tree_mutate_twig(rng, genes, t, max, child);
-    case WRAP:
-        return tree_wrap(rng, genes, t, max, child);
-    case HOIST:
-        return tree_hoist(rng, t, child);
-    case SHRINK:
-        return tree_shrink(rng, t, child);
-    case ADD_TERM:
-        return tree_add_term(rng, genes, t, mate, max, child);
-    case DROP_TERM:
-        return tree_drop_term(rng, t, child);
-    case CONSTANT:
-        return tree_shift_constant(rng, t, child);
-    default:
-        tree_copy(t, child);
-        tree_mutate_gene(rng, genes, child);
-        return true;
-    }
+    const struct tree *t = choose(is), *mate = choose(is);
+    return f->change(f->fits, is->rng, is->goal.genes, t, mate, is->goal.target, is->goal.max_length, child);
 }
 
 static bool is_new(const struct island *is, const struct individual *x)
@@ -224,8 +181,8 @@ static void make_child(struct island *is, struct individual *x)
 {
     bool done = false;
     for (int tries = 0; !done && tries < TRIES; tries++) {
-        if (gsl_rng_uniform(is->rng) < immigrants || !edit(is, &x->tree))
-            population_random_tree(is, gsl_rng_uniform_int(is->rng, 1000), &x->tree);
+        if (gsl_rng_uniform(is->rng) < immigrants || !change(is, &x->tree))
+            population_draw(is, gsl_rng_uniform_int(is->rng, 1000), &x->tree);
         population_count(is, x);
         done = is_new(is, x);
     }
@@ -238,12 +195,12 @@ static void polish(struct island *is)
 {
     const struct fitting *f = is->goal.fit;
     struct individual *x = &is->now[2 * is->plan->population];
-    for (size_t c = 0; f && f->constants && c <= is->stage->limit; c++) {
+    for (size_t c = 0; c <= is->stage->limit; c++) {
         struct member *m = &is->stage->member[c];
         if (m->tree.length == 0 || m->polished)
             continue;
         m->polished = true;
-        if (!f->constants(f->fits, &m->tree, is->goal.target, is->goal.max_length, &x->tree))
+        if (!f->constants(f->fits, &m->tree, is->goal.target, &x->tree))
             continue;
         population_count(is, x);
         evaluate(is, x);
@@ -258,7 +215,7 @@ static void start_anew(struct island *is)
         front_clear(is->stage);
         fix_reference(is);
         memset(is->cache, 0, sizeof *is->cache << CACHE_BITS);
-        fill_with_random_trees(is, 0);
+        fill_at_random(is, 0);
     } else {
         for (size_t c = 0; c <= is->all->limit; c++) {
             const struct member *m = &is->all->member[c];

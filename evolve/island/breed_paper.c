@@ -48,7 +48,7 @@ void breed_paper_start(struct island *is, const struct tree *seed, size_t n)
         if (i < n)
             tree_copy(&seed[i], &is->now[i].tree);
         else
-            population_random_tree(is, i, &is->now[i].tree);
+            population_draw(is, i, &is->now[i].tree);
         evaluate(is, &is->now[i]);
     }
     rank_population(is);

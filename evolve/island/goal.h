@@ -12,10 +12,9 @@ struct goal {
     size_t max_length;            /* genes */
     const struct gene_set *genes; /* not owned */
     uint64_t ring, place;         /* key of its random streams: which ring, where in it */
-    const struct fitting *fit;    /* not owned; NULL: none */
+    const struct fitting *fit;    /* not owned; of programs */
     size_t limit;                 /* cost of the costliest trees that a front keeps; 0: the plan's */
     struct tails tails;           /* of programs: what their largest errors may be */
-    bool closed;                  /* it takes no migrants, so that what it finds is its own */
 };
 
 struct individual {

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { REPORTED = 1 + sizeof(double) / sizeof(int) }; /* ints before the genes: length, error */
+
 struct island *island_new(const struct plan *plan, const struct goal *goal, struct objective *objective)
 {
     struct island *is = new_array(1, sizeof *is);
@@ -114,8 +116,6 @@ void island_pack(const struct island *is, size_t n, int *parcel)
 
 void island_receive(struct island *is, size_t n, int *parcel)
 {
-    if (is->goal.closed)
-        return;
     if (is->plan->breeding == BREED_PAPER)
         breed_paper_receive(is, n, parcel);
     else
@@ -135,17 +135,27 @@ uint64_t island_evaluations(const struct island *is)
 
 size_t island_report_size(const struct island *is)
 {
-    return 1 + island_parcel_size(is, is->all->limit + 1);
+    return 1 + (is->all->limit + 1) * (REPORTED + is->goal.max_length);
 }
 
 void island_report(const struct island *is, int *report)
 {
     *report++ = (int)front_count(is->all);
     for (size_t c = 0; c <= is->all->limit; c++) {
-        const struct tree *t = &is->all->member[c].tree;
-        if (t->length == 0)
+        const struct member *m = &is->all->member[c];
+        if (m->tree.length == 0)
             continue;
-        pack(t, report);
-        report += 1 + t->length;
+        memcpy(report + 1, &m->error, sizeof m->error);
+        struct tree genes = {report + REPORTED, 0};
+        tree_copy(&m->tree, &genes);
+        *report = (int)genes.length;
+        report += REPORTED + genes.length;
     }
+}
+
+const int *island_reported(const int *at, struct tree *t, double *error)
+{
+    memcpy(error, at + 1, sizeof *error);
+    *t = (struct tree){(int *)at + REPORTED, (size_t)at[0]};
+    return at + REPORTED + t->length;
 }

@@ -41,7 +41,9 @@ bool island_load(struct island *is, const unsigned char *from);
 
 /** Ints of a report of any front. */
 size_t island_report_size(const struct island *is);
-/** The front: how many members, then for each its length and its genes, by ascending cost. */
+/** The front: how many members, then each with its error, by ascending cost. */
 void island_report(const struct island *is, int *report);
+/** A report's member, the first of which begins at report + 1; returns where the next begins.  *t: genes in the report. */
+const int *island_reported(const int *at, struct tree *t, double *error);
 
 #endif

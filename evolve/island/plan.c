@@ -14,7 +14,6 @@ struct plan plan_default(void)
                          .front_limit = 512,
                          .front_parents = 0.3,
                          .crowd = 10,
-                         .fit = 0.9,
                          .tune = 0.2,
                          .polish_every = 10,
                          .patience = 200};

@@ -6,7 +6,7 @@
 
 enum breeding {
     BREED_PAPER, /* the paper's pd-LinearGP: generations by crossover and mutation, the best one kept */
-    BREED_FRONT  /* parents and children compete by their distance from the front of error against cost */
+    BREED_FRONT  /* programs: parents and children compete by their distance from the front of error against cost */
 };
 enum selection { SELECT_ROULETTE, SELECT_TOURNAMENT };
 
@@ -23,8 +23,7 @@ struct plan {
     /* Of BREED_FRONT alone: */
     double front_parents; /* part of the parents that comes from the front, 0..1 */
     size_t crowd;         /* individuals of one cost in a population, at most; at least 1 */
-    double fit;           /* part of the children whose root terms are fitted, 0..1 */
-    double tune;          /* part of the children all of whose constants are fitted instead, 0..1 */
+    double tune;          /* part of the children whose numbers are fitted, 0..1 */
     size_t polish_every;  /* generations between fits of the front's inner constants; 0: never */
     size_t patience;      /* generations without progress after which an island starts anew; 0: never */
 };

@@ -68,17 +68,12 @@ const struct tree *population_choose(struct island *is)
     return &is->now[low].tree;
 }
 
-/* One of the front of all times, changed a few times; before there is one, the answer 0, 0. */
+/* One of the front of all times, changed a few times. */
 static void random_program(struct island *is, struct tree *t)
 {
     const struct fitting *f = is->goal.fit;
     enum { CHANGES = 3 };
-    const struct tree zero = {(int[2]){-1, -1}, 2};
     const size_t members = front_count(is->all);
-    if (members == 0) {
-        tree_copy(&zero, t);
-        return;
-    }
     tree_copy(&front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree, t);
     for (int i = 0; i < CHANGES; i++) {
         const struct tree *mate = &front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree;
@@ -87,7 +82,7 @@ static void random_program(struct island *is, struct tree *t)
     }
 }
 
-void population_random_tree(struct island *is, size_t k, struct tree *t)
+void population_draw(struct island *is, size_t k, struct tree *t)
 {
     if (objective_takes_both(is->objective, is->goal.target)) {
         random_program(is, t);

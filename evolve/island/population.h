@@ -56,8 +56,8 @@ int population_compare(const void *a, const void *b);
 /* Make what follows from the rest: wheel, reference and best; now[] is sorted. */
 void population_refresh(struct island *is);
 const struct tree *population_choose(struct island *is);
-/* The k-th random tree of a new population. */
-void population_random_tree(struct island *is, size_t k, struct tree *t);
+/* The k-th individual of a new population. */
+void population_draw(struct island *is, size_t k, struct tree *t);
 /* Ints of an individual in a parcel. */
 static inline size_t population_parcel(const struct island *is)
 {

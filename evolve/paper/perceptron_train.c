@@ -2,7 +2,7 @@
  * by normal_equations.h: the derivatives are never stored for all samples. */
 #include "perceptron_train.h"
 
-#include "../fit/normal_equations.h"
+#include "normal_equations.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multilarge_nlinear.h>

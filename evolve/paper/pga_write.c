@@ -5,12 +5,10 @@
 #include "../eval/errors.h"
 #include "../eval/frame.h"
 #include "../eval/sampled_region.h"
-#include "../fit/fit_constants.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { POLISH_STEPS = 20 };
 static const char *const coefficients_name[] = {"squares", "mean", "worst"};
 
 bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct objective *objective, size_t target,
@@ -25,20 +23,13 @@ bool pga_find_new(const struct polynomials *p, const struct pga_state *s, struct
     const bool good = polynomials_fit(p, s->best, coefficient) >= 0;
     if (good) {
         struct monomial *term = new_array(f->terms, sizeof *term);
-        struct tree squares = {new_array(monomials_room(f->terms), sizeof *squares.gene), 0};
         f->tree.gene = new_array(monomials_room(f->terms), sizeof *f->tree.gene);
         for (size_t i = 0; i < f->terms; i++)
             term[i] = p->term[at[i]];
-        monomials_tree(term, coefficient, f->terms, &squares);
-        if (coefficients == COEFFICIENTS_SQUARES) {
-            tree_copy(&squares, &f->tree);
-            f->error = objective_error(objective, &f->tree, target, INFINITY);
-        } else {
-            struct fitter *fitter = fitter_new(objective->table);
-            fit_constants(fitter, objective, &squares, target, POLISH_STEPS, &f->tree, &f->error);
-            fitter_free(fitter);
-        }
-        free(squares.gene);
+        if (coefficients != COEFFICIENTS_SQUARES)
+            polynomials_fit_norm(p, s->best, objective->norm, coefficient);
+        monomials_tree(term, coefficient, f->terms, &f->tree);
+        f->error = objective_error(objective, &f->tree, target, INFINITY);
         free(term);
     }
     free(coefficient);

@@ -2,25 +2,20 @@
 #include "polynomials.h"
 
 #include "../common/simd.h"
-#include "../fit/normal_equations.h"
+#include "normal_equations.h"
 
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS = 64, VECTORS = ROWS / WIDE_LANES };
-
-static double *column_at(const struct polynomials *p, size_t block, size_t column)
-{
-    return p->value + (block * (p->count + 1) + column) * ROWS;
-}
+enum { ROWS = POLYNOMIALS_ROWS, VECTORS = ROWS / WIDE_LANES };
 
 static void fill_block(struct polynomials *p, const struct columns *table, size_t target, size_t block)
 {
     const size_t first = block * ROWS, left = table->n - first, n = left < ROWS ? left : ROWS;
     for (size_t j = 0; j < p->count; j++) {
-        double *to = column_at(p, block, j);
+        double *to = polynomials_column(p, block, j);
         for (size_t k = 0; k < n; k++)
             to[k] = 1;
         for (size_t i = 0; i < p->term[j].degree; i++) {
@@ -29,7 +24,7 @@ static void fill_block(struct polynomials *p, const struct columns *table, size_
                 to[k] *= x[k];
         }
     }
-    memcpy(column_at(p, block, p->count), columns_at(table, target) + first, n * sizeof *p->value);
+    memcpy(polynomials_column(p, block, p->count), columns_at(table, target) + first, n * sizeof *p->value);
 }
 
 struct polynomials *polynomials_new(const int *symbol, size_t symbols, size_t degree, const struct columns *table,
@@ -125,7 +120,7 @@ void polynomials_errors(const struct polynomials *p, const gene_bit *chosen, siz
     for (size_t b = 0; b < p->blocks; b++)
         for (size_t i = 0; i < n; i++)
             if (f[i].at)
-                add_block(column_at(p, b, 0), p->count, &f[i]);
+                add_block(polynomials_column(p, b, 0), p->count, &f[i]);
     for (size_t i = 0; i < n; i++) {
         double sum = 0;
         for (size_t k = 0; k < WIDE_LANES; k++)

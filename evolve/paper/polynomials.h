@@ -4,7 +4,8 @@
 #ifndef FOOTPOINT_POLYNOMIALS_H
 #define FOOTPOINT_POLYNOMIALS_H
 
-#include "../fit/monomials.h"
+#include "../input/scene.h"
+#include "monomials.h"
 
 struct polynomials {
     struct monomial *term; /* owned */
@@ -14,6 +15,11 @@ struct polynomials {
     double *value; /* owned: blocks of samples; in each a column for every monomial and one for the target */
     size_t blocks;
 };
+enum { POLYNOMIALS_ROWS = 64 }; /* samples of a block; beyond the last there are zeros */
+static inline double *polynomials_column(const struct polynomials *p, size_t block, size_t column)
+{
+    return p->value + (block * (p->count + 1) + column) * POLYNOMIALS_ROWS;
+}
 struct polynomials *polynomials_new(const int *symbol, size_t symbols, size_t degree, const struct columns *table,
                                     size_t target);
 void polynomials_free(struct polynomials *p);
@@ -26,6 +32,11 @@ size_t polynomials_terms(const struct polynomials *p, const gene_bit *chosen, si
 /** Least-squares coefficients of a choice, for the terms in their order; returns the sum of squares that is left, or -1
  *  where the terms are dependent on these samples (or are none). */
 double polynomials_fit(const struct polynomials *p, const gene_bit *chosen, double *coefficient);
+
+/** The same coefficients for another norm, the mean or the largest |error|, in place of those of least squares: by
+ *  weighted least squares, repeated. */
+void polynomials_fit_norm(const struct polynomials *p, const gene_bit *chosen, enum scene_norm norm,
+                          double *coefficient);
 
 /** Mean |error| of n choices, count bits each, one after the other, with least-squares coefficients; INFINITY where the
  *  terms are dependent. */

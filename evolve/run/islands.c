@@ -8,16 +8,16 @@ size_t islands_count(const struct islands *s)
     return s->rings * s->places;
 }
 
-/* One ring after the other, from that of the longest genomes on: each island to the rank with the least to do, found on
+/* One ring after the other, from the dearest on: each island to the rank with the least to do, found on
  * a heap of ranks by load and rank. */
 struct load {
-    size_t genes;
+    double sum;
     int rank;
 };
 
 static bool lighter(const struct load *a, const struct load *b)
 {
-    return a->genes < b->genes || (a->genes == b->genes && a->rank < b->rank);
+    return a->sum < b->sum || (a->sum == b->sum && a->rank < b->rank);
 }
 
 static void sink(struct load *heap, size_t n)
@@ -43,12 +43,12 @@ void islands_share(struct islands *s, int size)
     for (size_t k = 0; k < s->rings; k++) {
         size_t ring = s->rings;
         for (size_t i = 0; i < s->rings; i++)
-            if (!shared[i] && (ring == s->rings || s->ring[i].max_length > s->ring[ring].max_length))
+            if (!shared[i] && (ring == s->rings || s->ring[i].load > s->ring[ring].load))
                 ring = i;
         shared[ring] = true;
         for (size_t i = 0; i < s->places; i++) {
             s->owner[ring * s->places + i] = heap[0].rank;
-            heap[0].genes += s->ring[ring].max_length;
+            heap[0].sum += s->ring[ring].load;
             sink(heap, ranks);
         }
     }
@@ -101,13 +101,13 @@ static size_t report_bytes(const struct island *is)
 
 static void take_report(struct reports *f, size_t island, int *report)
 {
-    int *at = report + 1;
+    const int *at = report + 1;
     f->memory[island] = report;
     for (int k = 0; k < report[0]; k++) {
-        const size_t length = (size_t)at[0];
         grow_array(&f->found, f->n, &f->room, sizeof *f->found);
-        f->found[f->n++] = (struct reported){island, {at + 1, length}};
-        at += 1 + length;
+        struct reported *r = &f->found[f->n++];
+        r->island = island;
+        at = island_reported(at, &r->tree, &r->error);
     }
 }
 

@@ -13,6 +13,7 @@ struct ring {
     size_t tier;
     int output;
     size_t max_length; /* genes */
+    double load;       /* of its islands: what an individual costs, about */
 };
 /** Its key in random streams. */
 static inline size_t ring_key(const struct ring *r)
@@ -31,7 +32,7 @@ struct islands {
 size_t islands_count(const struct islands *s);
 void islands_free(struct islands *s);
 
-/** Share the islands out over so many ranks, the longest genomes first, always to the rank with the least to do.  Not
+/** Share the islands out over so many ranks, the dearest first, always to the rank with the least to do.  Not
  *  collective: all ranks find the same. */
 void islands_share(struct islands *s, int size);
 
@@ -45,6 +46,7 @@ size_t *islands_state_sizes(const struct islands *s, const struct team *t);
 struct reported {
     size_t island;
     struct tree tree; /* genes in the list's memory */
+    double error;     /* that the islands of its ring minimise */
 };
 struct reports {
     struct reported *found; /* owned: by island, in the order of its report */

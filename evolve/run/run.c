@@ -5,12 +5,12 @@
 #include "../common/data_root.h"
 #include "../eval/frame.h"
 #include "../eval/frame_cost.h"
+#include "../fit/compose.h"
 #include "../input/scene_files.h"
 #include "../samples/default_tiers.h"
 #include "../samples/samples.h"
 #include "generations.h"
 #include "progress.h"
-#include "seeding.h"
 
 #include <limits.h>
 #include <math.h>
@@ -137,6 +137,10 @@ static bool load(struct run *r, struct diag *d)
         fputs(scene->warnings, stderr);
     if (!complete_scene(o->root, scene, &r->samples, d))
         return false;
+    if (o->max_length)
+        scene_set_lengths(scene, o->max_length);
+    if (o->breeding == BREED_PAPER && !scene_take_trees(scene, d))
+        return false;
     start_from_shipped(&r->call, scene, &r->files);
     const bool good = (!first || (files_suit(&r->call, scene, &r->files, d) && keep_start(&r->files, d))) &&
                       load_archive(o, &r->files, &r->problem, d);
@@ -222,7 +226,7 @@ static void tell_chosen(const struct problem *p)
 {
     size_t told = 0;
     for (size_t i = 0; i < p->scene->tiers; i++)
-        if (problem_chooses(p, i) && !archive_is_exact(p->archive, i)) {
+        if (tier_is_chosen(&p->scene->tier[i]) && !archive_is_exact(p->archive, i)) {
             if (told++ == 0)
                 printf("%s: nothing to evolve for", p->scene->name);
             printf(" %s", p->scene->tier[i].name);
@@ -250,7 +254,6 @@ static void tell_segments(const struct problem *p, const struct run_samples *s)
 static void make_tools(const struct evolve_options *o, struct problem *p)
 {
     const enum functions f = o->functions;
-    p->max_length = o->max_length;
     make_plan(o, p);
     p->objective = objective_new(p->archive->program, &p->table, p->scene->norm);
     p->objective->decimal = true;
@@ -263,25 +266,33 @@ static void make_tools(const struct evolve_options *o, struct problem *p)
     }
 }
 
-/* What is known before islands breed: exact values, seeds, and the fronts of both.  Collective; returns why growth
- * ended early, or STOP_DONE. */
-static enum stop_reason prepare(const struct call *call, struct problem *p, const struct run_samples *s)
+/* Hand-written methods, composed of the functions of a tier of programs, to breed from.  All ranks find the same. */
+static void compose_seeds(const struct problem *p, size_t tier)
+{
+    const struct tier *t = &p->scene->tier[tier];
+    struct front *found = front_new(p->plan.front_limit, tier_genes(t));
+    compose_programs(t, &p->genes[tier], p->objective, archive_target(p->archive, tier, TIER_BOTH), &p->plan.times,
+                     found);
+    for (size_t k = 0; k < front_count(found); k++)
+        archive_add_seed(p->archive, (long)tier, TIER_BOTH, &front_member(found, k)->tree);
+    front_free(found);
+}
+
+/* What is known before islands breed: exact values, seeds, and the fronts of both. */
+static void prepare(const struct call *call, struct problem *p, const struct run_samples *s)
 {
     const struct evolve_options *o = call->options;
-    enum stop_reason reason = STOP_DONE;
     make_tools(o, p);
     archive_find_exact(p->archive, &p->plan, &p->table, s->vary.tolerance);
     if (call->team->rank == 0 && !call->resume)
         tell_segments(p, s);
     for (size_t i = 0; i < p->scene->tiers; i++)
-        if (problem_chooses(p, i))
+        if (tier_is_chosen(&p->scene->tier[i]))
             archive_choose_values(p->archive, i, o->generations > 0);
-    if (o->generations > 0 && o->growth == GROWTH_YES)
-        compose_all_seeds(p);
-    if (o->generations > 0 && o->growth == GROWTH_YES && !call->resume)
-        reason = grow_seeds(call, p);
-    archive_measure(p->archive, &p->plan, p->objective, o->max_length);
-    return reason;
+    for (size_t i = 0; o->generations > 0 && i < p->scene->tiers; i++)
+        if (p->scene->tier[i].program)
+            compose_seeds(p, i);
+    archive_measure(p->archive, &p->plan, p->objective);
 }
 
 /* False of outputs that are exact or chosen; in a run of no generations true of those alone that have no champion. */
@@ -289,8 +300,15 @@ static bool needs_ring(const struct problem *p, size_t tier, int output, size_t 
 {
     const struct tier *t = &p->scene->tier[tier];
     const struct champion *c = &p->archive->champion[tier][output];
-    return output >= tier_first(t) && output <= tier_last(t) && c->exact == 0 && !problem_chooses(p, tier) &&
+    return output >= tier_first(t) && output <= tier_last(t) && c->exact == 0 && !tier_is_chosen(t) &&
            (generations > 0 || c->tree.length == 0);
+}
+
+/* Programs are near their tier's budget, most of them. */
+static struct ring ring_of(const struct problem *p, size_t tier, int output)
+{
+    const struct tier *t = &p->scene->tier[tier];
+    return (struct ring){tier, output, tier_genes(t), t->budget > 0 ? t->budget : (double)t->max_length};
 }
 
 static void make_rings(const struct evolve_options *o, const struct problem *p, struct islands *s)
@@ -300,13 +318,13 @@ static void make_rings(const struct evolve_options *o, const struct problem *p, 
     for (size_t tier = 0; tier < p->scene->tiers; tier++)
         for (int output = 0; output < TIER_OUTPUTS; output++)
             if (needs_ring(p, tier, output, o->generations))
-                s->ring[s->rings++] = (struct ring){tier, output, problem_longest(p, tier)};
+                s->ring[s->rings++] = ring_of(p, tier, output);
     s->owner = new_array(islands_count(s), sizeof *s->owner);
     s->island = new_array(islands_count(s), sizeof(struct island *));
     s->seeded = new_array(islands_count(s), sizeof *s->seeded);
 }
 
-/* The last island of a ring of several starts from random trees alone, and in front breeding takes no migrants. */
+/* The paper's last island of a ring of several starts from random trees alone. */
 static bool starts_at_random(const struct islands *s, size_t place)
 {
     return s->places > 1 && place == s->places - 1;
@@ -326,7 +344,7 @@ static void make_islands(const struct call *call, const struct problem *p, struc
     for (size_t i = 0; i < islands_count(s); i++) {
         const struct ring *ring = &s->ring[i / s->places];
         struct tree *seed;
-        const size_t seeds = archive_seeds(p->archive, ring->tier, ring->output, ring->max_length, &seed);
+        const size_t seeds = archive_seeds(p->archive, ring->tier, ring->output, &seed);
         const bool random = starts_at_random(s, i % s->places) && ring->output < TIER_BOTH;
         const struct goal goal = {.target = archive_target(p->archive, ring->tier, ring->output),
                                   .tails = p->archive->tails[ring->tier],
@@ -335,9 +353,8 @@ static void make_islands(const struct call *call, const struct problem *p, struc
                                   .genes = &p->genes[ring->tier],
                                   .ring = ring_key(ring),
                                   .place = i % s->places,
-                                  .fit = &p->hooks,
-                                  .closed = random && p->plan.breeding == BREED_FRONT};
-        s->seeded[i] = !random && (seeds > 0 || call->options->growth == GROWTH_YES);
+                                  .fit = &p->hooks};
+        s->seeded[i] = !random && seeds > 0;
         if (s->owner[i] == call->team->rank) {
             s->island[i] = island_new(&p->plan, &goal, p->objective);
             if (!call->resume)
@@ -390,7 +407,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         const size_t island = f.found[i].island;
         const struct tree *t = &f.found[i].tree;
         const struct ring *ring = &s->ring[island / s->places];
-        const double error = archive_error(p->archive, p->objective, ring->tier, ring->output, t);
+        const double error = f.found[i].error;
         archive_offer(p->archive, &p->plan, ring->tier, ring->output, t, error,
                       s->seeded[island] ? ORIGIN_SEEDED : ORIGIN_RANDOM);
         members++;
@@ -405,7 +422,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         lowest = INFINITY;
     }
     if (call->team->rank == 0)
-        archive_choose_champions(p->archive, &p->plan);
+        archive_choose_champions(p->archive, &p->plan, p->objective);
     reports_free(&f);
 }
 
@@ -415,7 +432,7 @@ static bool write_found(const struct call *call, struct archive *a, const char *
 {
     const struct evolve_options *o = call->options;
     const struct run_facts facts = {o->seed, out->generation, o->islands};
-    const bool saved = o->checkpoint && !out->unsaved && out->generation > 0; /* growth has no checkpoints */
+    const bool saved = o->checkpoint && !out->unsaved && out->generation > 0;
     if (out->reason != STOP_DONE)
         fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(out->reason), out->generation,
                 o->generations, saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
@@ -468,7 +485,7 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
         say(&r.call, "");
     }
     if (good) {
-        r.outcome.reason = prepare(&r.call, p, &r.samples);
+        prepare(&r.call, p, &r.samples);
         r.outcome.generation = resume ? resume->generation : 0;
         good =
             start_islands(&r.call, p, &r.islands, d) && evolve_islands(&r.call, p, &r.islands, &r.files, &r.outcome, d);

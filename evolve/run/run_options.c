@@ -24,7 +24,6 @@ enum role { PASSING, KEPT, FIXED };
 
 static const char *const functions[] = {"tier", "polynomial", "rational", NULL};
 static const char *const breedings[] = {"paper", "front", NULL};
-static const char *const growths[] = {"yes", "no", NULL};
 static const char *const costs[] = {"throughput", "paper", NULL};
 static const char *const selections[] = {"roulette", "tournament", NULL};
 static const char *const topologies[] = {"ring", "torus", "random", "none", NULL};
@@ -55,14 +54,13 @@ static const struct option_row rows[] = {
     {"population", 0, OPTION_WHOLE, AT(population), "N", 2, 1000000, .role = FIXED,
      .help = "individuals of an island (default: 200)"},
     {"max-length", 0, OPTION_WHOLE, AT(max_length), "N", 0, 10000, .role = FIXED,
-     .help = "genes of an expression (default: as the tier says)"},
+     .help = "operations of a program, genes of the paper's expressions (default: as the tier says)"},
     {"functions", 0, OPTION_CHOICE, AT(functions), .choice = functions, .role = FIXED,
-     .help = "+ - * or + - * and protected division (default: as the tier says); tiers that list their functions keep "
-             "them"},
-    {"growth", 0, OPTION_CHOICE, AT(growth), .choice = growths, .role = FIXED,
-     .help = "grow expressions term by term first, to breed from (default: yes)"},
+     .help = "+ - * or + - * and division (default: as the tier says); tiers that list their functions keep them"},
     {"breeding", 0, OPTION_CHOICE, AT(breeding), .choice = breedings, .role = FIXED,
-     .help = "towards the front of error against cost, constants fitted, or the paper's pd-LinearGP (default: front)"},
+     .help =
+         "programs towards the front of error against cost, numbers fitted, or the paper's pd-LinearGP, expressions "
+         "of one output each (default: front)"},
     {"cost", 0, OPTION_CHOICE, AT(cost), .choice = costs, .role = FIXED,
      .help = "what operations cost: a product 1, a sum 1, a quotient 8; or 1, 0, 1 (default: throughput)"},
     {"selection", 0, OPTION_CHOICE, AT(selection), .choice = selections, .role = FIXED,
@@ -93,7 +91,7 @@ static const struct option_row rows[] = {
      .help = "only each N-th generation (default: 1)"},
     {"quiet", 0, OPTION_FLAG, AT(quiet), .help = "no progress and no list of finds, the table of changes alone"},
     {"benchmark", 0, OPTION_FLAG, AT(benchmark),
-     .help = "speed of the evaluator as CSV: engine,precision,bits,genes_samples_per_s"}};
+     .help = "speed of the evaluator as CSV: engine,bits,genes_samples_per_s"}};
 enum { ROWS = sizeof rows / sizeof *rows };
 
 const struct option_table evolve_option_table = {
@@ -145,7 +143,6 @@ static void set_paper(struct evolve_options *o)
     o->population = 200;
     o->breeding = BREED_PAPER;
     o->cost = COST_PAPER;
-    o->growth = GROWTH_NO;
     o->selection = SELECT_ROULETTE;
     o->parsimony = 0;
     o->topology = TOPOLOGY_RING;

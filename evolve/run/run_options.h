@@ -7,7 +7,6 @@
 #include "../island/topology.h"
 
 enum functions { FUNCTIONS_OF_TIER, FUNCTIONS_POLYNOMIAL, FUNCTIONS_RATIONAL };
-enum growth { GROWTH_YES, GROWTH_NO };
 enum cost_model { COST_THROUGHPUT, COST_PAPER }; /* as codegen's --cost */
 
 struct evolve_options {
@@ -24,7 +23,6 @@ struct evolve_options {
     enum breeding breeding;
     enum selection selection;
     enum cost_model cost;
-    enum growth growth;
     enum topology topology;
     int preset;
 };

@@ -27,7 +27,6 @@ struct run_files {
 
 /** What it is to find, and what that is measured by: the same on all ranks. */
 struct problem {
-    size_t max_length; /* genes of an expression of any tier; 0: as the tier says */
     struct scene *scene;
     struct archive *archive;
     struct gene_set *genes; /* one for each tier */
@@ -37,18 +36,6 @@ struct problem {
     struct fitting hooks; /* the same as the islands call it */
     struct plan plan;
 };
-
-/** Genes of the longest expression of a tier. */
-static inline size_t problem_longest(const struct problem *p, size_t tier)
-{
-    return p->max_length && !p->scene->tier[tier].program ? p->max_length : p->scene->tier[tier].max_length;
-}
-
-/** Expressions of one gene are chosen among the frame's values: nothing to evolve. */
-static inline bool problem_chooses(const struct problem *p, size_t tier)
-{
-    return !p->scene->tier[tier].program && problem_longest(p, tier) == 1;
-}
 
 /** How far it has come. */
 struct outcome {

@@ -7,8 +7,7 @@ mpirun="mpirun -q --oversubscribe"
 [ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
 cp tests/scenes/small.scene "$work/"
 options="--scene $work/small.scene --seed 5 --from-scratch --islands 3 --population 60 --quiet"
-# Growth of seeds comes before what is tested below, and is repeated on any ranks in evolve.sh.
-plain="$options --growth no"
+paper="$options --breeding paper" # trees
 same() { cmp -s "$1" "$2"; report $((! $?)) "$3"; }
 
 usage() { expect "$1" 2 '' "footpoint-evolve: error: $2" "$evolve" --scene quad4 $3; }
@@ -24,7 +23,7 @@ usage 'one file for two things' '--checkpoint and --log are one file: f' '--chec
 # Without interruption, then in two parts on other numbers of ranks: genomes and log.
 "$evolve" $options --generations 60 -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
 cp "$work/whole.csv" "$work/log.csv" && head -1 "$work/log.csv" | grep -q '^generation,island,tier,output,place,best_error,' &&
-    [ "$(wc -l < "$work/log.csv")" = $((1 + 60 * 12)) ]; report $((! $?)) 'a line for each generation and island'
+    [ "$(wc -l < "$work/log.csv")" = $((1 + 60 * 6)) ]; report $((! $?)) 'a line for each generation and island'
 $mpirun -n 3 "$evolve" $options --generations 60 -o "$work/o.gen" --log "$work/log.csv" > /dev/null 2>&1
 same "$work/whole.csv" "$work/log.csv" 'the same log from 3 ranks'
 $mpirun -n 3 "$evolve" $options --generations 30 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
@@ -36,13 +35,13 @@ same "$work/whole.gen" "$work/parts.gen" 'begun on 3 ranks, resumed on 2: the sa
 same "$work/whole.csv" "$work/parts.csv" 'and the same log'
 later "checkpoint: two topologies, SIGUSR1"
 for topology in torus ${FOOTPOINT_LONG:+random none}; do
-    "$evolve" $plain --topology $topology --generations 25 -o "$work/t1.gen" > /dev/null 2>&1
-    $mpirun -n 2 "$evolve" $plain --topology $topology --generations 25 -o "$work/t2.gen" > /dev/null 2>&1
+    "$evolve" $paper --topology $topology --generations 25 -o "$work/t1.gen" > /dev/null 2>&1
+    $mpirun -n 2 "$evolve" $paper --topology $topology --generations 25 -o "$work/t2.gen" > /dev/null 2>&1
     same "$work/t1.gen" "$work/t2.gen" "$topology: the same genomes from 1 and 2 ranks"
 done
 
 # Killed, and ended by signals.
-options=$plain
+options=$paper
 started() { # started PID: its first checkpoint is there
     tries=200
     until [ -e "$work/ck" ] || [ $((tries -= 1)) = 0 ] || ! kill -0 "$1" 2> /dev/null; do sleep 0.05; done

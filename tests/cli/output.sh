@@ -86,7 +86,7 @@ refused codegen 'the output' --cost code --cost "$work/costs" -o "$work/far/../c
 refused codegen 'the output' --samples code --samples "$work/costs" -o "$work/costs"
 cp tests/scenes/small.scene "$work/"
 cp "$work/small.scene" "$work/kept.scene"
-run="--scene $work/small.scene --from-scratch --growth no --generations 1 --population 20 --quiet"
+run="--scene $work/small.scene --from-scratch --generations 1 --population 20 --quiet"
 for option in output front log checkpoint; do
     other=$work/other.gen
     [ $option = output ] && other=$work/small.scene

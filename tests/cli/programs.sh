@@ -17,12 +17,12 @@ scene 's/^functions = .*/functions = "all";/'; refused 'no word' "12: error: 'fu
 scene 's/"place"/"plice"/'; refused 'programs end in no function' "14: error: tier 'both': 'plice' is no function of frame 'steps'"
 scene 's/"ut", "vt"/"ut", "vw0"/'; refused 'starts from no value' "14: error: tier 'both': 'vw0' is no value of frame 'steps'"
 scene 's/starts = (\["p", "q"\]/starts = (["p"]/'; refused 'starts with one value' "15: error: 'starts' must be pairs of names, ([\"p\", \"q\"], ...)"
-scene 's/max_length = 15;/& last = "place";/'; refused 'a tree ends in nothing' "16: error: tier 'clamped': 'last' is for programs: 'functions' names none of the frame"
+scene 's/max_length = 15;/max_length = 1; last = "place";/'; refused 'a value ends in nothing' "16: error: tier 'clamped': 'last' is for programs, of more operations than 1"
 
 cp tests/scenes/steps.scene "$work/"
 options="--scene $work/steps.scene --seed 3 --islands 3 --population 30 --quiet"
 "$evolve" $options --from-scratch --generations 12 -o "$work/one.gen" --front "$work/one.csv" > "$work/table"
-grep -q '^both  *both  *- -> ' "$work/table" && grep -q '^clamped  *xi ' "$work/table"; report $((! $?)) 'one line for both outputs'
+grep -q '^both  *both  *- -> ' "$work/table" && grep -q '^clamped  *both ' "$work/table"; report $((! $?)) 'one line for both outputs'
 for ranks in 3; do
     $mpirun -n $ranks "$evolve" $options --from-scratch --generations 12 -o "$work/more.gen" --front "$work/more.csv" > /dev/null 2>&1
     same "$work/one.gen" "$work/more.gen" "$ranks ranks: the same genomes"
@@ -48,4 +48,5 @@ report $((! $?)) 'no function is needed but the last'
 awk -F, -v error="$best" 'NR == FNR { if ($1 == "both" && $9 == error) { mul = $4; div = $6 } next }
     $1 == "both" { exit !($2 <= 1.05 * mul && $3 <= div) }' "$work/one.csv" "$work/a"; report $((! $?)) 'and costs no more than was counted'
 
-expect 'a header, all denominators proved free of zeros' 0 '*' '*' "$BIN/footpoint-codegen" --effort 0 "$work/one.gen" -o "$work/one.h"
+expect 'a header' 0 '*' '*' "$BIN/footpoint-codegen" --effort 0 --allow-poles "$work/one.gen" -o "$work/one.h"
+grep -q '^ \*   poles: ' "$work/one.h"; report $((! $?)) 'that says of every denominator what is known'

@@ -109,16 +109,16 @@ static void champions_yield_to_the_better_alone(void **state)
 {
     struct fixture *f = *state;
     struct archive *a = archive_of(&f->scene, START);
-    archive_measure(a, &f->plan, f->objective, 0);
+    archive_measure(a, &f->plan, f->objective);
     const struct champion *c = &a->champion[0][0];
     assert_true(fabs(c->error - 0.12345678901) < 1e-15 && c->cost == 4); /* p and q are differences */
     const int worse[] = {GENE_MUL, P, P}, better[] = {GENE_ADD, decimal_gene(0.125e-3), GENE_MUL, Q, P};
     offer(f, a, worse, 3);
-    archive_choose_champions(a, &f->plan);
+    archive_choose_champions(a, &f->plan, f->objective);
     assert_false(c->bred);
     assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.12345678901");
     offer(f, a, better, 5);
-    archive_choose_champions(a, &f->plan);
+    archive_choose_champions(a, &f->plan, f->objective);
     assert_true(c->bred && c->tree.length == 5);
     assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.000125");
     assert_true(fabs(c->error - 0.125e-3) < 1e-15);
@@ -133,10 +133,10 @@ static void budgets_decide(void **state)
     const int cheap[] = {GENE_ADD, Q, decimal_gene(-0.1)}, free_of_cost[] = {Q};
     f->tier.budget = 2; /* q is a difference */
     struct archive *a = archive_of(&f->scene, START);
-    archive_measure(a, &f->plan, f->objective, 0);
+    archive_measure(a, &f->plan, f->objective);
     offer(f, a, free_of_cost, 1);
     offer(f, a, cheap, 3);
-    archive_choose_champions(a, &f->plan);
+    archive_choose_champions(a, &f->plan, f->objective);
     const struct champion *c = &a->champion[0][0];
     assert_true(c->bred && c->cost <= 2);
     assert_true(c->error == front_error(a->front[0][0], 2));
@@ -150,11 +150,11 @@ static void parsimony_decides_without_a_budget(void **state)
     const int dear[] = {GENE_ADD, GENE_MUL, P, P, GENE_MUL, P, GENE_SUB, Q, P};
     f->plan.parsimony = 0.3;
     struct archive *a = archive_of(&f->scene, NULL);
-    archive_measure(a, &f->plan, f->objective, 0);
+    archive_measure(a, &f->plan, f->objective);
     offer(f, a, (const int[]){decimal_gene(0.3)}, 1);
     offer(f, a, (const int[]){GENE_MUL, P, Q}, 3);
     offer(f, a, dear, 9);
-    archive_choose_champions(a, &f->plan);
+    archive_choose_champions(a, &f->plan, f->objective);
     assert_int_equal(a->champion[0][0].tree.length, 3);
     assert_true(a->champion[0][0].error == 0);
     archive_free(a);
@@ -166,20 +166,22 @@ static void seeds_go_where_they_fit(void **state)
     struct diag d;
     struct tree *seed;
     struct archive *a = archive_of(&f->scene, START);
-    assert_int_equal(archive_seeds(a, 0, 0, 9, &seed), 1); /* the champion */
+    assert_int_equal(archive_seeds(a, 0, 0, &seed), 1); /* the champion */
     assert_true(decimal_valid(seed[0].gene[1]) && decimal_value(seed[0].gene[1]) == 0.1234568);
     free(seed);
     assert_true(archive_read_seeds(a, START, &d));
-    assert_int_equal(archive_seeds(a, 0, 0, 9, &seed), 3); /* and both genomes of the file */
+    assert_int_equal(archive_seeds(a, 0, 0, &seed), 3); /* and both genomes of the file */
     free(seed);
-    assert_int_equal(archive_seeds(a, 0, 1, 9, &seed), 2);
+    assert_int_equal(archive_seeds(a, 0, 1, &seed), 2);
     free(seed);
-    assert_int_equal(archive_seeds(a, 0, 0, 4, &seed), 0);
+    f->tier.max_length = 4;
+    assert_int_equal(archive_seeds(a, 0, 0, &seed), 0);
+    f->tier.max_length = 9;
     free(seed);
     archive_add_seed(a, 0, 0, &(struct tree){(int[]){GENE_SYMBOL}, 1}); /* xA is no terminal */
-    assert_int_equal(archive_seeds(a, 0, 0, 9, &seed), 3);
+    assert_int_equal(archive_seeds(a, 0, 0, &seed), 3);
     free(seed);
-    archive_measure(a, &f->plan, f->objective, 0);
+    archive_measure(a, &f->plan, f->objective);
     assert_int_equal(front_count(a->front[0][0]), front_count(a->old[0][0]));
     assert_false(archive_read_seeds(a, "/nowhere/seeds.gen", &d));
     FILE *file = fopen(START, "w");
@@ -211,12 +213,12 @@ static void exact_values_are_taken(void **state)
         f->tier.budget = 0;
         archive_find_exact(a, &f->plan, &f->table, 1e-10);
         assert_true(c[0].exact == 0 && c[1].exact == Q);
-        archive_measure(a, &f->plan, f->objective, 0);
+        archive_measure(a, &f->plan, f->objective);
         assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[1].cost == 1 && c[1].bred == !known);
         const int product[] = {GENE_MUL, P, Q}, constant[] = {decimal_gene(0.1)};
         archive_offer(a, &f->plan, 0, 1, &(struct tree){(int *)constant, 1}, 0, ORIGIN_RANDOM);
         offer(f, a, product, 3);
-        archive_choose_champions(a, &f->plan);
+        archive_choose_champions(a, &f->plan, f->objective);
         assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[0].tree.length == 3);
         if (!archive_write(a, WRITTEN, &facts, &heldout, &d))
             fail_msg("%s", d.text);
@@ -239,7 +241,7 @@ static void fronts_are_written(void **state)
     struct archive *a = archive_of(&f->scene, START);
     f->scene.shapes = (struct shapes){.aspect = 1};
     f->scene.source = SOURCE_RANDOM;
-    archive_measure(a, &f->plan, f->objective, 0);
+    archive_measure(a, &f->plan, f->objective);
     offer(f, a, (const int[]){GENE_MUL, decimal_gene(0.5), Q}, 3);
     if (!archive_write_front(a, WRITTEN, &heldout, &d))
         fail_msg("%s", d.text);

@@ -1,9 +1,8 @@
-/* The evaluator against a recursive evaluation of one sample at a time: equal bits, in double and in float, for
+/* The evaluator against a recursive evaluation of one sample at a time: equal bits for
  * every vector width. */
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/eval/kernel.h"
-#include "../../evolve/eval/objective.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -73,26 +72,18 @@ static size_t random_genome(gsl_rng *rng, const int *operators, size_t count, si
     return n;
 }
 
-/* A sample of the table, in either precision. */
+/* A sample of the table. */
 struct point {
     const struct genome_constant *constant; /* NULL: decimal constants */
     const struct columns *c;
-    const struct columns_float *single; /* NULL: in double */
     size_t i;
 };
-
-/* Rounding to double, then to float, is rounding to float for every operator here. */
-static double rounded(const struct point *p, double x)
-{
-    return p->single ? (double)(float)x : x;
-}
 
 static double leaf_value(const struct point *p, int gene)
 {
     if (gene >= GENE_SYMBOL)
-        return p->single ? (double)columns_float_at(p->single, (size_t)(gene - GENE_SYMBOL))[p->i]
-                         : columns_at(p->c, (size_t)(gene - GENE_SYMBOL))[p->i];
-    return rounded(p, p->constant ? p->constant[-1 - gene].value : decimal_value(gene));
+        return columns_at(p->c, (size_t)(gene - GENE_SYMBOL))[p->i];
+    return p->constant ? p->constant[-1 - gene].value : decimal_value(gene);
 }
 
 __attribute__((no_sanitize("float-divide-by-zero"))) static double apply(int gene, double x, double y)
@@ -129,7 +120,7 @@ static double recursive_value(const int **gene, const struct point *p)
         return leaf_value(p, g);
     const double x = recursive_value(gene, p);
     const double y = gene_arity(g) == 2 ? recursive_value(gene, p) : 0;
-    return rounded(p, apply(g, x, y));
+    return apply(g, x, y);
 }
 
 static bool same_bits(double a, double b)
@@ -145,13 +136,12 @@ static double lane_sum(const double *value, const struct point *p)
     for (size_t first = 0; first < n; first += KERNEL_BLOCK) {
         double lane[KERNEL_LANES] = {0};
         for (size_t i = first; i < n && i < first + KERNEL_BLOCK; i++) {
-            const struct point at = {NULL, p->c, p->single, i};
-            const double difference = fabs(rounded(p, value[i] - leaf_value(&at, GENE_SYMBOL + SYMBOLS)));
-            lane[i % KERNEL_LANES] = rounded(p, lane[i % KERNEL_LANES] + difference);
+            const struct point at = {NULL, p->c, i};
+            lane[i % KERNEL_LANES] += fabs(value[i] - leaf_value(&at, GENE_SYMBOL + SYMBOLS));
         }
         for (int half = KERNEL_LANES / 2; half > 0; half /= 2)
             for (int j = 0; j < half; j++)
-                lane[j] = rounded(p, lane[j] + lane[j + half]);
+                lane[j] += lane[j + half];
         sum += lane[0];
     }
     return isfinite(sum) ? sum : INFINITY;
@@ -175,38 +165,30 @@ static void check_values(const struct fixture *f, const struct kernel_task *task
     free(found);
 }
 
-static void check_sums(const struct fixture *f, const struct kernel_task *task, const struct columns_float *single,
-                       double expected)
+static void check_sums(const struct fixture *f, const struct kernel_task *task, double expected)
 {
     for (int w = 0; w < KERNEL_WIDTHS; w++) {
         if (!f->kernel[w])
             continue;
-        const double sum = single ? kernel_error_sum_float(f->kernel[w], task, single, SYMBOLS, INFINITY)
-                                  : kernel_error_sum(f->kernel[w], task, SYMBOLS, INFINITY);
+        const double sum = kernel_error_sum(f->kernel[w], task, SYMBOLS, INFINITY);
         if (!same_bits(expected, sum))
-            fail_msg("%d bits, %s: sum %a, expected %a", kernel_bits((enum kernel_width)w), single ? "float" : "double",
-                     sum, expected);
+            fail_msg("%d bits: sum %a, expected %a", kernel_bits((enum kernel_width)w), sum, expected);
     }
 }
 
-/* Values and sums of a genome in double and in float, of all widths. */
+/* Values and sums of a genome, of all widths. */
 static void check_task(const struct fixture *f, const struct kernel_task *task)
 {
     const struct columns *c = task->table;
-    struct columns_float single = columns_float_new(c);
     double *expected = new_array(c->n, sizeof *expected);
-    for (int precision = 0; precision < 2; precision++) {
-        struct point p = {task->constant, c, precision == 0 ? NULL : &single, 0};
-        for (; p.i < c->n; p.i++) {
-            const int *at = task->gene;
-            expected[p.i] = recursive_value(&at, &p);
-            assert_true(at == task->gene + task->length);
-        }
-        if (!p.single)
-            check_values(f, task, expected);
-        check_sums(f, task, p.single, lane_sum(expected, &p));
+    struct point p = {task->constant, c, 0};
+    for (; p.i < c->n; p.i++) {
+        const int *at = task->gene;
+        expected[p.i] = recursive_value(&at, &p);
+        assert_true(at == task->gene + task->length);
     }
-    columns_float_free(&single);
+    check_values(f, task, expected);
+    check_sums(f, task, lane_sum(expected, &p));
     free(expected);
 }
 
@@ -369,14 +351,6 @@ static void not_finite(void **state)
             columns_at(&c, 0)[i] = kept;
         }
     assert_true(isfinite(kernel_error_sum(f->kernel[KERNEL_PLAIN], &task, SYMBOLS, INFINITY)));
-    columns_at(&c, 0)[999] = 1e39; /* no float */
-    struct columns_float single = columns_float_new(&c);
-    for (int w = 0; w < KERNEL_WIDTHS; w++)
-        if (f->kernel[w]) {
-            assert_true(isfinite(kernel_error_sum(f->kernel[w], &task, SYMBOLS, INFINITY)));
-            assert_true(kernel_error_sum_float(f->kernel[w], &task, &single, SYMBOLS, INFINITY) == INFINITY);
-        }
-    columns_float_free(&single);
     columns_free(&c);
 }
 
@@ -388,7 +362,6 @@ static void early_end(void **state)
     struct columns c = random_table(f->rng, 10 * KERNEL_BLOCK);
     const struct kernel_task task = {leaf, 1, f->program->constant, &c};
     const double sum = kernel_error_sum(f->kernel[KERNEL_PLAIN], &task, SYMBOLS, INFINITY);
-    struct columns_float single = columns_float_new(&c);
     for (int w = 0; w < KERNEL_WIDTHS; w++) {
         struct kernel *k = f->kernel[w];
         if (!k)
@@ -400,33 +373,6 @@ static void early_end(void **state)
         const double blocks = (kernel_work(k) - before) / KERNEL_BLOCK;
         if (!(blocks >= 2 && blocks <= 4))
             fail_msg("%d bits: %g of 10 blocks for a quarter of the sum", kernel_bits((enum kernel_width)w), blocks);
-        assert_true(kernel_error_sum_float(k, &task, &single, SYMBOLS, 0.25 * sum) == INFINITY);
-        assert_true((kernel_work(k) - before) / KERNEL_BLOCK == 2 * blocks);
-    }
-    columns_float_free(&single);
-    columns_free(&c);
-}
-
-/* Ranks in float agree with errors in double to about six digits; other norms than the mean know no float. */
-static void ranks(void **state)
-{
-    static const enum scene_norm norms[] = {NORM_MEAN, NORM_P99, NORM_MAX};
-    const struct fixture *f = *state;
-    int gene[] = {GENE_ADD, GENE_SYMBOL, GENE_MUL, -3, GENE_SYMBOL + 1};
-    const struct tree t = {gene, 5};
-    struct columns c = random_table(f->rng, 5000);
-    for (int k = 0; k < 3; k++) {
-        struct objective *j = objective_new(f->program, &c, norms[k]);
-        const double error = objective_error(j, &t, SYMBOLS, INFINITY), rank = objective_rank(j, &t, SYMBOLS, INFINITY);
-        assert_true(error > 0 && fabs(rank - error) <= (k == 0 ? 1e-6 * error : 0));
-        if (k == 0)
-            assert_true(objective_rank(j, &t, SYMBOLS, 0.9 * error) == INFINITY);
-        gene[3] = decimal_gene(f->program->constant[2].value);
-        j->decimal = true;
-        assert_true(objective_error(j, &t, SYMBOLS, INFINITY) == error);
-        assert_true(objective_rank(j, &t, SYMBOLS, INFINITY) == rank);
-        gene[3] = -3;
-        objective_free(j);
     }
     columns_free(&c);
 }
@@ -441,7 +387,6 @@ int main(void)
         cmocka_unit_test_setup_teardown(quotients, setup, teardown),
         cmocka_unit_test_setup_teardown(not_finite, setup, teardown),
         cmocka_unit_test_setup_teardown(early_end, setup, teardown),
-        cmocka_unit_test_setup_teardown(ranks, setup, teardown),
     };
     return cmocka_run_group_tests_name("kernel", tests, NULL, NULL);
 }

@@ -4,7 +4,6 @@
 #include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/eval/frame.h"
-#include "../../evolve/eval/tape.h"
 #include "../../evolve/fit/compose.h"
 #include "../../evolve/fit/fit_lines.h"
 #include "../../evolve/fit/fits.h"

@@ -1,6 +1,9 @@
 /* The genetic algorithm on polynomials: a known polynomial comes back, sizes are obeyed, fits and errors are what the
  * samples say, dependent terms do no harm, and nothing depends on how the evaluation is shared out. */
+#include "../../evolve/common/decimal.h"
 #include "../../evolve/common/stream.h"
+#include "../../evolve/eval/kernel.h"
+#include "../../evolve/paper/normal_equations.h"
 #include "../../evolve/paper/pga.h"
 
 #include <math.h>
@@ -109,6 +112,129 @@ static void fits_are_least_squares(void **state)
         for (size_t k = 0; k < n; k++)
             assert_true(fabs(product[k]) < 1e-9);
         assert_in_range(polynomials_condition(f->p, chosen), 1, 10000);
+    }
+}
+
+/* binomial(n + degree, degree) monomials, all different. */
+static void monomials_are_complete(void **state)
+{
+    static const size_t expected[MONOMIAL_DEGREE + 1] = {1, 5, 15, 35, 70};
+    (void)state;
+    for (size_t degree = 0; degree <= MONOMIAL_DEGREE; degree++) {
+        size_t count;
+        struct monomial *m = monomials_new(symbol, SYMBOLS, degree, &count);
+        assert_int_equal(count, expected[degree]);
+        assert_int_equal(m[0].degree, 0);
+        for (size_t i = 0; i < count; i++)
+            for (size_t j = 0; j < i; j++)
+                assert_memory_not_equal(&m[i], &m[j], sizeof *m);
+        free(m);
+    }
+}
+
+/* Random sums of monomials against their trees. */
+static void horner_form_is_the_sum(void **state)
+{
+    struct fixture *f = *state;
+    struct kernel *kernel = kernel_new(KERNEL_PLAIN);
+    double *value = new_array(SAMPLES, sizeof *value);
+    for (size_t round = 0; round < 200; round++) {
+        struct monomial term[COUNT];
+        double coefficient[COUNT];
+        size_t n = 0;
+        for (size_t i = 0; i < COUNT; i++)
+            if (gsl_rng_uniform_int(f->rng, 1 + round % 20) == 0) {
+                term[n] = f->p->term[i];
+                coefficient[n++] = decimal_value(decimal_gene(4 * gsl_rng_uniform(f->rng) - 2));
+            }
+        if (n == 0)
+            continue;
+        struct tree t = {new_array(monomials_room(n), sizeof *t.gene), 0};
+        monomials_tree(term, coefficient, n, &t);
+        assert_true(t.length <= monomials_room(n));
+        assert_int_equal(gene_span(t.gene, t.length), t.length);
+        kernel_values(kernel, &(struct kernel_task){t.gene, t.length, NULL, &f->table}, value);
+        for (size_t row = 0; row < SAMPLES; row++) {
+            double sum = 0;
+            for (size_t i = 0; i < n; i++)
+                sum += coefficient[i] * term_value(&term[i], &f->table, row);
+            assert_true(fabs(sum - value[row]) < 1e-12);
+        }
+        free(t.gene);
+    }
+    free(value);
+    kernel_free(kernel);
+}
+
+/* Sums of products, and fits of any choice of columns; columns that depend on each other are refused. */
+static void products_match(void **state)
+{
+    enum { COLUMNS = 7, ROWS = 1000 };
+    const struct fixture *f = *state;
+    double gram[COLUMNS * COLUMNS], coefficient[COLUMNS], work[COLUMNS * COLUMNS], *x;
+    struct products p = products_new(COLUMNS, COLUMNS);
+    x = new_array(COLUMNS * 2 * ROWS, sizeof *x);
+    for (size_t i = 0; i < COLUMNS * 2 * ROWS; i++)
+        x[i] = gsl_rng_uniform(f->rng) - 0.3;
+    for (size_t i = 0; i < ROWS; i++) {
+        x[6 * ROWS + i] = 3 * x[2 * ROWS + i] - 2 * x[4 * ROWS + i];
+        x[5 * ROWS + i] = x[i] + x[ROWS + i];
+    }
+    products_add(&p, (struct panel){x, ROWS}, (struct panel){x, ROWS}, ROWS, true);
+    products_sum(&p, true, gram);
+    for (size_t i = 0; i < COLUMNS; i++)
+        for (size_t j = 0; j < COLUMNS; j++) {
+            long double sum = 0;
+            for (size_t k = 0; k < ROWS; k++)
+                sum += (long double)x[i * ROWS + k] * x[j * ROWS + k];
+            assert_true(fabs(gram[i * COLUMNS + j] - (double)sum) < 1e-10);
+        }
+    const size_t chosen[] = {4, 1, 2}, dependent[] = {0, 1, 5};
+    const double left = products_fit(gram, COLUMNS, chosen, 3, 6, coefficient, work);
+    assert_true(left >= 0 && left < 1e-9);
+    assert_true(fabs(coefficient[0] + 2) < 1e-9 && fabs(coefficient[1]) < 1e-9 && fabs(coefficient[2] - 3) < 1e-9);
+    assert_true(products_fit(gram, COLUMNS, dependent, 3, 6, coefficient, work) == -1);
+    products_free(&p);
+    free(x);
+}
+
+static double norm_of(const struct fixture *f, const gene_bit *chosen, const double *coefficient, bool largest)
+{
+    size_t at[COUNT];
+    const size_t n = polynomials_terms(f->p, chosen, at);
+    double sum = 0, most = 0;
+    for (size_t i = 0; i < SAMPLES; i++) {
+        double r = -columns_at(&f->table, GOAL)[i];
+        for (size_t k = 0; k < n; k++)
+            r += coefficient[k] * term_value(&f->p->term[at[k]], &f->table, i);
+        sum += fabs(r);
+        most = fmax(most, fabs(r));
+    }
+    return largest ? most : sum / SAMPLES;
+}
+
+/* Other norms have other coefficients, and small changes of these do not make it better, but for what weighted squares
+ * have still to go. */
+static void norms_have_their_own_optimum(void **state)
+{
+    const struct fixture *f = *state;
+    for (int largest = 0; largest < 2; largest++) {
+        gene_bit chosen[COUNT] = {0};
+        double squares[COUNT], own[COUNT];
+        for (size_t i = 0; i < 12; i++)
+            chosen[3 * i] = 1 - (i == goal_term[1] / 3);
+        polynomials_fit(f->p, chosen, squares);
+        memcpy(own, squares, sizeof own);
+        polynomials_fit_norm(f->p, chosen, largest ? NORM_MAX : NORM_MEAN, own);
+        const double least = norm_of(f, chosen, own, largest);
+        assert_true(least < (largest ? 0.95 : 0.9999) * norm_of(f, chosen, squares, largest));
+        for (size_t k = 0; k < polynomials_terms(f->p, chosen, NULL); k++)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                double other[COUNT];
+                memcpy(other, own, sizeof other);
+                other[k] += 0.05 * sign;
+                assert_true(norm_of(f, chosen, other, largest) > 0.995 * least);
+            }
     }
 }
 
@@ -224,7 +350,11 @@ static void sharing_changes_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(monomials_are_complete),
+        cmocka_unit_test(horner_form_is_the_sum),
+        cmocka_unit_test(products_match),
         cmocka_unit_test(fits_are_least_squares),
+        cmocka_unit_test(norms_have_their_own_optimum),
         cmocka_unit_test(fitness_is_as_published),
         cmocka_unit_test(known_polynomial_is_recovered),
         cmocka_unit_test(restricted_size_is_obeyed),

@@ -224,8 +224,8 @@ static const struct malformed malformed[] = {
     {HEAD SHAPES TAIL, "\"rational\"", "\"any\"", "12: error: 'functions' must be \"polynomial\" or \"rational\""},
     {HEAD SHAPES TAIL, "max_length", "reference = [0.0, 2.0]; max_length", "12: error: 'reference' must be in -1..1"},
     {HEAD SHAPES TAIL, "max_length", "last = 3; max_length", "12: error: 'last' must be a text in quotes"},
-    {HEAD SHAPES TAIL, "max_length", "last = \"foot\"; max_length",
-     "12: error: tier 'fast': 'last' is for programs: 'functions' names none of the frame"},
+    {HEAD SHAPES TAIL, "max_length = 50", "last = \"foot\"; max_length = 1",
+     "12: error: tier 'fast': 'last' is for programs, of more operations than 1"},
     {HEAD SHAPES TAIL, "max_length", "maximum", "12: error: unknown key 'maximum' in tier 1"},
 };
 

@@ -75,98 +75,6 @@ static void operators_keep_genomes_valid(void **state)
     gsl_rng_free(rng);
 }
 
-/* Of the constants, those that are no numbers of the set are decimal. */
-static void check_edited(const struct tree *t, const char *what, int step)
-{
-    if (t->length < 1 || t->length > MAX_LENGTH || gene_span(t->gene, t->length) != t->length)
-        fail_msg("%s, operation %d: %zu genes, the first tree has %zu", what, step, t->length,
-                 gene_span(t->gene, t->length));
-    for (size_t i = 0; i < t->length; i++)
-        if (!contains(symbol, 3, t->gene[i]) && !contains(operation, 4, t->gene[i]) && t->gene[i] != GENE_NEG &&
-            !decimal_valid(t->gene[i]))
-            fail_msg("%s, operation %d: gene %d", what, step, t->gene[i]);
-}
-
-static bool edit(gsl_rng *rng, const struct gene_set *s, int which, const struct tree *a, const struct tree *b,
-                 struct tree *child)
-{
-    switch (which) {
-    case 0:
-        return tree_graft(rng, a, b, MAX_LENGTH, child);
-    case 1:
-        return tree_mutate_twig(rng, s, a, MAX_LENGTH, child);
-    case 2:
-        return tree_wrap(rng, s, a, MAX_LENGTH, child);
-    case 3:
-        return tree_hoist(rng, a, child) && child->length < a->length;
-    case 4:
-        return tree_shrink(rng, a, child) && child->length < a->length;
-    case 5:
-        return tree_add_term(rng, s, a, b, MAX_LENGTH, child) && child->length >= a->length + 4;
-    case 6:
-        return tree_drop_term(rng, a, child) && child->length + 2 <= a->length;
-    default:
-        return tree_shift_constant(rng, a, child) && child->length == a->length;
-    }
-}
-
-/* Each operator works most of the time, on trees that it has made itself and never grows too long. */
-static void edits_keep_genomes_valid(void **state)
-{
-    (void)state;
-    static const char *const name[] = {"graft", "twig", "wrap", "hoist", "shrink", "add", "drop", "constant"};
-    static int gene[POPULATION + 1][MAX_LENGTH], decimal[12];
-    struct tree tree[POPULATION + 1];
-    const struct gene_set decimals = {symbol, 3, decimal, 12, operation, 4, 0};
-    int done[8] = {0};
-    gsl_rng *rng = stream_new();
-    stream_key(rng, 4, 0, 0, 0);
-    for (int i = 0; i < 12; i++)
-        decimal[i] = decimal_gene(i - 5.5);
-    for (int i = 0; i <= POPULATION; i++) {
-        tree[i].gene = gene[i];
-        tree_random(rng, &decimals, i % 6, i % 2 == 0, MAX_LENGTH, &tree[i]);
-    }
-    memcpy(gene[0], (int[]){GENE_NEG, GENE_MUL, GENE_SYMBOL, -1}, 4 * sizeof(int)); /* a seed may bring this operator */
-    tree[0].length = 4;
-    struct tree *child = &tree[POPULATION];
-    for (int step = 0; step < OPERATIONS; step++) {
-        struct tree *a = &tree[gsl_rng_uniform_int(rng, POPULATION)], *b = &tree[gsl_rng_uniform_int(rng, POPULATION)];
-        const int which = (int)gsl_rng_uniform_int(rng, 8);
-        if (!edit(rng, &decimals, which, a, b, child))
-            continue;
-        check_edited(child, name[which], step);
-        tree_copy(child, a);
-        done[which]++;
-    }
-    for (int i = 0; i < 8; i++)
-        if (done[i] < OPERATIONS / 8 / 4)
-            fail_msg("%s: only %d times", name[i], done[i]);
-    gsl_rng_free(rng);
-}
-
-/* (x + y) - x z less a term, in all ways; no other tree comes out. */
-static void terms_are_dropped_whole(void **state)
-{
-    (void)state;
-    int gene[] = {GENE_SUB, GENE_ADD, GENE_SYMBOL, GENE_SYMBOL + 1, GENE_MUL, GENE_SYMBOL, GENE_SYMBOL + 2}, to[7];
-    const struct tree t = {gene, 7};
-    struct tree child = {to, 0};
-    bool seen[3] = {false};
-    gsl_rng *rng = stream_new();
-    stream_key(rng, 2, 0, 0, 0);
-    for (int k = 0; k < 200; k++) {
-        assert_true(tree_drop_term(rng, &t, &child));
-        if (child.length == 3)
-            seen[0] = contains(&to[0], 1, GENE_ADD); /* x + y */
-        else
-            seen[to[1] == GENE_SYMBOL ? 1 : 2] = child.length == 5 && to[0] == GENE_SUB;
-    }
-    assert_true(seen[0] && seen[1] && seen[2]);
-    assert_false(tree_drop_term(rng, &(struct tree){gene + 4, 3}, &child));
-    gsl_rng_free(rng);
-}
-
 /* Genes of the two children together are those of the two parents, when both fit. */
 static void crossover_exchanges(void **state)
 {
@@ -230,8 +138,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(operators_keep_genomes_valid),
-        cmocka_unit_test(edits_keep_genomes_valid),
-        cmocka_unit_test(terms_are_dropped_whole),
         cmocka_unit_test(crossover_exchanges),
         cmocka_unit_test(smallest_limits),
         cmocka_unit_test(shapes_and_hashes),

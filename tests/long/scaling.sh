@@ -16,7 +16,7 @@ quiet() { # within half a minute: a second with less than a tenth of a core in u
     return 1
 }
 rate() { # rate RANKS: genes x samples per second
-    $mpirun -n "$1" "$evolve" --scene "$work/small.scene" --from-scratch --growth no --islands $((2 * $1)) \
+    $mpirun -n "$1" "$evolve" --scene "$work/small.scene" --from-scratch --islands $((2 * $1)) \
         --generations 60 -o "$work/o.gen" 2>&1 > /dev/null |
         sed -n 's|^generation .* left  \([^ ]*\) genes x samples/s.*|\1|p' | tail -n 1
 }

@@ -206,12 +206,10 @@ for seed in $seeds; do
             FNR == NR { error[$1] = $2; next }
             FNR > 1 { print name "," $2 + $3 "," error[$1] }' "$runs/errors" -
     done
-    awk '/^genome / { skip = !/_xi_/ } !skip; /^end/ { skip = 0 }' "$runs/front-$seed.members" > "$runs/one.gen"
-    awk '/^genome / { g = $2 } /^note heldout / { print g "," $6 }' "$runs/one.gen" > "$runs/errors"
-    awk -f $here/bare.awk "$runs/one.gen" > "$runs/bare.gen"
+    awk -f $here/bare.awk "$runs/front-$seed.members" > "$runs/bare.gen"
     "$BIN/footpoint-codegen" --count --cost paper --effort 50 "$runs/bare.gen" | awk -F, '
-        FNR == NR { error[$1] = $2; next }
-        FNR > 1 { print "front breeding," $2 + $3 "," error[$1] }' "$runs/errors" -
+        FNR == NR { error[sprintf("%s_%s_c%.0f", $1, $2, $3)] = $11; next }
+        FNR > 1 && $1 in error { print "programs," ($2 + $3) / 2 "," error[$1] }' "$runs/front-$seed.judged.csv" -
 done | { echo "method,multiplications and divisions,heldout error of xi"; cat; } > "$folder/front.csv"
 awk -v only=xi -f $here/bare.awk "$runs/perceptron.gen" > "$runs/bare.gen"
 "$BIN/footpoint-codegen" --count --cost paper --allow-poles "$runs/bare.gen" |
@@ -293,7 +291,7 @@ paper says nothing of this."
 refitted by least squares, as the paper prints none. Counted by footpoint-codegen in the paper's model, where a
 product or quotient counts one and a sum nothing."
     section front "Error against multiplications, xi" "What each method finds, in the eight inputs, before
-preprocessing; front breeding is footpoint's own evolution with the paper's inputs and + - *. Roots count one, too."
+preprocessing; programs are footpoint's own evolution with the paper's inputs and + - *: half of what xi and eta take together, and the mean error of both. Roots count one, too."
     section figure8 "Figure 8: speed-up of p-GA" "The paper has 32 processors; here as many ranks as were given,
 both outputs, unrestricted size. Rank 0 breeds and evaluates as well, where the paper's server only breeds."
     section figure9 "Figure 9: elapsed time against groups" "MaxGeneLength 50, $timed_generations generations
@@ -326,8 +324,8 @@ href=\"sixteen.csv\">sixteen.csv</a>."
     section figure19 "Figure 19: rational expressions against MaxGeneLength, Gregory patches" "As Figure 18; quotients
 are protected."
     section within "Within 50 multiplications, and within 100 multiplications and divisions" "Of all runs' expressions
-that are within these limits, those of least error on the training samples. Front breeding is footpoint's own evolution
-with the same inputs, + - * and quotients that are not protected, $sixteen_length genes at most. Area coordinates and
+that are within these limits, those of least error on the training samples. Programs are footpoint's own evolution with
+the same inputs, $sixteen_length operations at most; they make xi and eta together, within twice the limit. Area coordinates and
 the foot point on the facet know nothing of normals; they are counted for xi and eta together, with all preprocessing.
 Some segments are so bent that the z component of a node normal is about 0; the ratios by it have no bound, and neither
 have errors, off the lattice above all."

@@ -204,6 +204,12 @@ make_once "$runs/time-lengths.csv" time_lengths "$runs/timing50.scene"
 make_once "$runs/time-sixteen.csv" time_lengths "$runs/sixteen-timed.scene"
 say "this will take about $(estimate) minutes on $RANKS ranks, less what is there; interrupt it whenever you like"
 
+# judge SCENE NAME: the errors of the programs in NAME.members on the samples held out, NAME.judged.csv
+judge() {
+    "$BIN/footpoint-evolve" --quiet --scene "$1" --from-scratch --seeds "$2.members" --generations 0 \
+        --front "$2.judged.csv" -o "$2.judged.gen"
+}
+
 # ---- the runs -------------------------------------------------------------------------------------------------------
 
 make_once "$runs/time-groups.csv" time_groups
@@ -228,17 +234,19 @@ for seed in $seeds; do
     done
     evolve_once "front-$seed" --scene "$runs/front.scene" --cost paper --seed "$seed" --generations "$gp_generations" \
         --front "$runs/front-$seed.members"
+    make_once "$runs/front-$seed.out2" judge "$runs/front.scene" "$runs/front-$seed"
 done
 
 # Sixteen inputs: what expressions are compared with, the lengths, and the front of either kind of expressions.
 make_once "$runs/sixteen-known.out" "$BIN/footpoint-evolve" --quiet --scene "$runs/sixteen-known.scene" \
-    --start tests/paper/sixteen.gen --growth no --generations 0 -o "$runs/sixteen-known.gen"
+    --start tests/paper/sixteen.gen --breeding paper --generations 0 -o "$runs/sixteen-known.gen"
 for seed in $seeds; do
     evolve_once "sixteen-$seed" --preset paper --scene "$runs/sixteen.scene" --seed "$seed" \
         --generations "$sixteen_generations"
 done
 evolve_once sixteen-front --scene "$runs/sixteen-front.scene" --cost paper --seed "${seeds%% *}" \
-    --generations $((sixteen_generations / 4)) --front "$runs/sixteen-members.csv"
+    --generations $((sixteen_generations / 4)) --front "$runs/sixteen-front.members"
+make_once "$runs/sixteen-front.out2" judge "$runs/sixteen-front.scene" "$runs/sixteen-front"
 export folder runs seeds groups BIN RANKS pga_generations gp_generations group_generations timed_generations
 export sixteen_generations sixteen_training sixteen_length
 sh tests/paper/page.sh && say "$folder/index.html"

@@ -75,17 +75,13 @@ best_within() {
         END { print row }'
 }
 
-# counted OUTPUT EXPRESSION: mul,div,sqrt from the sixteen inputs
-counted() {
-    printf 'footpoint-genome 1\ninput %s\ngenome one\n%s = %s\nend\n' "$sixteen" "$1" "$2" > "$runs/bare.gen"
-    from_nodes "$runs/bare.gen" | awk -F, 'NR == 2 { print $2 "," $3 "," $5 }'
-}
-
 cut -d, -f2,4- "$folder/sixteen.csv" > "$runs/gp.rows"
-# A front's table counts operations before codegen has seen them; its last column is the expression.
-awk -F, -v OFS=, 'NR > 1 {
-    print substr($1, 1, 4) == "poly" ? "polynomial" : "rational", $2, $4, $6, 0, $9, $11, $12, $13, $15, $16, $17, $18
-}' "$runs/sixteen-members.csv" > "$runs/front.rows"
+from_inputs "$runs/sixteen-front.members" | awk -F, -v OFS=, '
+    FNR == NR { operations[$1] = $2 "," $3 "," $5; next }
+    { name = sprintf("%s_%s_c%.0f", $1, $2, $3) }
+    name in operations {
+        print substr($1, 1, 4) == "poly" ? "polynomial" : "rational", $2, operations[name], $9, $11, $12, $13, $15, $16, $17
+    }' - "$runs/sixteen-front.judged.csv" > "$runs/front.rows"
 {
     sed '/^segment/d' evolve/frames/similarity_gregory.gen
     echo genome inputs
@@ -100,10 +96,8 @@ awk -F, -v OFS=, 'NR > 1 {
         functions=${kind%,*} limit=${kind#*,}
         for output in xi eta; do
             echo "pd-LinearGP,$(best_within "$limit" "$functions" $output < "$runs/gp.rows")"
-            row=$(best_within "$limit" "$functions" $output < "$runs/front.rows")
-            echo "front breeding,$functions,$output,$(counted $output "${row##*,}"),$(
-                echo "${row%,*}" | cut -d, -f6-)"
         done
+        echo "programs,$(best_within $((2 * limit)) "$functions" both < "$runs/front.rows")"
     done
     from_nodes "$runs/sixteen-known.gen" | measured 'known; from the nodes' "$runs/sixteen-known.gen" |
         sed 's/,area,/,area coordinates,/; s/,facet,/,foot point on the facet,/'

@@ -2,7 +2,7 @@
 #include "monomials.h"
 
 #include "../common/decimal.h"
-#include "../eval/tape.h"
+#include "../eval/columns.h"
 #include "normal_equations.h"
 
 #include <stdlib.h>
