@@ -22,8 +22,11 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
         if (search(z, 1, &xi, &eta, &g) >> REAL_TOP)
             return FOOTPOINT_ERR_DEGENERATE;
     }
+    g = exponent ? ldexp(g, exponent) : g;
+    if (footpoint_detail_infinite(g) >> REAL_TOP) /* a distance beyond all numbers */
+        return FOOTPOINT_ERR_DEGENERATE;
     loc[0] = xi;
     loc[1] = eta;
-    *gap = exponent ? ldexp(g, exponent) : g;
+    *gap = g;
     return FOOTPOINT_OK;
 }
