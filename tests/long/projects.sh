@@ -108,7 +108,7 @@ if command -v cmake > /dev/null; then
     cat > "$work/project/CMakeLists.txt" <<CMAKE
 cmake_minimum_required(VERSION 3.13)
 project(use C CXX $fortran)
-find_package(footpoint 0.1 REQUIRED)
+find_package(footpoint 0.2 REQUIRED)
 set(CMAKE_CXX_STANDARD 17)
 add_executable(use_shared use.c)
 target_link_libraries(use_shared PRIVATE footpoint::footpoint)
@@ -123,9 +123,9 @@ if(CMAKE_Fortran_COMPILER)
   target_link_libraries(use_fortran PRIVATE footpoint::footpoint)
 endif()
 # What a later or another version would need is not found.
-find_package(footpoint 0.2 QUIET)
+find_package(footpoint 0.3 QUIET)
 if(footpoint_FOUND)
-  message(FATAL_ERROR "0.1 passes for 0.2")
+  message(FATAL_ERROR "0.2 passes for 0.3")
 endif()
 CMAKE
     logged 'CMake finds it' env CC="$CC" CXX="$CXX" \
