@@ -357,7 +357,8 @@ paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's
 PACKAGES := gcc g++ gfortran clang libc6-dev make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev \
             libflint-arb-dev libmpfr-dev libgmp-dev libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
 # What `make check-long` compares with, fuzzes with and unpacks with; without them it skips those checks.
-PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2 chromium
+PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2 chromium \
+                 debhelper lintian abigail-tools
 
 # Libraries that `make rivals` compares with.  deal.II is not among them: it would take 1.3 GB more.
 PACKAGES_RIVALS := libdune-geometry-dev libvtk9-dev libgetfem-dev libgmsh-dev libsisl-dev libocct-modeling-algorithms-dev \
@@ -464,6 +465,17 @@ uninstall: ## remove what install put there, and nothing else: the same variable
 	    $(call close,$(DATADIR)/tests/meshes); $(call close,$(DATADIR)/tests); $(call close,$(DATADIR)); \
 	    $(call close,$(INCLUDEDIR)/footpoint); $(call close,$(LIBDIR)/cmake/footpoint)
 
+# The archive has what is committed; its bytes depend on nothing else.
+dist: ## the sources as build/footpoint-VERSION.tar.gz
+	$(Q)mkdir -p build
+	$(Q)git -c tar.umask=0022 archive --prefix=footpoint-$(VERSION)/ -o build/footpoint-$(VERSION).tar HEAD
+	$(Q)gzip -9nf build/footpoint-$(VERSION).tar
+
+# Calls that are new are no change.  Types are compared where both libraries were built with EXTRA_CFLAGS=-g.
+BEFORE = $(LIBDIR)/$(SONAME)
+abi: runtime ## whether programs run on that were built with the library in LIBDIR: BEFORE= another one (abidiff)
+	$(Q)abidiff --no-added-syms $(BEFORE) $(LIB).so
+
 clean: ## remove everything that was built
 	rm -rf build
 
@@ -471,4 +483,5 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall clean help FORCE
+        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
+        dist abi clean help FORCE
