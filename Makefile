@@ -1,7 +1,7 @@
 # footpoint: `make help` lists the targets.
 SCENE       ?=
 RANKS       ?= 2
-GENERATIONS ?= 200
+GENERATIONS ?= $(if $(SCENE),200,12)
 SEED        ?= 1
 CONFIG      ?= release
 CXX         ?= g++
@@ -76,7 +76,7 @@ codegen_lib := $(call sources,codegen codegen/*)
 evolve_lib  := $(call sources,evolve/*)
 evolve_mpi  := $(call sources,evolve/mpi evolve/run) evolve/evolve_main.c evolve/paper/pga_main.c
 ccx_lib     := $(call sources,runtime/calculix)
-runtime_lib := $(filter-out $(ccx_lib),$(call sources,runtime/*))
+runtime_lib := $(filter-out $(ccx_lib) runtime/replace/%,$(call sources,runtime/*))
 test_main   := $(wildcard tests/*/test_*.c)
 test_lib    := $(filter-out $(test_main),$(call sources,tests/support tests/rivals))
 bench_lib   := $(filter-out tests/bench/bench_gregory.c tests/bench/bench_methods.c,$(call sources,tests/bench))
@@ -277,23 +277,11 @@ $(OBJ)/tests/bench/bench_methods-%.o: tests/bench/bench_methods.c $(OBJ)/methods
 
 SCENES := $(patsubst evolve/scenes/%.scene,%,$(sort $(wildcard evolve/scenes/*.scene)))
 MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --oversubscribe \
-          --mca odls_base_sigkill_timeout 5 -n $(RANKS)
+          --mca odls_base_sigkill_timeout 5
 
 regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch
-	$(Q)for scene in $(or $(SCENE),$(SCENES)); do \
-	    $(MPIRUN) $(BIN)/footpoint-evolve --scene $$scene --generations $(GENERATIONS) --seed $(SEED) \
-	        $(if $(filter scratch,$(FROM)),--from-scratch) || exit $$?; \
-	    name=$$(basename $$scene .scene); \
-	    header=generated/footpoint_$$(echo $$name | tr - _).h; \
-	    genomes=evolve/genomes/$$name.gen samples=; \
-	    if grep -q '^note precision float' $$genomes; then \
-	        samples="--samples $(BIN)/$$name.samples"; \
-	        $(BIN)/footpoint-evolve --scene $$scene $$samples || exit $$?; \
-	    fi; \
-	    $(BIN)/footpoint-codegen --allow-poles $$samples $$genomes -o $$header || exit $$?; \
-	    rm -f $(BIN)/$$name.samples; \
-	    echo "$$header"; \
-	done
+	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) SEED=$(SEED) FROM=$(FROM) \
+	    sh evolve/regenerate.sh $(or $(SCENE),$(SCENES))
 
 # ---- tests ------------------------------------------------------------------------------------------------------------
 
@@ -348,7 +336,7 @@ report: bench-program ## pictures of time against error, build/report/index.html
 	$(Q)BIN=$(BIN) sh tests/report/report.sh build/report
 
 paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's tables and figures, build/paper/index.html (half an hour; goes on if interrupted): RANKS= FULL=1 (the paper's size)
-	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN)' FULL=$(FULL) \
+	$(Q)BIN=$(BIN) RANKS=$(RANKS) MPIRUN='$(MPIRUN) -n $(RANKS)' FULL=$(FULL) \
 	    PERCEPTRONS='$(PERCEPTRONS)' sh tests/paper/paper.sh build/paper
 
 # ---- housekeeping -----------------------------------------------------------------------------------------------------
@@ -357,7 +345,8 @@ paper: codegen evolve bench-program $(BIN)/tests/test_calibration ## the paper's
 PACKAGES := gcc g++ gfortran clang libc6-dev make pkg-config libopenmpi-dev openmpi-bin libgsl-dev libflint-dev \
             libflint-arb-dev libmpfr-dev libgmp-dev libcmocka-dev libconfig-dev libmd-dev gnuplot-nox
 # What `make check-long` compares with, fuzzes with and unpacks with; without them it skips those checks.
-PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2 chromium
+PACKAGES_LONG := form maxima maxima-share python3-sympy gappa libclang-rt-14-dev libomp-14-dev valgrind cmake mandoc bzip2 chromium \
+                 debhelper lintian abigail-tools
 
 # Libraries that `make rivals` compares with.  deal.II is not among them: it would take 1.3 GB more.
 PACKAGES_RIVALS := libdune-geometry-dev libvtk9-dev libgetfem-dev libgmsh-dev libsisl-dev libocct-modeling-algorithms-dev \
@@ -464,6 +453,17 @@ uninstall: ## remove what install put there, and nothing else: the same variable
 	    $(call close,$(DATADIR)/tests/meshes); $(call close,$(DATADIR)/tests); $(call close,$(DATADIR)); \
 	    $(call close,$(INCLUDEDIR)/footpoint); $(call close,$(LIBDIR)/cmake/footpoint)
 
+# The archive has what is committed; its bytes depend on nothing else.
+dist: ## the sources as build/footpoint-VERSION.tar.gz
+	$(Q)mkdir -p build
+	$(Q)git -c tar.umask=0022 archive --prefix=footpoint-$(VERSION)/ -o build/footpoint-$(VERSION).tar HEAD
+	$(Q)gzip -9nf build/footpoint-$(VERSION).tar
+
+# Calls that are new are no change.  Types are compared where both libraries were built with EXTRA_CFLAGS=-g.
+BEFORE = $(LIBDIR)/$(SONAME)
+abi: runtime ## whether programs run on that were built with the library in LIBDIR: BEFORE= another one (abidiff)
+	$(Q)abidiff --no-added-syms $(BEFORE) $(LIB).so
+
 clean: ## remove everything that was built
 	rm -rf build
 
@@ -471,4 +471,5 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
-        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall clean help FORCE
+        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
+        dist abi clean help FORCE

@@ -23,7 +23,7 @@ runtime/certain:    runtime/geometry runtime generated
 runtime/search:     runtime/certain runtime/geometry runtime generated
 runtime/batch:      runtime/search runtime/certain runtime/geometry runtime generated
 runtime/calculix:   runtime/certain runtime/geometry runtime generated
-runtime/replace:    runtime generated                           # Fortran and C++
+runtime/replace:    runtime generated                           # C, Fortran and C++
 evolve/common:      codegen/genome
 evolve/input:       evolve/common codegen/genome
 evolve/surface:     evolve/common codegen/genome runtime/geometry
@@ -47,6 +47,7 @@ tests/codegen:      tests/support generated codegen/* evolve/* runtime runtime/*
 tests/runtime:      tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/generated:    tests/rivals tests/support generated codegen/* evolve/* runtime runtime/*
 tests/calculix:     runtime/calculix
+tests/sfepy:        runtime/replace runtime/geometry generated
 tests/replace:      runtime/replace runtime generated
 tests/example:      runtime runtime/* generated
 tests/fuzz:         codegen/* runtime runtime/* generated tests/hard

@@ -8,6 +8,12 @@ for compiler in "$CXX" clang++; do
         "$LIBRARY" -lm -o "$work/adapters"
     expect "Tribol, MOOSE, NimbleSM, ArborX: $compiler" 0 '' '' "$work/adapters"
 done
+for compiler in "${CC:-gcc}" clang; do
+    command -v "$compiler" > /dev/null || continue
+    "$compiler" -std=c11 -O1 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Igenerated runtime/replace/sfepy.c \
+        tests/replace/replace_sfepy_main.c -lm -o "$work/sfepy"
+    expect "sfepy: $compiler" 0 '' '' "$work/sfepy"
+done
 if command -v "$FC" > /dev/null; then
     for code in openradioss frontistr code_aster abaqus; do
         adapter=$(ls runtime/replace/$code*.f90)

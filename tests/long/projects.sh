@@ -108,7 +108,7 @@ if command -v cmake > /dev/null; then
     cat > "$work/project/CMakeLists.txt" <<CMAKE
 cmake_minimum_required(VERSION 3.13)
 project(use C CXX $fortran)
-find_package(footpoint 0.1 REQUIRED)
+find_package(footpoint 0.2 REQUIRED)
 set(CMAKE_CXX_STANDARD 17)
 add_executable(use_shared use.c)
 target_link_libraries(use_shared PRIVATE footpoint::footpoint)
@@ -123,9 +123,9 @@ if(CMAKE_Fortran_COMPILER)
   target_link_libraries(use_fortran PRIVATE footpoint::footpoint)
 endif()
 # What a later or another version would need is not found.
-find_package(footpoint 0.2 QUIET)
+find_package(footpoint 0.3 QUIET)
 if(footpoint_FOUND)
-  message(FATAL_ERROR "0.1 passes for 0.2")
+  message(FATAL_ERROR "0.2 passes for 0.3")
 endif()
 CMAKE
     logged 'CMake finds it' env CC="$CC" CXX="$CXX" \
@@ -141,16 +141,24 @@ CMAKE
     expect 'the search for CalculiX' 0 "$answer_ccx" '' env -u LD_LIBRARY_PATH "$work/built/use_ccx"
     [ -z "$fortran" ] || expect 'Fortran' 0 "$answer_f" '' "$work/built/use_fortran"
 
-    # ---- the sources taken in: the two folders alone, without a language but C ----
-    mkdir "$work/inside" "$work/inside/footpoint"
-    cp -r runtime generated "$work/inside/footpoint"
+    # ---- the sources taken in, without a language but C: a folder, or the archive of `make dist` ----
+    version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
+    mkdir "$work/inside" "$work/footpoint-$version"
+    cp -r runtime generated "$work/footpoint-$version"
+    tar -C "$work" -czf "$work/inside/footpoint.tar.gz" "footpoint-$version"
+    if git rev-parse -q --verify HEAD > /dev/null 2>&1; then
+        git clone -q . "$work/clone"
+        logged 'make dist' make -s -C "$work/clone" dist
+        mv "$work/clone/build/footpoint-$version.tar.gz" "$work/inside/footpoint.tar.gz"
+    fi
+    mv "$work/footpoint-$version" "$work/inside/footpoint"
     cp "$work/project/use.c" "$work/project/ccx.c" "$work/inside"
     cat > "$work/inside/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.14)
 project(inside C)
 include(FetchContent)
-FetchContent_Declare(footpoint SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}/footpoint" SOURCE_SUBDIR runtime)
 if(FETCH)
+  FetchContent_Declare(footpoint URL "${CMAKE_CURRENT_SOURCE_DIR}/footpoint.tar.gz" SOURCE_SUBDIR runtime)
   FetchContent_MakeAvailable(footpoint)
 else()
   add_subdirectory(footpoint/runtime)

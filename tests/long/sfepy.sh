@@ -1,0 +1,114 @@
+# sfepy 2021.4 with our search in place of its own: the models of its tests that search for contact, and larger ones,
+# give the same displacements, contact forces and Newton iterations.  sfepy stops its local search at steps of 1e-3, so
+# answers differ by what that leaves: with our equivalent of its iteration, stopped there, they agree to rounding, and so do
+# ours with the same iteration converged.  Takes Debian's packages of sfepy and what it needs, from where this machine's
+# packages come, into a scratch folder (SFEPY=FOLDER keeps them between runs), and installs nothing.  sfepy need not be
+# built: the search is exchanged where Python calls it, its own called in the same way.  A table goes to $BIN/sfepy.csv;
+# MODELS='plane space' runs just these.
+. tests/cli/expect.inc
+. tests/calculix/sources.inc
+here=$PWD
+folder=${SFEPY:-$work/sfepy}
+skip() { echo "ok 1 - # skip $1"; exit 0; }
+for tool in apt-get dpkg; do
+    command -v $tool > /dev/null || skip "no $tool"
+done
+python=/usr/bin/python3 # Debian's, for which its modules are built
+[ -x $python ] || skip "no $python"
+mkdir -p "$folder" && folder=$(cd "$folder" && pwd) || exit 3
+table=$BIN/sfepy.csv
+TOLERANCE=1e-3
+ROUNDING=1e-9
+
+fetch() { # into $folder/root
+    mkdir -p lists/partial cache/archives/partial root
+    copy_sources /etc/apt "$PWD"
+    apt="apt-get -qq -o Dir::Etc::sourcelist=$PWD/sources.list -o Dir::Etc::sourceparts=$PWD/sources.list.d
+        -o Dir::State::lists=$PWD/lists -o Dir::Cache=$PWD/cache -o APT::Sandbox::User=root"
+    $apt update && $apt download python3-sfepy python3-numpy python3-scipy python3-meshio python3-rich python3-markdown-it \
+        python3-mdurl python3-pyparsing python3-tables python3-tables-lib python3-numexpr python3-sympy python3-mpmath \
+        python3-decorator python3-pooch python3-appdirs python3-packaging python3-matplotlib python3-dateutil python3-six \
+        python3-kiwisolver python3-contourpy python3-cycler python3-fonttools python3-pil libblas3 liblapack3 \
+        libgfortran5 libumfpack5 libamd2 liblbfgsb0 libsuperlu5 libblosc1 || return 1
+    for package in *.deb; do dpkg -x "$package" root || return 1; done
+}
+
+[ -e "$folder/fetched" ] || (cd "$folder" && fetch && touch fetched) > "$work/fetch" 2>&1 ||
+    skip "no packages: $(tail -n 1 "$work/fetch")"
+modules=$folder/root/usr/lib/python3/dist-packages libs=$(echo "$folder"/root/usr/lib/*-linux-gnu)
+export PYTHONPATH="$modules" PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 MPLCONFIGDIR="$work"
+export LD_LIBRARY_PATH="$libs:$libs/blas:$libs/lapack"
+$python -c 'import sfepy.discrete' > "$work/import" 2>&1 || skip "sfepy does not run: $(tail -n 1 "$work/import")"
+own=$(echo "$modules"/sfepy/mechanics/extmods/ccontres.*.so)
+
+# ---- searches -------------------------------------------------------------------------------------------------------
+
+library() { # library NAME SOURCES AND OPTIONS
+    name=$1
+    shift
+    ${CC:-gcc} -std=c11 -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -Igenerated \
+        -fPIC -shared "$@" -o "$work/$name.so" -lm
+}
+counted='tests/sfepy/local_search.c runtime/geometry/quad4.c'
+library ours runtime/replace/sfepy.c && library once -DREPEAT=1 $counted && library often -DREPEAT=21 $counted &&
+    library iterated_once -DREPEAT=1 -DTOLERANCE=1e-3 $counted &&
+    library iterated_often -DREPEAT=21 -DTOLERANCE=1e-3 $counted &&
+    library converged -DREPEAT=1 -DTOLERANCE=1e-12 $counted
+report $((! $?)) 'the searches compile'
+
+expect "sfepy's derivatives: those by r of nodes 7 and 8 of sfd8 are wrong, no others" 0 'sfd2: []
+sfd4: [] []
+sfd6: [] []
+sfd8: [7, 8] []' '' $python tests/sfepy/shape.py "$own"
+
+# ---- models ---------------------------------------------------------------------------------------------------------
+
+# sfepy's example, in the plane, in space, and in space with larger meshes that do not match
+example=$modules/sfepy/examples/linear_elasticity/two_bodies_contact.py
+sized() { sed -e 's/^dim = 2/dim = 3/' -e "s/shape0 = \[2, 2, 2\]/shape0 = [$1]/; s/shape1 = \[2, 2, 2\]/shape1 = [$2]/" "$example"; }
+mkdir "$work/models"
+cp "$example" "$work/models/plane.py"
+sized '2, 2, 2' '2, 2, 2' > "$work/models/space.py"
+sized '7, 7, 3' '6, 6, 3' > "$work/models/larger.py"
+sized '10, 10, 4' '9, 9, 4' > "$work/models/largest.py"
+solve() { # solve MODEL SEARCH LIBRARY...: its lines in $work/MODEL-SEARCH
+    file=$1-$2
+    model=$1
+    shift 2
+    (cd "$work" && $python "$here/tests/sfepy/contact.py" "models/$model.py" "$file.npz" "$@") > "$work/$file" 2> "$work/log"
+    good=$?
+    [ $good = 0 ] || tail -n 5 "$work/log" | sed 's/^/# /'
+    return $good
+}
+within() { # within LIMIT ONE OTHER: results agree, in contact and to a limit
+    $python tests/sfepy/differ.py "$work/$2.npz" "$work/$3.npz" > "$work/differences" &&
+        awk -v limit="$1" '!($2 <= limit) { bad = 1 } END { exit bad || NR != 3 }' "$work/differences"
+}
+
+echo 'model,iterations,own_s,ours_s,own_search_s,ours_search_s,searches,own_ns,ours_ns,displacement,force,gap' > "$table"
+for model in ${MODELS:-plane space larger largest}; do
+    solve $model own "$own" "$own" "$work/iterated_once.so" "$work/iterated_often.so" &&
+        solve $model ours "$work/ours.so" "$work/ours.so" "$work/once.so" "$work/often.so"
+    report $((! $?)) "$model: both solve"
+    [ "$(awk '{ print $1, $2; exit }' "$work/$model-own")" = "$(awk '{ print $1, $2; exit }' "$work/$model-ours")" ]
+    report $((! $?)) 'Newton takes as many iterations'
+    within $TOLERANCE $model-own $model-ours
+    report $((! $?)) "displacements, contact forces and gaps agree to $TOLERANCE of the largest"
+    awk -v model=$model '
+        FNR == 1 { file++ }
+        file == 1 { value[$1] = $2; next }
+        FNR == 1 { iterations[file] = $1; calls[file] = $2; search[file] = $3; total[file] = $4 }
+        FNR == 3 { once[file] = $2; count[file] = $3 }
+        FNR == 4 { often[file] = $2 }
+        function ns(f) { return count[f] ? sprintf("%.0f", (often[f] - once[f]) / 20 / count[f] * 1e9) : "-" }
+        END {
+            printf "%s,%d,%.2f,%.2f,%.5f,%.5f,%d,%s,%s,%s,%s,%s\n", model, iterations[2], total[2], total[3], search[2],
+                search[3], count[3], ns(2), ns(3), value["displacement"], value["force"], value["gap"]
+        }' "$work/differences" "$work/$model-own" "$work/$model-ours" >> "$table"
+done
+model=space
+solve $model iterated "$work/iterated_once.so" && within $ROUNDING $model-own $model-iterated
+report $((! $?)) "our equivalent of sfepy's iteration, stopped where it stops: the same to $ROUNDING"
+solve $model converged "$work/converged.so" && within $ROUNDING $model-ours $model-converged
+report $((! $?)) "and converged: as ours, to $ROUNDING"
+sed 's/^/# /' "$table"
