@@ -401,34 +401,53 @@ static double merit(const struct plan *plan, double budget, double error, double
     return budget > 0 ? cost <= budget ? error : INFINITY : plan_fitness(plan, error, cost);
 }
 
-static bool outdoes(const struct plan *plan, double budget, const struct member *m, const struct champion *c)
+/* Errors of one output of one tier: as the islands found them, or on the validation samples. */
+struct court {
+    const struct archive *a; /* not owned */
+    struct objective *judge; /* not owned; NULL: as they were found */
+    size_t target;
+    struct tails tails; /* the champion's */
+};
+
+static double verdict(const struct court *court, const struct tree *t, double error)
 {
-    const double now = c->tree.length > 0 ? merit(plan, budget, c->error, c->cost) : INFINITY;
-    return (budget > 0 || c->tree.length == 0 || m->error <= c->error) &&
-           merit(plan, budget, m->error, m->cost) < worth * now;
+    return court->judge && error < INFINITY
+               ? objective_error_in_tails(court->judge, t, court->target, &court->tails, INFINITY)
+               : error;
 }
 
-static void choose_champion(struct archive *a, const struct plan *plan, struct objective *o, size_t tier, int output)
+static void choose_champion(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge,
+                            size_t tier, int output)
 {
     const struct front *f = a->front[tier][output];
+    const struct champion *c = &a->champion[tier][output];
     const double budget = a->scene->tier[tier].budget;
+    struct court court = {a, output == TIER_BOTH ? judge : NULL, archive_target(a, tier, output), {0, 0}};
+    if (court.judge && c->tree.length > 0)
+        court.tails = objective_tails(judge, &c->tree, court.target);
+    const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
+    double least = worth * merit(plan, budget, error, c->cost);
     const struct member *best = NULL;
-    for (size_t c = 0; c <= f->limit; c++) {
-        const struct member *m = &f->member[c];
-        if (m->tree.length > 0 && m->origin != ORIGIN_START && outdoes(plan, budget, m, &a->champion[tier][output]) &&
-            (!best || merit(plan, budget, m->error, m->cost) < merit(plan, budget, best->error, best->cost)))
+    for (size_t k = 0; k <= f->limit; k++) {
+        const struct member *m = &f->member[k];
+        if (m->tree.length == 0 || m->origin == ORIGIN_START || merit(plan, budget, m->error, m->cost) == INFINITY)
+            continue;
+        const double own = verdict(&court, &m->tree, m->error);
+        if ((budget > 0 || own <= error) && merit(plan, budget, own, m->cost) < least) {
             best = m;
+            least = merit(plan, budget, own, m->cost);
+        }
     }
-    if (!best && a->champion[tier][output].tree.length == 0)
+    if (!best && c->tree.length == 0)
         best = front_member(f, 0); /* the cheapest, where none is within the budget */
     if (best)
         replace_champion(a, o, tier, output, best);
 }
 
-void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o)
+void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge)
 {
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++)
             if (a->champion[i][k].exact == 0)
-                choose_champion(a, plan, o, i, k);
+                choose_champion(a, plan, o, judge, i, k);
 }

@@ -123,8 +123,11 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
 /** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
  *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest fitness by the plan, if it is
  *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header.
- *  Where the tier says what trees end in, those alone. */
-void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o);
+ *  @param[in] o      of the training samples
+ *  @param[in] judge  of the validation samples, whose errors programs are chosen by: what fits the training samples
+ *                    alone is not taken; NULL: as trees, by the training samples */
+void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o,
+                              struct objective *judge);
 
 /** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */

@@ -20,9 +20,10 @@
 
 struct run_samples {
     struct sample_set training; /* empty once the table is there */
-    struct heldout heldout;     /* on rank 0 */
-    struct variation vary;      /* of the training samples */
-    bool follows;               /* frame and tiers follow from that */
+    struct columns validation;  /* on rank 0, as is: */
+    struct heldout heldout;
+    struct variation vary; /* of the training samples */
+    bool follows;          /* frame and tiers follow from that */
 };
 
 struct run {
@@ -176,16 +177,38 @@ static bool finite_columns(const struct problem *p, struct diag *d)
     return true;
 }
 
-/* The table of training samples, and on rank 0 those held out. */
-static bool sample(struct problem *p, struct run_samples *s, bool heldout, struct diag *d)
+static struct columns table_of(const struct problem *p, const struct sample_set *set)
+{
+    struct kernel *kernel = kernel_new_widest();
+    const struct columns table = frame_columns(kernel, p->archive->program, set->s, set->n);
+    kernel_free(kernel);
+    return table;
+}
+
+/* Samples to choose programs by, if any are bred. */
+static bool draw_validation(const struct problem *p, struct columns *validation, struct diag *d)
+{
+    struct sample_set set = {0};
+    bool programs = false, good = true;
+    for (size_t i = 0; i < p->scene->tiers; i++)
+        programs = programs || p->scene->tier[i].program;
+    if (programs && (good = scene_samples(p->scene, PART_VALIDATION, &set, d)))
+        *validation = table_of(p, &set);
+    sample_set_free(&set);
+    return good;
+}
+
+/* The table of training samples, and on rank 0 the samples that islands do not see. */
+static bool sample(const struct call *call, struct problem *p, struct run_samples *s, struct diag *d)
 {
     if (!draw_training(p->scene, s, d))
         return false;
-    struct kernel *kernel = kernel_new_widest();
-    p->table = frame_columns(kernel, p->archive->program, s->training.s, s->training.n);
-    kernel_free(kernel);
+    p->table = table_of(p, &s->training);
     sample_set_free(&s->training);
-    return finite_columns(p, d) && (!heldout || scene_heldout(p->scene, &s->heldout, d));
+    if (!finite_columns(p, d))
+        return false;
+    return call->team->rank > 0 || ((call->options->generations == 0 || draw_validation(p, &s->validation, d)) &&
+                                    scene_heldout(p->scene, &s->heldout, d));
 }
 
 /* A front keeps what costs no more than its limit: where a value of a frame is dearer, the limit is raised. */
@@ -396,9 +419,21 @@ static void say(const struct call *call, const char *phase)
     progress_phase(call->team->rank == 0 && !call->options->quiet, phase);
 }
 
-/* The fronts of all islands, measured and merged in their order, and the champions chosen from them, on rank 0.
+static void choose_champions(const struct problem *p, const struct columns *validation)
+{
+    struct objective *judge = NULL;
+    if (validation->n > 0) {
+        judge = objective_new(p->archive->program, validation, p->scene->norm);
+        judge->decimal = true;
+    }
+    archive_choose_champions(p->archive, &p->plan, p->objective, judge);
+    objective_free(judge);
+}
+
+/* The fronts of all islands, merged in their order, and the champions chosen from them, on rank 0.
  * Collective. */
-static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s)
+static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s,
+                           const struct columns *validation)
 {
     struct reports f = islands_reports(s, call->team);
     size_t members = 0;
@@ -422,7 +457,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         lowest = INFINITY;
     }
     if (call->team->rank == 0)
-        archive_choose_champions(p->archive, &p->plan, p->objective);
+        choose_champions(p, validation);
     reports_free(&f);
 }
 
@@ -468,6 +503,7 @@ static void run_free(struct run *r)
     islands_free(&r->islands);
     free(r->files.start_text);
     sample_set_free(&r->samples.training);
+    columns_free(&r->samples.validation);
     heldout_free(&r->samples.heldout);
     problem_free(&r->problem);
 }
@@ -481,7 +517,7 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
     bool good = team_agree(team, load(&r, d), d);
     if (good) {
         say(&r.call, "drawing samples ...");
-        good = team_agree(team, sample(p, &r.samples, team->rank == 0, d), d);
+        good = team_agree(team, sample(&r.call, p, &r.samples, d), d);
         say(&r.call, "");
     }
     if (good) {
@@ -491,7 +527,7 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
             start_islands(&r.call, p, &r.islands, d) && evolve_islands(&r.call, p, &r.islands, &r.files, &r.outcome, d);
     }
     if (good) {
-        collect_fronts(&r.call, p, &r.islands);
+        collect_fronts(&r.call, p, &r.islands, &r.samples.validation);
         good = team_agree(
             team, team->rank > 0 || write_found(&r.call, p->archive, r.files.output, &r.samples.heldout, &r.outcome, d),
             d);

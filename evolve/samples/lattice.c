@@ -212,14 +212,14 @@ static bool draw(gsl_rng *stream, const struct lattice *l, struct sample *s)
     return label(l, s);
 }
 
-static bool off_lattice(const struct scene *scene, struct sample_set *set, struct diag *d)
+static bool off_lattice(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d)
 {
     gsl_rng *stream = stream_new();
     const int tries = 1000000;
-    for (size_t i = 0; i < scene->heldout; i++) {
+    for (size_t i = 0; i < samples_wanted(scene, part); i++) {
         struct sample s = {0};
         int n = 0;
-        stream_key(stream, scene->seed, PART_HELDOUT_RANDOM, i, 0);
+        stream_key(stream, scene->seed, (uint64_t)part, i, 0);
         while (n < tries && !draw(stream, &scene->lattice, &s))
             n++;
         if (n == tries) {
@@ -274,8 +274,8 @@ bool lattice_samples(const struct scene *scene, enum sample_part part, struct sa
 {
     struct sample_set all = {0};
     struct grid g;
-    if (part == PART_HELDOUT_RANDOM)
-        return off_lattice(scene, set, d);
+    if (part == PART_HELDOUT_RANDOM || part == PART_VALIDATION)
+        return off_lattice(scene, part, set, d);
     if (!common_unit(&scene->lattice, &g))
         return diag_at(d, scene->path, 0, 0, "the lattice's ranges and steps have no common unit 1/n with n <= 1000");
     enumerate(&scene->lattice, &g, &all);

@@ -186,8 +186,8 @@ bool mesh_samples(const struct scene *scene, enum sample_part part, struct sampl
     if (mesh)
         mesh_keep_faces(mesh, scene->segment);
     bool done = mesh && find_pairs(scene, mesh, &found, d);
-    if (done && part == PART_HELDOUT_RANDOM)
-        done = random_pairs(scene, mesh, part, scene->heldout, set, d);
+    if (done && (part == PART_HELDOUT_RANDOM || part == PART_VALIDATION))
+        done = random_pairs(scene, mesh, part, samples_wanted(scene, part), set, d);
     else if (done) {
         const size_t added = add_half(scene, &found, part == PART_TRAINING, set);
         if (added == 0)

@@ -21,7 +21,8 @@ static bool of_lattice(const struct scene *scene, enum sample_part part, struct 
     const struct lattice_gregory all = {&facets, 0, scene->lattice.normal_sets, scene->lattice.tilt, plan.kind};
     facets.training = configurations(&scene->lattice, scene->training);
     facets.heldout = plan.configurations;
-    return lattice_gregory_samples(part == PART_TRAINING ? &all : &plan, part, set, NULL, d);
+    const bool trains = part == PART_TRAINING || part == PART_VALIDATION;
+    return lattice_gregory_samples(trains ? &all : &plan, part, set, NULL, d);
 }
 
 size_t patches_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH])
@@ -42,6 +43,6 @@ bool patches_samples(const struct scene *scene, enum sample_part part, struct sa
         done = of_lattice(scene, part, set, d);
     else
         smooth_samples(&(struct smooth){scene->seed, scene->shapes.gap, surface_find(scene->segment)->patch}, part,
-                       part == PART_TRAINING ? scene->training : scene->heldout, set);
+                       samples_wanted(scene, part), set);
     return done && (set->n > before || diag_at(d, scene->path, 0, 0, "no sample's foot point lies in the box"));
 }

@@ -184,7 +184,7 @@ bool shapes_samples(const struct scene *scene, enum sample_part part, struct sam
     const struct surface *f = surface_find(kind);
     drawn.evenly = part == PART_HELDOUT_EVEN;
     const int corners = (int)kind->corners;
-    const size_t count = part == PART_TRAINING ? scene->training : scene->heldout;
+    const size_t count = samples_wanted(scene, part);
     gsl_rng *stream = stream_new();
     const int tries = 10000;
     for (size_t i = 0; i < count; i++) {

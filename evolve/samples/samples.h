@@ -22,6 +22,12 @@ bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d);
 
 /* ---- for the files of this room ---- */
 
+/** How many samples of a part are drawn at random. */
+static inline size_t samples_wanted(const struct scene *s, enum sample_part part)
+{
+    return part == PART_TRAINING || part == PART_VALIDATION ? s->training : s->heldout;
+}
+
 bool lattice_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);

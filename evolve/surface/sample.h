@@ -28,7 +28,8 @@ enum sample_part {
     PART_TRAINING,       /* what evolution sees */
     PART_HELDOUT,        /* lattice and mesh: the rest of the same points; random: a second stream */
     PART_HELDOUT_RANDOM, /* off the grid: drawn at random from the same ranges */
-    PART_HELDOUT_EVEN    /* ordinary shapes: another distribution in the same limits, to which nothing is fitted */
+    PART_HELDOUT_EVEN,   /* ordinary shapes: another distribution in the same limits, to which nothing is fitted */
+    PART_VALIDATION      /* as many as for training, drawn at random: what champions are chosen by */
 };
 
 enum { HELDOUT_PARTS = 3 };

@@ -114,11 +114,11 @@ static void champions_yield_to_the_better_alone(void **state)
     assert_true(fabs(c->error - 0.12345678901) < 1e-15 && c->cost == 4); /* p and q are differences */
     const int worse[] = {GENE_MUL, P, P}, better[] = {GENE_ADD, decimal_gene(0.125e-3), GENE_MUL, Q, P};
     offer(f, a, worse, 3);
-    archive_choose_champions(a, &f->plan, f->objective);
+    archive_choose_champions(a, &f->plan, f->objective, NULL);
     assert_false(c->bred);
     assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.12345678901");
     offer(f, a, better, 5);
-    archive_choose_champions(a, &f->plan, f->objective);
+    archive_choose_champions(a, &f->plan, f->objective, NULL);
     assert_true(c->bred && c->tree.length == 5);
     assert_string_equal(a->program->constant[-1 - c->tree.gene[1]].text, "0.000125");
     assert_true(fabs(c->error - 0.125e-3) < 1e-15);
@@ -136,7 +136,7 @@ static void budgets_decide(void **state)
     archive_measure(a, &f->plan, f->objective);
     offer(f, a, free_of_cost, 1);
     offer(f, a, cheap, 3);
-    archive_choose_champions(a, &f->plan, f->objective);
+    archive_choose_champions(a, &f->plan, f->objective, NULL);
     const struct champion *c = &a->champion[0][0];
     assert_true(c->bred && c->cost <= 2);
     assert_true(c->error == front_error(a->front[0][0], 2));
@@ -154,7 +154,7 @@ static void parsimony_decides_without_a_budget(void **state)
     offer(f, a, (const int[]){decimal_gene(0.3)}, 1);
     offer(f, a, (const int[]){GENE_MUL, P, Q}, 3);
     offer(f, a, dear, 9);
-    archive_choose_champions(a, &f->plan, f->objective);
+    archive_choose_champions(a, &f->plan, f->objective, NULL);
     assert_int_equal(a->champion[0][0].tree.length, 3);
     assert_true(a->champion[0][0].error == 0);
     archive_free(a);
@@ -218,7 +218,7 @@ static void exact_values_are_taken(void **state)
         const int product[] = {GENE_MUL, P, Q}, constant[] = {decimal_gene(0.1)};
         archive_offer(a, &f->plan, 0, 1, &(struct tree){(int *)constant, 1}, 0, ORIGIN_RANDOM);
         offer(f, a, product, 3);
-        archive_choose_champions(a, &f->plan, f->objective);
+        archive_choose_champions(a, &f->plan, f->objective, NULL);
         assert_true(c[1].tree.length == 1 && c[1].tree.gene[0] == Q && c[0].tree.length == 3);
         if (!archive_write(a, WRITTEN, &facts, &heldout, &d))
             fail_msg("%s", d.text);
