@@ -126,8 +126,7 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
  *  @param[in] o      of the training samples
  *  @param[in] judge  of the validation samples, whose errors programs are chosen by: what fits the training samples
  *                    alone is not taken; NULL: as trees, by the training samples */
-void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o,
-                              struct objective *judge);
+void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge);
 
 /** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */
