@@ -222,7 +222,6 @@ static size_t which[CASES];
             footpoint_quad4_##name##_over_n(nodes, AROUND, x, xi + k, eta + k, gap + k, status + k);                   \
         }                                                                                                              \
     }
-AROUND_ONE(coarse)
 AROUND_ONE(balanced)
 AROUND_ONE(accurate)
 
@@ -315,7 +314,6 @@ static const struct call {
     ROWS_CLOSEST(accurate),
     ROWS_CLOSEST(full),
     ROW(robust_closest, FOUR),
-    ROWS_AROUND(coarse),
     ROWS_AROUND(balanced),
     ROWS_AROUND(accurate),
     {"coarse_closest_of", coarse_closest_of, FOUR, 0},
