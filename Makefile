@@ -119,7 +119,7 @@ line = mkdir -p $(@D) && { [ "$$(cat $@ 2> /dev/null)" = '$(1)' ] || echo '$(1)'
 # Templates of headers, as a table that codegen is compiled with.
 CFLAGS_templates := -I$(OBJ)
 $(OBJ)/codegen/print/templates.o: $(OBJ)/templates.inc
-$(OBJ)/templates.inc: codegen/print/templates.awk $(wildcard codegen/print/templates/*.h)
+$(OBJ)/templates.inc: codegen/print/templates.awk $(wildcard codegen/print/templates/*.h codegen/print/templates/*/*.h)
 	@mkdir -p $(@D)
 	$(call say,GEN,$@)
 	$(Q)awk -f $< $(filter %.h,$^) > $@
@@ -250,7 +250,7 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 # fused multiply-add, which takes one.
 of_headers := test_headers test_digits header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
-$(foreach file,header_functions headers_long test_closest,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
+$(foreach file,header_functions headers_long test_closest test_curved,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and

@@ -266,26 +266,101 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
-#ifndef FOOTPOINT_BEZIER_CHECKED
-#define FOOTPOINT_BEZIER_CHECKED
-/* What is not good beyond doubt in full. */
-FOOTPOINT_PART void footpoint_detail_bezier_checked_rest(footpoint_detail_search *search, size_t n,
-                                                         const double *const *x, int nodes, double *xi,
-                                                         double *eta, double *gap, int *status)
+#ifndef FOOTPOINT_BEZIER_ARRAYS
+#define FOOTPOINT_BEZIER_ARRAYS
+/* The search of _at. */
+typedef unsigned long long footpoint_detail_bezier_search(const double xA[3], const double xB[3], const double xC[3],
+                                                          const double xD[3], const double nA[3], const double nB[3],
+                                                          const double nC[3], const double nD[3], const double xS[3],
+                                                          double *xi, double *eta);
+
+FOOTPOINT_PART void footpoint_detail_bezier_n(footpoint_detail_bezier_search *search, size_t n,
+                                              const double *const *x, double *FOOTPOINT_RESTRICT xi,
+                                              double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        (void)search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
+    }
+}
+
+/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
+ * doubt is searched in full behind the loop. */
+FOOTPOINT_PART void footpoint_detail_bezier_full(footpoint_detail_search *search,
+                                                 const double *const *row, int nodes, double *xi,
+                                                 double *eta, double *gap, int *status)
+{
+    double loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = footpoint_detail_again(search, row, nodes, 9, loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+FOOTPOINT_PART void footpoint_detail_bezier_checked_n(footpoint_detail_search *search, size_t n,
+                                                      const double *const *x, int nodes,
+                                                      double *FOOTPOINT_RESTRICT xi,
+                                                      double *FOOTPOINT_RESTRICT eta,
+                                                      double *FOOTPOINT_RESTRICT gap,
+                                                      int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
             const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-            double loc[2];
-            loc[0] = xi[i];
-            loc[1] = eta[i];
-            status[i] = footpoint_detail_again(search, row, nodes, 9, loc, &gap[i]);
-            xi[i] = loc[0];
-            eta[i] = loc[1];
+            footpoint_detail_bezier_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+        }
+}
+
+/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
+ * is computed once. */
+FOOTPOINT_PART void
+footpoint_detail_bezier_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
+                               const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
+                               double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                               int *FOOTPOINT_RESTRICT status)
+{
+    double c[8][3];
+    size_t i;
+    int j, k;
+    for (k = 0; k < 8; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double s[3] = {x[0][i], x[1][i], x[2][i]};
+        const double *const row[9] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], s};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double s[3] = {x[0][i], x[1][i], x[2][i]};
+            const double *const row[9] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], s};
+            footpoint_detail_bezier_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
         }
 }
 #endif
@@ -294,13 +369,15 @@ FOOTPOINT_PART void footpoint_detail_bezier_checked_rest(footpoint_detail_search
  * scaled by a power of 2. */
 #define FOOTPOINT_BEZIER_LEAST 2.9387358770557188e-39
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* _at:  xi and eta, dimensionless; nothing is checked.
+ * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
+ * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, nA, nB, nC, nD, xS;
  *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
+ * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
 /* footpoint_bezier_facet
  *   operations:     49 mul, 1 div, 50 add, 0 sqrt, 4 compare; 38 temporaries
@@ -376,39 +453,25 @@ FOOTPOINT_FN int footpoint_bezier_facet(const double xA[3], const double xB[3], 
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_bezier_facet_n(size_t n, const double *const x[27],
-                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_bezier_facet_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_bezier_facet_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_facet, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_facet_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_bezier_facet(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_facet, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_facet, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_facet_over_n(const double *const nodes[8], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_facet, nodes, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -506,39 +569,25 @@ FOOTPOINT_FN int footpoint_bezier_normals(const double xA[3], const double xB[3]
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_bezier_normals_n(size_t n, const double *const x[27],
-                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_bezier_normals_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_bezier_normals_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_normals, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_normals_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_bezier_normals(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_normals, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_normals, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_normals_over_n(const double *const nodes[8], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_normals, nodes, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -676,39 +725,25 @@ FOOTPOINT_FN int footpoint_bezier_smooth(const double xA[3], const double xB[3],
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_bezier_smooth_n(size_t n, const double *const x[27],
-                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_bezier_smooth_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                              double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_bezier_smooth_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_smooth, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_smooth_checked_n(size_t n, const double *const x[27],
                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                       double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_bezier_smooth(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_smooth, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_smooth, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_smooth_over_n(const double *const nodes[8], size_t n,
+                                                   const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_smooth, nodes, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -859,39 +894,25 @@ FOOTPOINT_FN int footpoint_bezier_precise(const double xA[3], const double xB[3]
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_bezier_precise_n(size_t n, const double *const x[27],
-                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_bezier_precise_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_bezier_precise_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_precise, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_precise_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_bezier_precise(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_precise, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_precise, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_precise_over_n(const double *const nodes[8], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_precise, nodes, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1082,39 +1103,25 @@ FOOTPOINT_FN int footpoint_bezier_exact(const double xA[3], const double xB[3], 
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_bezier_exact_n(size_t n, const double *const x[27],
-                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_bezier_exact_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_bezier_exact_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_exact, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_exact_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_bezier_exact(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_exact, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_exact, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_exact_over_n(const double *const nodes[8], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_exact, nodes, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1359,39 +1366,25 @@ FOOTPOINT_FN int footpoint_bezier_full(const double xA[3], const double xB[3], c
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_bezier_full_n(size_t n, const double *const x[27],
-                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_bezier_full_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                            double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_bezier_full_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_bezier_n(footpoint_detail_footpoint_bezier_full, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_bezier_full_checked_n(size_t n, const double *const x[27],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_bezier_full(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_bezier_checked_rest(footpoint_detail_checked_footpoint_bezier_full, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_bezier_checked_n(footpoint_detail_checked_footpoint_bezier_full, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_bezier_full_over_n(const double *const nodes[8], size_t n,
+                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                 int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_bezier_over_n(footpoint_detail_checked_footpoint_bezier_full, nodes, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */

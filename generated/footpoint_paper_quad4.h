@@ -287,25 +287,97 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD4_CHECKED
-#define FOOTPOINT_QUAD4_CHECKED
-/* What is not good beyond doubt in full. */
-FOOTPOINT_PART void footpoint_detail_quad4_checked_rest(footpoint_detail_search *search, size_t n,
-                                                        const double *const *x, int nodes, double *xi,
-                                                        double *eta, double *gap, int *status)
+#ifndef FOOTPOINT_QUAD4_ARRAYS
+#define FOOTPOINT_QUAD4_ARRAYS
+/* The search of _at. */
+typedef unsigned long long footpoint_detail_quad4_search(const double xA[3], const double xB[3], const double xC[3],
+                                                         const double xD[3], const double xS[3], double *xi,
+                                                         double *eta);
+
+FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *search, size_t n,
+                                             const double *const *x, double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        (void)search(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
+    }
+}
+
+/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
+ * doubt is searched in full behind the loop. */
+FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
+                                                const double *const *row, int nodes, double *xi,
+                                                double *eta, double *gap, int *status)
+{
+    double loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = footpoint_detail_again(search, row, nodes, 5, loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
+                                                     const double *const *x, int nodes,
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            double loc[2];
-            loc[0] = xi[i];
-            loc[1] = eta[i];
-            status[i] = footpoint_detail_again(search, row, nodes, 5, loc, &gap[i]);
-            xi[i] = loc[0];
-            eta[i] = loc[1];
+            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+        }
+}
+
+/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
+ * is computed once. */
+FOOTPOINT_PART void
+footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
+                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
+                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                              int *FOOTPOINT_RESTRICT status)
+{
+    double c[4][3];
+    size_t i;
+    int j, k;
+    for (k = 0; k < 4; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double s[3] = {x[0][i], x[1][i], x[2][i]};
+        const double *const row[5] = {c[0], c[1], c[2], c[3], s};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double s[3] = {x[0][i], x[1][i], x[2][i]};
+            const double *const row[5] = {c[0], c[1], c[2], c[3], s};
+            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
         }
 }
 #endif
@@ -350,13 +422,15 @@ FOOTPOINT_PART void footpoint_detail_turn_back(int k, double u, double v, double
  * scaled by a power of 2. */
 #define FOOTPOINT_PAPER_QUAD4_LEAST 2.9387358770557188e-39
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* _at:  xi and eta, dimensionless; nothing is checked.
+ * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
+ * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
 /* footpoint_paper_quad4_gauss
  *   operations:     29 mul, 1 div, 42 add, 0 sqrt, 0 compare; 24 temporaries
@@ -419,37 +493,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss(const double xA[3], const double xB
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const x[15],
-                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_gauss_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_gauss, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_gauss(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_gauss, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_gauss, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -532,37 +586,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_fast(const double xA[3], const double xB[
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x[15],
-                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_paper_quad4_fast_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_fast_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_fast, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_fast_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_fast(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_fast, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_fast, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -650,37 +684,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_taper(const double xA[3], const double xB
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const x[15],
-                                                  double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_paper_quad4_taper_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_taper_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_taper, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_taper_checked_n(size_t n, const double *const x[15],
                                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                           double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_taper(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_taper, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_taper, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -765,36 +779,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_gauss2(const double xA[3], const double x
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_gauss2_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_gauss2, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_gauss2_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_gauss2(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_gauss2, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_gauss2, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -889,36 +884,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_coarse(const double xA[3], const double x
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_coarse_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_coarse, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_coarse_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_coarse(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_coarse, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_coarse, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1014,36 +990,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_newton(const double xA[3], const double x
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_newton_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_newton_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_newton, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_newton_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_newton(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_newton, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_newton, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1140,36 +1097,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_medium(const double xA[3], const double x
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_medium_n(size_t n, const double *const x[15],
-                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                   double *FOOTPOINT_RESTRICT xi,
+                                                   double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_medium_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_medium, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_medium_checked_n(size_t n, const double *const x[15],
                                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                            double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_medium(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_medium, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_medium, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1278,36 +1216,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_balanced(const double xA[3], const double
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_balanced_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_balanced, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_balanced_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_balanced(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_balanced, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_balanced, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1418,37 +1337,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_fine(const double xA[3], const double xB[
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x[15],
-                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_paper_quad4_fine_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_fine_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_fine, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_fine_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_fine(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_fine, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_fine, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1565,36 +1464,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_precise(const double xA[3], const double 
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_precise_n(size_t n, const double *const x[15],
-                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                    double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_precise_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_precise, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_precise_checked_n(size_t n, const double *const x[15],
                                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                             double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_precise(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_precise, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_precise, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1721,36 +1601,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_accurate(const double xA[3], const double
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_accurate_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_accurate, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_accurate_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_accurate(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_accurate, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_accurate, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1875,37 +1736,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_full(const double xA[3], const double xB[
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x[15],
-                                                 double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_paper_quad4_full_n(size_t n, const double *const x[15], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_full_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_full, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_full_checked_n(size_t n, const double *const x[15],
                                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                          double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_full(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_full, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_full, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -2010,36 +1851,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_program1(const double xA[3], const double
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program1_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_program1_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_program1, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program1_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_program1(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_program1, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_program1, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -2151,36 +1973,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_program2(const double xA[3], const double
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program2_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_program2_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_program2, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program2_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_program2(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_program2, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_program2, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -2298,36 +2101,17 @@ FOOTPOINT_FN int footpoint_paper_quad4_program3(const double xA[3], const double
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program3_n(size_t n, const double *const x[15],
-                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_paper_quad4_program3_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_paper_quad4_program3, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_paper_quad4_program3_checked_n(size_t n, const double *const x[15],
                                                              double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                              double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_paper_quad4_program3(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_paper_quad4_program3, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_paper_quad4_program3, n, x, 4, xi, eta, gap, status);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -2540,14 +2324,16 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
 #endif
 
 /* footpoint_paper_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
- *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
- *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
- *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
- *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
- *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
+ *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
+ *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
+ *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere,
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_paper_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
-FOOTPOINT_FN int footpoint_paper_quad4_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3], const double along[3], double loc[2], double *dist)
+FOOTPOINT_FN int footpoint_paper_quad4_along(const double xA[3], const double xB[3], const double xC[3],
+                                             const double xD[3], const double xS[3], const double along[3],
+                                             double loc[2], double *dist)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];

@@ -390,31 +390,168 @@ FOOTPOINT_COLD int footpoint_detail_f_again(footpoint_detail_f_search *search, c
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD4_CHECKED_F
-#define FOOTPOINT_QUAD4_CHECKED_F
-/* What is not good beyond doubt in full. */
-FOOTPOINT_PART void footpoint_detail_f_quad4_checked_rest(footpoint_detail_f_search *search, size_t n,
-                                                          const float *const *x, int nodes, float *xi,
-                                                          float *eta, float *gap, int *status)
+#ifndef FOOTPOINT_QUAD4_ARRAYS_F
+#define FOOTPOINT_QUAD4_ARRAYS_F
+/* The search of _at. */
+typedef unsigned int footpoint_detail_f_quad4_search(const float xA[3], const float xB[3], const float xC[3],
+                                                     const float xD[3], const float xS[3], float *xi, float *eta);
+
+FOOTPOINT_PART void footpoint_detail_f_quad4_n(footpoint_detail_f_quad4_search *search, size_t n,
+                                               const float *const *x, float *FOOTPOINT_RESTRICT xi,
+                                               float *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        (void)search(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
+    }
+}
+
+/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
+ * doubt is searched in full behind the loop. */
+FOOTPOINT_PART void footpoint_detail_f_quad4_full(footpoint_detail_f_search *search,
+                                                  const float *const *row, int nodes, float *xi,
+                                                  float *eta, float *gap, int *status)
+{
+    float loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = footpoint_detail_f_again(search, row, nodes, 5, loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+FOOTPOINT_PART void footpoint_detail_f_quad4_checked_n(footpoint_detail_f_search *search, size_t n,
+                                                       const float *const *x, int nodes,
+                                                       float *FOOTPOINT_RESTRICT xi,
+                                                       float *FOOTPOINT_RESTRICT eta,
+                                                       float *FOOTPOINT_RESTRICT gap,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
             const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            float loc[2];
-            loc[0] = xi[i];
-            loc[1] = eta[i];
-            status[i] = footpoint_detail_f_again(search, row, nodes, 5, loc, &gap[i]);
-            xi[i] = loc[0];
-            eta[i] = loc[1];
+            footpoint_detail_f_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+        }
+}
+
+/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
+ * is computed once. */
+FOOTPOINT_PART void
+footpoint_detail_f_quad4_over_n(footpoint_detail_f_search *search, const float *const *segment, size_t n,
+                                const float *const *x, int nodes, float *FOOTPOINT_RESTRICT xi,
+                                float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                int *FOOTPOINT_RESTRICT status)
+{
+    float c[4][3];
+    size_t i;
+    int j, k;
+    for (k = 0; k < 4; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float s[3] = {x[0][i], x[1][i], x[2][i]};
+        const float *const row[5] = {c[0], c[1], c[2], c[3], s};
+        float u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 31);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const float s[3] = {x[0][i], x[1][i], x[2][i]};
+            const float *const row[5] = {c[0], c[1], c[2], c[3], s};
+            footpoint_detail_f_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
         }
 }
 #endif
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST_F
 #define FOOTPOINT_DETAIL_CLOSEST_F
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+
+/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite
+ * in `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, nn being
+ * the square of its vector; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the
+ * search has a flaw. */
+FOOTPOINT_PART int footpoint_detail_f_closest_status(unsigned int flaw, float all, float nn, float size,
+                                                     float least, float dd, float longest)
+{
+    const unsigned int away = footpoint_detail_f_below(longest, dd);
+    const unsigned int nodes =
+        footpoint_detail_f_below(size, least) | footpoint_detail_f_below(1.0f / least, size) |
+        footpoint_detail_f_bits(nn - 1e-9f * (size * size)) | footpoint_detail_f_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 31) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 31);
+}
+
+/* The root of the square of a distance, with its sign. */
+FOOTPOINT_PART float footpoint_detail_f_signed_root(float dd)
+{
+    const float root = sqrtf(fabsf(dd));
+    return dd < 0.0f ? -root : root;
+}
+
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign, square of
+ * the cosine between xS - r and the normal}. */
+typedef int footpoint_detail_f_nearest(const float *const *x, float at[4], int *region);
+
+/* NAME_closest, with the distance in at: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in
+ * which the segment is about 1 long; with nodes = 0 not. */
+FOOTPOINT_PART int footpoint_detail_f_closest(footpoint_detail_f_nearest *nearest, const float *const *x,
+                                              int nodes, int vectors, float at[4], int *region)
+{
+    float y[10][3];
+    const float *z[10];
+    int exponent = 0, i, status = nearest(x, at, region);
+    if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_f_scale(x, nodes, vectors, y, &exponent);
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (status == FOOTPOINT_OK)
+            status = nearest(z, at, region);
+    }
+    at[2] = footpoint_detail_f_signed_root(at[2]);
+    at[2] = exponent ? ldexpf(at[2], exponent) : at[2];
+    return status;
+}
+
+/* Its answer to the caller, if there is one. */
+FOOTPOINT_PART int footpoint_detail_f_closest_answer(int status, const float at[4], int where,
+                                                     float loc[2], float *dist, int *region)
+{
+    if (status == FOOTPOINT_OK) {
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *dist = at[2];
+        *region = where;
+    }
+    return status;
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_EDGE_F
+#define FOOTPOINT_DETAIL_EDGE_F
 /* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
  * lies, from 0 to 1; returns the square of their distance. */
 FOOTPOINT_PART float footpoint_detail_f_edge(const float a[3], const float b[3], const float s[3],
@@ -437,71 +574,18 @@ FOOTPOINT_PART float footpoint_detail_f_edge(const float a[3], const float b[3],
     }
     return dd;
 }
-
-#ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN (-3)
-#endif
-
-/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
- * `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, whose vector is
- * n; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw. */
-FOOTPOINT_PART int footpoint_detail_f_closest_status(unsigned int flaw, float all, const float n[3],
-                                                     float size, float least, float dd, float longest)
-{
-    const float nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    const unsigned int away = footpoint_detail_f_below(longest, dd);
-    const unsigned int nodes =
-        footpoint_detail_f_below(size, least) | footpoint_detail_f_below(1.0f / least, size) |
-        footpoint_detail_f_bits(nn - 1e-9f * (size * size)) | footpoint_detail_f_infinite(all);
-    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 31) +
-           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 31);
-}
-
-/* The root of the square of a distance, with its sign. */
-FOOTPOINT_PART float footpoint_detail_f_signed_root(float dd)
-{
-    const float root = sqrtf(fabsf(dd));
-    return dd < 0.0f ? -root : root;
-}
-
-/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
-typedef int footpoint_detail_f_nearest(const float *const *x, float at[3], int *region);
-
-/* NAME_closest: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in which the segment is about 1
- * long; with nodes = 0 not. */
-FOOTPOINT_PART int footpoint_detail_f_closest(footpoint_detail_f_nearest *nearest, const float *const *x,
-                                              int nodes, int vectors, float loc[2], float *dist,
-                                              int *region)
-{
-    float y[5][3], at[3], d;
-    const float *const z[5] = {y[0], y[1], y[2], y[3], y[4]};
-    int exponent = 0, where, status = nearest(x, at, &where);
-    if (status == FOOTPOINT_ERR_DEGENERATE) {
-        status = footpoint_detail_f_scale(x, nodes, vectors, y, &exponent);
-        if (status == FOOTPOINT_OK)
-            status = nearest(z, at, &where);
-    }
-    if (status != FOOTPOINT_OK)
-        return status;
-    d = footpoint_detail_f_signed_root(at[2]);
-    loc[0] = at[0];
-    loc[1] = at[1];
-    *dist = exponent ? ldexpf(d, exponent) : d;
-    *region = where;
-    return FOOTPOINT_OK;
-}
 #endif
 
 #ifndef FOOTPOINT_QUAD4_NEAREST_F
 #define FOOTPOINT_QUAD4_NEAREST_F
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at = {xi, eta,
- * square of the distance, < 0 behind}.  A point inside is taken where rounding hides which is nearer.  n, the product of
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_f_nearest.  A point inside is taken where rounding hides which is nearer.  n, the product of
  * the diagonals, is at right angles to both, so that the height of r over A is warp times a function of xi and eta. */
 FOOTPOINT_PART int footpoint_detail_f_quad4_nearest(const float *const *x, unsigned int flaw, float least,
-                                                    float xi, float eta, float at[3], int *region)
+                                                    float xi, float eta, float at[4], int *region)
 {
     float e[4][3], p[4][3], ee[4], t[4], dd[4], n[3], f[3], g[3], all = 0.0f;
-    float size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v,
+    float size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v, nn,
         inner = 0.0f, side = 0.0f, warp = 0.0f;
     int i, inside, left, right, below, above;
     flaw |= footpoint_detail_f_infinite(xi + eta);
@@ -551,22 +635,36 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_nearest(const float *const *x, unsig
     side -= warp * (u + v - 2.0f * u * v);
     at[0] = xi;
     at[1] = eta;
+    nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     at[2] = side < 0.0f ? -best : best;
+    at[3] = side * side / (nn * best + 1.1754944e-38f);
     left = xi <= -1.0f;
     right = xi >= 1.0f;
     below = eta <= -1.0f;
     above = eta >= 1.0f;
     *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
-    return footpoint_detail_f_closest_status(flaw, all, n, size, least, best, longest);
+    return footpoint_detail_f_closest_status(flaw, all, nn, size, least, best, longest);
 }
 
-/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length. */
-FOOTPOINT_PART void footpoint_detail_f_quad4_closest_rest(footpoint_detail_f_nearest *nearest, size_t n,
-                                                          const float *const *x, int nodes, float *xi,
-                                                          float *eta, float *dist, int *region,
-                                                          int *status)
+/* Roots of the squares in dist, and once more what _closest does in another unit of length, behind the loop. */
+FOOTPOINT_PART void
+footpoint_detail_f_quad4_closest_n(footpoint_detail_f_nearest *nearest, size_t n, const float *const *x,
+                                   int nodes, float *FOOTPOINT_RESTRICT xi,
+                                   float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT dist,
+                                   int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        float at[4];
+        status[i] = nearest(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_f_signed_root(dist[i]);
     for (i = 0; i < n; i++)
@@ -574,14 +672,55 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_closest_rest(footpoint_detail_f_nea
             const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            float loc[2];
-            loc[0] = xi[i];
-            loc[1] = eta[i];
-            status[i] =
-                footpoint_detail_f_closest(nearest, row, nodes, 5, loc, &dist[i], &region[i]);
-            xi[i] = loc[0];
-            eta[i] = loc[1];
+            float at[4];
+            int where;
+            status[i] = footpoint_detail_f_closest(nearest, row, nodes, 5, at, &where);
+            if (status[i] == FOOTPOINT_OK) {
+                xi[i] = at[0];
+                eta[i] = at[1];
+                dist[i] = at[2];
+                region[i] = where;
+            }
         }
+}
+
+/* Of faces as near as each other, to rounding, that which xS lies straightest over: where they share an edge or a
+ * corner, its side is the right one. */
+FOOTPOINT_PART int footpoint_detail_f_quad4_closest_of(footpoint_detail_f_nearest *nearest, size_t n,
+                                                       const float *const *x, const float *xS, int nodes,
+                                                       float loc[2], float *dist, int *region,
+                                                       size_t *which)
+{
+    float least = 0.0f, straightest = 0.0f;
+    int found = FOOTPOINT_ERR_DOMAIN, k;
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const float *row[5];
+        float at[4], away, more;
+        int where, status;
+        for (k = 0; k < 4; k++)
+            row[k] = x[4 * i + (size_t)k];
+        row[4] = xS;
+        status = footpoint_detail_f_closest(nearest, row, nodes, 5, at, &where);
+        if (status != FOOTPOINT_OK) {
+            found = found == FOOTPOINT_OK ? found : status;
+            continue;
+        }
+        away = fabsf(at[2]);
+        more = 4.0f * 2e-7f * (away + least);
+        if (found == FOOTPOINT_OK &&
+            !(away < least - more || (away <= least + more && at[3] > straightest)))
+            continue;
+        found = FOOTPOINT_OK;
+        least = away;
+        straightest = at[3];
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *dist = at[2];
+        *region = where;
+        *which = i;
+    }
+    return found;
 }
 #endif
 
@@ -589,21 +728,27 @@ FOOTPOINT_PART void footpoint_detail_f_quad4_closest_rest(footpoint_detail_f_nea
  * scaled by a power of 2. */
 #define FOOTPOINT_QUAD4_FLOAT_LEAST 2.3283064365386963e-10f
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* _at:  xi and eta, dimensionless; nothing is checked.
+ * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
+ * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
+/* _closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
  *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AC x BD) is), and region, where it lies:
  *           0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
- *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
- *           an edge is nearer.  On error all untouched: as NAME, and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
+ *           Points of edges are right to the rounding of their distances; inside it is _at's point, unless one of
+ *           an edge is nearer.  On error all untouched: as , and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
  *           the longest edge is long, slave nodes for which no search was measured.
- * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten. */
+ * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ * _closest_of:  the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
+ *           search for neighbours hands over; which is its number, of several as near as each other to rounding that
+ *           of the one which xS lies straightest over.  Segments without an answer are passed over; if all are, the
+ *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0.f */
 
 /* footpoint_quad4_float_fast
  *   operations:     26 mul, 1 div, 37 add, 0 sqrt, 0 compare; 21 temporaries
@@ -679,40 +824,28 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_sure(const float xA[3], const float 
     return footpoint_detail_f_sure(xA, xB, xC, xD, xS, status, found, g, FOOTPOINT_QUAD4_FLOAT_FAST_WORST, loc, gap);
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[15],
-                                                 float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad4_float_fast_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
+                                                 float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_fast_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_fast, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_checked_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                          float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_fast(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_fast, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_fast, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fast(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_fast_over_n(const float *const nodes[4], size_t n,
+                                                      const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                      float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                      int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_fast, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fast(const float *const *x, float at[4],
                                                                        int *region)
 {
     float xi, eta;
@@ -726,8 +859,11 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest(const float xA[3], const flo
                                                     int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_fast,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_fast, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fast_closest_n(size_t n, const float *const x[15],
@@ -735,20 +871,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fast_closest_n(size_t n, const float *
                                                          float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_fast(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_fast, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_fast, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                       float loc[2],
+                                                       float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_fast, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_coarse
@@ -827,40 +959,28 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_sure(const float xA[3], const floa
     return footpoint_detail_f_sure(xA, xB, xC, xD, xS, status, found, g, FOOTPOINT_QUAD4_FLOAT_COARSE_WORST, loc, gap);
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const x[15],
-                                                   float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad4_float_coarse_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
+                                                   float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_coarse_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_coarse, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_checked_n(size_t n, const float *const x[15],
                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_coarse(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_coarse, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_coarse, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_coarse(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_coarse_over_n(const float *const nodes[4], size_t n,
+                                                        const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                        float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_coarse, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_coarse(const float *const *x, float at[4],
                                                                          int *region)
 {
     float xi, eta;
@@ -874,8 +994,11 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest(const float xA[3], const f
                                                       int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_coarse,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_coarse, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_coarse_closest_n(size_t n, const float *const x[15],
@@ -883,20 +1006,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_coarse_closest_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_coarse(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_coarse, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_coarse, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                         float loc[2],
+                                                         float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_coarse, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_gauss2
@@ -980,40 +1099,28 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_sure(const float xA[3], const floa
     return footpoint_detail_f_sure(xA, xB, xC, xD, xS, status, found, g, FOOTPOINT_QUAD4_FLOAT_GAUSS2_WORST, loc, gap);
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const x[15],
-                                                   float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
+                                                   float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_gauss2_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_gauss2, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_checked_n(size_t n, const float *const x[15],
                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_gauss2(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_gauss2, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_gauss2, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_gauss2(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_over_n(const float *const nodes[4], size_t n,
+                                                        const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                        float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_gauss2, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_gauss2(const float *const *x, float at[4],
                                                                          int *region)
 {
     float xi, eta;
@@ -1027,8 +1134,11 @@ FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest(const float xA[3], const f
                                                       int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_gauss2,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_gauss2, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_closest_n(size_t n, const float *const x[15],
@@ -1036,20 +1146,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_gauss2_closest_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_gauss2(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_gauss2, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_gauss2, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_gauss2_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                         float loc[2],
+                                                         float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_gauss2, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_medium
@@ -1134,40 +1240,28 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_sure(const float xA[3], const floa
     return footpoint_detail_f_sure(xA, xB, xC, xD, xS, status, found, g, FOOTPOINT_QUAD4_FLOAT_MEDIUM_WORST, loc, gap);
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const x[15],
-                                                   float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad4_float_medium_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
+                                                   float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_medium_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_medium, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_checked_n(size_t n, const float *const x[15],
                                                            float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                            float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_medium(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_medium, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_medium, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_medium(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_medium_over_n(const float *const nodes[4], size_t n,
+                                                        const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                        float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                        int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_medium, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_medium(const float *const *x, float at[4],
                                                                          int *region)
 {
     float xi, eta;
@@ -1181,8 +1275,11 @@ FOOTPOINT_FN int footpoint_quad4_float_medium_closest(const float xA[3], const f
                                                       int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_medium,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_medium, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_medium_closest_n(size_t n, const float *const x[15],
@@ -1190,20 +1287,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_medium_closest_n(size_t n, const float
                                                            float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                            int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_medium(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_medium, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_medium, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_medium_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                         float loc[2],
+                                                         float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_medium, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_balanced
@@ -1295,39 +1388,28 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_sure(const float xA[3], const fl
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_n(size_t n, const float *const x[15],
-                                                     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+                                                     float *FOOTPOINT_RESTRICT xi,
+                                                     float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_balanced_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_balanced, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_checked_n(size_t n, const float *const x[15],
                                                              float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                              float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_balanced(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_balanced, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_balanced, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_balanced(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_balanced_over_n(const float *const nodes[4], size_t n,
+                                                          const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                          float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_balanced, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_balanced(const float *const *x, float at[4],
                                                                            int *region)
 {
     float xi, eta;
@@ -1341,8 +1423,11 @@ FOOTPOINT_FN int footpoint_quad4_float_balanced_closest(const float xA[3], const
                                                         float *dist, int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_balanced,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_balanced, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_balanced_closest_n(size_t n, const float *const x[15],
@@ -1350,20 +1435,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_balanced_closest_n(size_t n, const flo
                                                              float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_balanced(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_balanced, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_balanced, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_balanced_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                           float loc[2],
+                                                           float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_balanced, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_fine
@@ -1459,40 +1540,28 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_sure(const float xA[3], const float 
     return footpoint_detail_f_sure(xA, xB, xC, xD, xS, status, found, g, FOOTPOINT_QUAD4_FLOAT_FINE_WORST, loc, gap);
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[15],
-                                                 float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad4_float_fine_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
+                                                 float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_fine_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_fine, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_checked_n(size_t n, const float *const x[15],
                                                          float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                          float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_fine(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_fine, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_fine, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fine(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_fine_over_n(const float *const nodes[4], size_t n,
+                                                      const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                      float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                      int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_fine, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_fine(const float *const *x, float at[4],
                                                                        int *region)
 {
     float xi, eta;
@@ -1506,8 +1575,11 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest(const float xA[3], const flo
                                                     int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_fine,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_fine, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_fine_closest_n(size_t n, const float *const x[15],
@@ -1515,20 +1587,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_fine_closest_n(size_t n, const float *
                                                          float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                          int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_fine(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_fine, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_fine, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                       float loc[2],
+                                                       float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_fine, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_precise
@@ -1623,40 +1691,28 @@ FOOTPOINT_FN int footpoint_quad4_float_precise_sure(const float xA[3], const flo
     return footpoint_detail_f_sure(xA, xB, xC, xD, xS, status, found, g, FOOTPOINT_QUAD4_FLOAT_PRECISE_WORST, loc, gap);
 }
 
-FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const x[15],
-                                                    float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad4_float_precise_n(size_t n, const float *const x[15], float *FOOTPOINT_RESTRICT xi,
+                                                    float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_precise_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_precise, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_checked_n(size_t n, const float *const x[15],
                                                             float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                             float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_precise(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_precise, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_precise, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_precise(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_precise_over_n(const float *const nodes[4], size_t n,
+                                                         const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                         float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                         int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_precise, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_precise(const float *const *x, float at[4],
                                                                           int *region)
 {
     float xi, eta;
@@ -1666,12 +1722,15 @@ FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_precise(const 
 }
 
 FOOTPOINT_FN int footpoint_quad4_float_precise_closest(const float xA[3], const float xB[3], const float xC[3],
-                                                       const float xD[3], const float xS[3], float loc[2],
-                                                       float *dist, int *region)
+                                                       const float xD[3], const float xS[3], float loc[2], float *dist,
+                                                       int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_precise,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_precise, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_precise_closest_n(size_t n, const float *const x[15],
@@ -1679,20 +1738,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_precise_closest_n(size_t n, const floa
                                                             float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                             int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_precise(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_precise, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_precise, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_precise_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                          float loc[2],
+                                                          float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_precise, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 /* footpoint_quad4_float_accurate
@@ -1792,39 +1847,28 @@ FOOTPOINT_FN int footpoint_quad4_float_accurate_sure(const float xA[3], const fl
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_n(size_t n, const float *const x[15],
-                                                     float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta)
+                                                     float *FOOTPOINT_RESTRICT xi,
+                                                     float *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_quad4_float_accurate_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_f_quad4_n(footpoint_detail_footpoint_quad4_float_accurate, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_checked_n(size_t n, const float *const x[15],
                                                              float *FOOTPOINT_RESTRICT xi, float *FOOTPOINT_RESTRICT eta,
                                                              float *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad4_float_accurate(row, 0, &u, &v, &g) >> 31);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_f_quad4_checked_rest(footpoint_detail_checked_footpoint_quad4_float_accurate, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_f_quad4_checked_n(footpoint_detail_checked_footpoint_quad4_float_accurate, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_accurate(const float *const *x, float at[3],
+FOOTPOINT_LOOP void footpoint_quad4_float_accurate_over_n(const float *const nodes[4], size_t n,
+                                                          const float *const x[3], float *FOOTPOINT_RESTRICT xi,
+                                                          float *FOOTPOINT_RESTRICT eta, float *FOOTPOINT_RESTRICT gap,
+                                                          int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_f_quad4_over_n(footpoint_detail_checked_footpoint_quad4_float_accurate, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad4_float_accurate(const float *const *x, float at[4],
                                                                            int *region)
 {
     float xi, eta;
@@ -1838,8 +1882,11 @@ FOOTPOINT_FN int footpoint_quad4_float_accurate_closest(const float xA[3], const
                                                         float *dist, int *region)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_accurate,
-                                    x, 4, 5, loc, dist, region);
+    float at[4];
+    int where;
+    const int status =
+        footpoint_detail_f_closest(footpoint_detail_closest_footpoint_quad4_float_accurate, x, 4, 5, at, &where);
+    return footpoint_detail_f_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_quad4_float_accurate_closest_n(size_t n, const float *const x[15],
@@ -1847,20 +1894,16 @@ FOOTPOINT_LOOP void footpoint_quad4_float_accurate_closest_n(size_t n, const flo
                                                              float *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                              int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const float p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const float *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        float at[3];
-        status[i] = footpoint_detail_closest_footpoint_quad4_float_accurate(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_f_quad4_closest_rest(footpoint_detail_closest_footpoint_quad4_float_accurate, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_f_quad4_closest_n(footpoint_detail_closest_footpoint_quad4_float_accurate, n, x, 4, xi, eta, dist, region,
+                                       status);
+}
+
+FOOTPOINT_FN int footpoint_quad4_float_accurate_closest_of(size_t n, const float *const *x, const float xS[3],
+                                                           float loc[2],
+                                                           float *dist, int *region, size_t *which)
+{
+    return footpoint_detail_f_quad4_closest_of(footpoint_detail_closest_footpoint_quad4_float_accurate, n, x, xS, 4, loc, dist,
+                                               region, which);
 }
 
 #ifndef FOOTPOINT_DETAIL_ALONG_F
@@ -2060,14 +2103,16 @@ FOOTPOINT_COLD int footpoint_detail_f_quad4_along_again(const float *const *x, c
 #endif
 
 /* footpoint_quad4_float_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
- *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
- *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
- *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
- *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
- *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
+ *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
+ *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
+ *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere,
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_quad4_float_along_n:  the same for n pairs, each with its status and its direction, three columns. */
-FOOTPOINT_FN int footpoint_quad4_float_along(const float xA[3], const float xB[3], const float xC[3], const float xD[3], const float xS[3], const float along[3], float loc[2], float *dist)
+FOOTPOINT_FN int footpoint_quad4_float_along(const float xA[3], const float xB[3], const float xC[3],
+                                             const float xD[3], const float xS[3], const float along[3], float loc[2],
+                                             float *dist)
 {
     const float *const x[5] = {xA, xB, xC, xD, xS};
     float at[3];

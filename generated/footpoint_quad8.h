@@ -278,27 +278,403 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD8_CHECKED
-#define FOOTPOINT_QUAD8_CHECKED
-/* What is not good beyond doubt in full. */
-FOOTPOINT_PART void footpoint_detail_quad8_checked_rest(footpoint_detail_search *search, size_t n,
-                                                        const double *const *x, int nodes, double *xi,
-                                                        double *eta, double *gap, int *status)
+#ifndef FOOTPOINT_QUAD8_ARRAYS
+#define FOOTPOINT_QUAD8_ARRAYS
+/* The search of _at. */
+typedef unsigned long long footpoint_detail_quad8_search(const double xA[3], const double xB[3], const double xC[3],
+                                                         const double xD[3], const double xE[3], const double xF[3],
+                                                         const double xG[3], const double xH[3], const double xS[3],
+                                                         double *xi, double *eta);
+
+FOOTPOINT_PART void footpoint_detail_quad8_n(footpoint_detail_quad8_search *search, size_t n,
+                                             const double *const *x, double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        (void)search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
+    }
+}
+
+/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
+ * doubt is searched in full behind the loop. */
+FOOTPOINT_PART void footpoint_detail_quad8_full(footpoint_detail_search *search,
+                                                const double *const *row, int nodes, double *xi,
+                                                double *eta, double *gap, int *status)
+{
+    double loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = footpoint_detail_again(search, row, nodes, 9, loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+FOOTPOINT_PART void footpoint_detail_quad8_checked_n(footpoint_detail_search *search, size_t n,
+                                                     const double *const *x, int nodes,
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
             const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
             {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
             const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-            double loc[2];
-            loc[0] = xi[i];
-            loc[1] = eta[i];
-            status[i] = footpoint_detail_again(search, row, nodes, 9, loc, &gap[i]);
-            xi[i] = loc[0];
-            eta[i] = loc[1];
+            footpoint_detail_quad8_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
         }
+}
+
+/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
+ * is computed once. */
+FOOTPOINT_PART void
+footpoint_detail_quad8_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
+                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
+                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                              int *FOOTPOINT_RESTRICT status)
+{
+    double c[8][3];
+    size_t i;
+    int j, k;
+    for (k = 0; k < 8; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double s[3] = {x[0][i], x[1][i], x[2][i]};
+        const double *const row[9] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], s};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double s[3] = {x[0][i], x[1][i], x[2][i]};
+            const double *const row[9] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], s};
+            footpoint_detail_quad8_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+        }
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_CLOSEST
+#define FOOTPOINT_DETAIL_CLOSEST
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+
+/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite
+ * in `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, nn being
+ * the square of its vector; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the
+ * search has a flaw. */
+FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, double nn, double size,
+                                                   double least, double dd, double longest)
+{
+    const unsigned long long away = footpoint_detail_below(longest, dd);
+    const unsigned long long nodes =
+        footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
+        footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 63) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 63);
+}
+
+/* The root of the square of a distance, with its sign. */
+FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
+{
+    const double root = sqrt(fabs(dd));
+    return dd < 0.0 ? -root : root;
+}
+
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign, square of
+ * the cosine between xS - r and the normal}. */
+typedef int footpoint_detail_nearest(const double *const *x, double at[4], int *region);
+
+/* NAME_closest, with the distance in at: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in
+ * which the segment is about 1 long; with nodes = 0 not. */
+FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, const double *const *x,
+                                            int nodes, int vectors, double at[4], int *region)
+{
+    double y[10][3];
+    const double *z[10];
+    int exponent = 0, i, status = nearest(x, at, region);
+    if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (status == FOOTPOINT_OK)
+            status = nearest(z, at, region);
+    }
+    at[2] = footpoint_detail_signed_root(at[2]);
+    at[2] = exponent ? ldexp(at[2], exponent) : at[2];
+    return status;
+}
+
+/* Its answer to the caller, if there is one. */
+FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[4], int where,
+                                                   double loc[2], double *dist, int *region)
+{
+    if (status == FOOTPOINT_OK) {
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *dist = at[2];
+        *region = where;
+    }
+    return status;
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_CURVE
+#define FOOTPOINT_DETAIL_CURVE
+/* x between -1 and 1. */
+FOOTPOINT_PART double footpoint_detail_clamped(double x)
+{
+    const double most = x < 1.0 ? x : 1.0;
+    return most > -1.0 ? most : -1.0;
+}
+
+/* The edge r = m + t (q + t w), |t| <= 1, from node a over m to b; p = m - s. */
+FOOTPOINT_PART void footpoint_detail_curve(const double *a, const double *m, const double *b,
+                                           const double *s, double p[3], double q[3], double w[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        p[i] = m[i] - s[i];
+        q[i] = 0.5 * (b[i] - a[i]);
+        w[i] = 0.5 * ((a[i] - m[i]) + (b[i] - m[i]));
+    }
+}
+
+/* Where edge k of n is nearest to s.  The square of the distance is a polynomial of degree 4 in t, half its slope c[0] + t
+ * (c[1] + t (c[2] + t c[3])); c[4] is the square of q.  at: where the chord is nearest, and, n places on, the end that is
+ * farther away, as there may be two such places.  Returns the square of the chord. */
+FOOTPOINT_PART double footpoint_detail_curve_begin(const double *a, const double *m, const double *b,
+                                                   const double *s, int k, int n, double c[5][8],
+                                                   double at[8])
+{
+    double p[3], q[3], w[3], pq = 0.0, pw = 0.0, qq = 0.0, qw = 0.0, ww = 0.0;
+    int i;
+    footpoint_detail_curve(a, m, b, s, p, q, w);
+    for (i = 0; i < 3; i++) {
+        pq += p[i] * q[i];
+        pw += p[i] * w[i];
+        qq += q[i] * q[i];
+        qw += q[i] * w[i];
+        ww += w[i] * w[i];
+    }
+    c[0][k] = c[0][k + n] = pq;
+    c[1][k] = c[1][k + n] = qq + 2.0 * pw;
+    c[2][k] = c[2][k + n] = 3.0 * qw;
+    c[3][k] = c[3][k + n] = 2.0 * ww;
+    c[4][k] = c[4][k + n] = qq + 2.2250738585072014e-308;
+    at[k] = footpoint_detail_clamped(-(pq + qw) / c[4][k]);
+    at[k + n] = at[k] > 0.0 ? -1.0 : 1.0;
+    return 4.0 * qq;
+}
+
+/* Newton's steps of all edges to where their slopes are 0, Gauss and Newton's where the distance is not convex. */
+FOOTPOINT_PART void footpoint_detail_curve_steps(int n, double c[5][8], double at[8])
+{
+    int i, k;
+    for (i = 0; i < 5; i++)
+        for (k = 0; k < 2 * n; k++) {
+            const double t = at[k];
+            const double slope = c[0][k] + t * (c[1][k] + t * (c[2][k] + t * c[3][k]));
+            const double bend = c[1][k] + t * (2.0 * c[2][k] + 3.0 * t * c[3][k]);
+            const double gauss = 0.1 * (c[4][k] + 2.0 * t * (2.0 / 3.0 * c[2][k] + t * c[3][k]));
+            const double most = bend > gauss ? bend : gauss;
+            at[k] = footpoint_detail_clamped(t - slope / (most > 2.2250738585072014e-308 ? most : 2.2250738585072014e-308));
+        }
+}
+
+/* The nearer of the two places of edge k: *t; returns the square of the distance there. */
+FOOTPOINT_PART double footpoint_detail_curve_end(const double *a, const double *m, const double *b,
+                                                 const double *s, int k, int n, const double at[8],
+                                                 double *t)
+{
+    const double u = at[k], v = at[k + n];
+    double p[3], q[3], w[3], first = 0.0, second = 0.0, size = 0.0;
+    int i;
+    footpoint_detail_curve(a, m, b, s, p, q, w);
+    for (i = 0; i < 3; i++) {
+        const double d = p[i] + u * (q[i] + u * w[i]), e = p[i] + v * (q[i] + v * w[i]);
+        first += d * d;
+        second += e * e;
+        size += q[i] * q[i];
+    }
+    *t = second < first - 4.0 * 4e-16 * (first + size) ? v : u;
+    return second < first - 4.0 * 4e-16 * (first + size) ? second : first;
+}
+
+/* Tangents u and v, d = xS - r and its square dd to at[2] and at[3], see footpoint_detail_nearest; returns the square of
+ * u x v. */
+FOOTPOINT_PART double footpoint_detail_side(const double u[3], const double v[3], const double d[3],
+                                            double dd, double at[4])
+{
+    const double nx = u[1] * v[2] - u[2] * v[1];
+    const double ny = u[2] * v[0] - u[0] * v[2];
+    const double nz = u[0] * v[1] - u[1] * v[0];
+    const double nn = nx * nx + ny * ny + nz * nz;
+    const double side = d[0] * nx + d[1] * ny + d[2] * nz;
+    at[2] = side < 0.0 ? -dd : dd;
+    at[3] = side * side / (nn * dd + 2.2250738585072014e-308);
+    return nn;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD8_NEAREST
+#define FOOTPOINT_QUAD8_NEAREST
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  The normal is that an eighth
+ * of the way to the middle, where corners of collapsed segments have one, too. */
+FOOTPOINT_PART int footpoint_detail_quad8_nearest(const double *const *x, unsigned long long flaw, double least,
+                                                  double xi, double eta, double at[4], int *region)
+{
+    double c[5][8], places[8], ee[4], t[4], dd[4], u[3], v[3], d[3], e[3], nn, inner, all;
+    double size, longest, other, best, rest, edge_u, edge_v, far_u, far_v;
+    int within, inside, left, right, below, above;
+    flaw |= footpoint_detail_infinite(xi + eta);
+    ee[0] = footpoint_detail_curve_begin(x[0], x[4], x[1], x[8], 0, 4, c, places);
+    ee[1] = footpoint_detail_curve_begin(x[1], x[5], x[2], x[8], 1, 4, c, places);
+    ee[2] = footpoint_detail_curve_begin(x[2], x[6], x[3], x[8], 2, 4, c, places);
+    ee[3] = footpoint_detail_curve_begin(x[3], x[7], x[0], x[8], 3, 4, c, places);
+    footpoint_detail_curve_steps(4, c, places);
+    dd[0] = footpoint_detail_curve_end(x[0], x[4], x[1], x[8], 0, 4, places, &t[0]);
+    dd[1] = footpoint_detail_curve_end(x[1], x[5], x[2], x[8], 1, 4, places, &t[1]);
+    dd[2] = footpoint_detail_curve_end(x[2], x[6], x[3], x[8], 2, 4, places, &t[2]);
+    dd[3] = footpoint_detail_curve_end(x[3], x[7], x[0], x[8], 3, 4, places, &t[3]);
+    size = (ee[0] + ee[1]) + (ee[2] + ee[3]);
+    longest = ee[0] > ee[1] ? ee[0] : ee[1];
+    other = ee[2] > ee[3] ? ee[2] : ee[3];
+    longest = longest > other ? longest : other;
+    edge_u = dd[1] < dd[0] ? 1.0 : t[0];
+    edge_v = dd[1] < dd[0] ? t[1] : -1.0;
+    best = dd[1] < dd[0] ? dd[1] : dd[0];
+    far_u = dd[3] < dd[2] ? -1.0 : -t[2];
+    far_v = dd[3] < dd[2] ? -t[3] : 1.0;
+    rest = dd[3] < dd[2] ? dd[3] : dd[2];
+    edge_u = rest < best ? far_u : edge_u;
+    edge_v = rest < best ? far_v : edge_v;
+    best = rest < best ? rest : best;
+    within = (fabs(xi) < 1.0) & (fabs(eta) < 1.0);
+    xi = within ? xi : edge_u;
+    eta = within ? eta : edge_v;
+    footpoint_detail_quad8_surface(x, xi, eta, u, v, d);
+    inner = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    inside = within & (inner <= best + 4e-16 * (best + size));
+    all = dd[0] + dd[1] + dd[2] + dd[3] + inner;
+    best = inside ? inner : best;
+    xi = inside ? xi : edge_u;
+    eta = inside ? eta : edge_v;
+    footpoint_detail_quad8_surface(x, xi, eta, u, v, d);
+    footpoint_detail_quad8_surface(x, 0.875 * xi, 0.875 * eta, u, v, e);
+    at[0] = xi;
+    at[1] = eta;
+    nn = footpoint_detail_side(u, v, d, best, at);
+    left = xi <= -1.0;
+    right = xi >= 1.0;
+    below = eta <= -1.0;
+    above = eta >= 1.0;
+    *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
+    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, longest);
+}
+
+/* Roots of the squares in dist, and once more what _closest does in another unit of length, behind the loop. */
+FOOTPOINT_PART void
+footpoint_detail_quad8_closest_n(footpoint_detail_nearest *nearest, size_t n, const double *const *x,
+                                 int nodes, double *FOOTPOINT_RESTRICT xi,
+                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
+                                 int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double at[4];
+        status[i] = nearest(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++)
+        dist[i] = footpoint_detail_signed_root(dist[i]);
+    for (i = 0; i < n; i++)
+        if (status[i] == FOOTPOINT_ERR_DEGENERATE) {
+            const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+            const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+            double at[4];
+            int where;
+            status[i] = footpoint_detail_closest(nearest, row, nodes, 9, at, &where);
+            if (status[i] == FOOTPOINT_OK) {
+                xi[i] = at[0];
+                eta[i] = at[1];
+                dist[i] = at[2];
+                region[i] = where;
+            }
+        }
+}
+
+/* Of faces as near as each other, to rounding, that which xS lies straightest over: where they share an edge or a
+ * corner, its side is the right one. */
+FOOTPOINT_PART int footpoint_detail_quad8_closest_of(footpoint_detail_nearest *nearest, size_t n,
+                                                     const double *const *x, const double *xS, int nodes,
+                                                     double loc[2], double *dist, int *region,
+                                                     size_t *which)
+{
+    double least = 0.0, straightest = 0.0;
+    int found = FOOTPOINT_ERR_DOMAIN, k;
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const double *row[9];
+        double at[4], away, more;
+        int where, status;
+        for (k = 0; k < 8; k++)
+            row[k] = x[8 * i + (size_t)k];
+        row[8] = xS;
+        status = footpoint_detail_closest(nearest, row, nodes, 9, at, &where);
+        if (status != FOOTPOINT_OK) {
+            found = found == FOOTPOINT_OK ? found : status;
+            continue;
+        }
+        away = fabs(at[2]);
+        more = 4.0 * 4e-16 * (away + least);
+        if (found == FOOTPOINT_OK &&
+            !(away < least - more || (away <= least + more && at[3] > straightest)))
+            continue;
+        found = FOOTPOINT_OK;
+        least = away;
+        straightest = at[3];
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *dist = at[2];
+        *region = where;
+        *which = i;
+    }
+    return found;
 }
 #endif
 
@@ -306,13 +682,27 @@ FOOTPOINT_PART void footpoint_detail_quad8_checked_rest(footpoint_detail_search 
  * scaled by a power of 2. */
 #define FOOTPOINT_QUAD8_LEAST 2.9387358770557188e-39
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* _at:  xi and eta, dimensionless; nothing is checked.
+ * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xG, xH, xS;
+ * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xE, xF, xG, xH, xS;
  *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
+ * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
+
+/* _closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
+ *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (the normal an eighth of the way from there to the middle) is), and region, where it lies:
+ *           0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
+ *           Points of edges are right to the rounding of their distances; inside it is _at's point, unless one of
+ *           an edge is nearer.  On error all untouched: as , and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
+ *           the longest edge is long, slave nodes for which no search was measured.
+ * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ * _closest_of:  the nearest of n segments, the nodes of segment i being x[8 i] and on, such as a
+ *           search for neighbours hands over; which is its number, of several as near as each other to rounding that
+ *           of the one which xS lies straightest over.  Segments without an answer are passed over; if all are, the
+ *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 /* footpoint_quad8_fast
  *   operations:     26 mul, 1 div, 52 add, 0 sqrt, 0 compare; 18 temporaries
@@ -377,39 +767,63 @@ FOOTPOINT_FN int footpoint_quad8_fast(const double xA[3], const double xB[3], co
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_fast_n(size_t n, const double *const x[27],
-                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_fast_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_fast_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_fast, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_fast_checked_n(size_t n, const double *const x[27],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_fast(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_fast, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_fast, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fast_over_n(const double *const nodes[8], size_t n,
+                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_fast, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_fast(const double *const *x, double at[4],
+                                                                 int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_fast(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fast_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xS[3],
+                                              double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_fast, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fast_closest_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_fast, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fast_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                 double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_fast, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -507,39 +921,64 @@ FOOTPOINT_FN int footpoint_quad8_coarse(const double xA[3], const double xB[3], 
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_coarse_n(size_t n, const double *const x[27],
-                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_coarse_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_coarse_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_coarse, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_coarse_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_coarse(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_coarse, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_coarse, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_coarse_over_n(const double *const nodes[8], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_coarse, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_coarse(const double *const *x, double at[4],
+                                                                   int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_coarse(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_coarse_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xE[3], const double xF[3],
+                                                const double xG[3], const double xH[3], const double xS[3],
+                                                double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_coarse, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_coarse_closest_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_coarse, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_coarse_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_coarse, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -652,39 +1091,64 @@ FOOTPOINT_FN int footpoint_quad8_medium(const double xA[3], const double xB[3], 
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_medium_n(size_t n, const double *const x[27],
-                                             double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_medium_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_medium_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_medium, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_medium_checked_n(size_t n, const double *const x[27],
                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                      double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_medium(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_medium, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_medium, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_medium_over_n(const double *const nodes[8], size_t n,
+                                                  const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                  double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                  int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_medium, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_medium(const double *const *x, double at[4],
+                                                                   int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_medium(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_medium_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                const double xD[3], const double xE[3], const double xF[3],
+                                                const double xG[3], const double xH[3], const double xS[3],
+                                                double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_medium, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_medium_closest_n(size_t n, const double *const x[27],
+                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_medium, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_medium_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                   double loc[2],
+                                                   double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_medium, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -803,39 +1267,64 @@ FOOTPOINT_FN int footpoint_quad8_balanced(const double xA[3], const double xB[3]
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[27],
-                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_balanced_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_balanced_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_balanced, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_balanced_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_balanced(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_balanced, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_balanced, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_balanced_over_n(const double *const nodes[8], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_balanced, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_balanced(const double *const *x, double at[4],
+                                                                     int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_balanced(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_balanced_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xE[3], const double xF[3],
+                                                  const double xG[3], const double xH[3], const double xS[3],
+                                                  double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_balanced, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_balanced_closest_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_balanced, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_balanced_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_balanced, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -961,39 +1450,63 @@ FOOTPOINT_FN int footpoint_quad8_fine(const double xA[3], const double xB[3], co
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_fine_n(size_t n, const double *const x[27],
-                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_fine_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_fine_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_fine, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_fine_checked_n(size_t n, const double *const x[27],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_fine(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_fine, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_fine, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fine_over_n(const double *const nodes[8], size_t n,
+                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_fine, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_fine(const double *const *x, double at[4],
+                                                                 int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_fine(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fine_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xS[3],
+                                              double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_fine, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_fine_closest_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_fine, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_fine_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                 double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_fine, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1130,39 +1643,64 @@ FOOTPOINT_FN int footpoint_quad8_accurate(const double xA[3], const double xB[3]
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[27],
-                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_accurate_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                               double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_accurate_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_accurate, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_accurate_checked_n(size_t n, const double *const x[27],
                                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                        double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_accurate(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_accurate, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_accurate, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_accurate_over_n(const double *const nodes[8], size_t n,
+                                                    const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                    double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_accurate, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_accurate(const double *const *x, double at[4],
+                                                                     int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_accurate(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_accurate_closest(const double xA[3], const double xB[3], const double xC[3],
+                                                  const double xD[3], const double xE[3], const double xF[3],
+                                                  const double xG[3], const double xH[3], const double xS[3],
+                                                  double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_accurate, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_accurate_closest_n(size_t n, const double *const x[27],
+                                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                       double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                       int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_accurate, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_accurate_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                     double loc[2],
+                                                     double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_accurate, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1319,39 +1857,64 @@ FOOTPOINT_FN int footpoint_quad8_sharp(const double xA[3], const double xB[3], c
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_sharp_n(size_t n, const double *const x[27],
-                                            double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_sharp_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                            double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_sharp_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_sharp, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_sharp_checked_n(size_t n, const double *const x[27],
                                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                     double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_sharp(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_sharp, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_sharp, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_sharp_over_n(const double *const nodes[8], size_t n,
+                                                 const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                 int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_sharp, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_sharp(const double *const *x, double at[4],
+                                                                  int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_sharp(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_sharp_closest(const double xA[3], const double xB[3], const double xC[3],
+                                               const double xD[3], const double xE[3], const double xF[3],
+                                               const double xG[3], const double xH[3], const double xS[3],
+                                               double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_sharp, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_sharp_closest_n(size_t n, const double *const x[27],
+                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                    double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_sharp, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_sharp_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                  double loc[2],
+                                                  double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_sharp, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1540,39 +2103,63 @@ FOOTPOINT_FN int footpoint_quad8_full(const double xA[3], const double xB[3], co
     return FOOTPOINT_OK;
 }
 
-FOOTPOINT_LOOP void footpoint_quad8_full_n(size_t n, const double *const x[27],
-                                           double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+FOOTPOINT_LOOP void footpoint_quad8_full_n(size_t n, const double *const x[27], double *FOOTPOINT_RESTRICT xi,
+                                           double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        footpoint_quad8_full_at(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad8_n(footpoint_detail_footpoint_quad8_full, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_quad8_full_checked_n(size_t n, const double *const x[27],
                                                    double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                    double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
-            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
-        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_quad8_full(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad8_checked_rest(footpoint_detail_checked_footpoint_quad8_full, n, x, 8,
-        xi, eta, gap, status);
+    footpoint_detail_quad8_checked_n(footpoint_detail_checked_footpoint_quad8_full, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_full_over_n(const double *const nodes[8], size_t n,
+                                                const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_over_n(footpoint_detail_checked_footpoint_quad8_full, nodes, n, x, 8, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_quad8_full(const double *const *x, double at[4],
+                                                                 int *region)
+{
+    double xi, eta;
+    unsigned long long flaw = footpoint_detail_footpoint_quad8_full(
+        x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8], &xi, &eta);
+    return footpoint_detail_quad8_nearest(x, flaw, FOOTPOINT_QUAD8_LEAST, xi, eta, at, region);
+}
+
+FOOTPOINT_FN int footpoint_quad8_full_closest(const double xA[3], const double xB[3], const double xC[3],
+                                              const double xD[3], const double xE[3], const double xF[3],
+                                              const double xG[3], const double xH[3], const double xS[3],
+                                              double loc[2], double *dist, int *region)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_quad8_full, x, 8, 9, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_full_closest_n(size_t n, const double *const x[27],
+                                                   double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
+                                                   double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
+                                                   int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad8_closest_n(footpoint_detail_closest_footpoint_quad8_full, n, x, 8, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_quad8_full_closest_of(size_t n, const double *const *x, const double xS[3], double loc[2],
+                                                 double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad8_closest_of(footpoint_detail_closest_footpoint_quad8_full, n, x, xS, 8, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -1587,5 +2174,254 @@ static const double footpoint_quad8_full_points[][31] = {
     {0, 0, 0, 1, 0, 0, -0.375, 7.875, -0.0703125, 1.3125, 4.125, 0, 0.54150390625, 0.0068359375, 0.05859375, -0.875, 2.9375, 0.515625, 4, 1.6875, 0.19921875, 0.46875, 4.15625, 0.10546875, 3.25, 1.4375, 0.09375, -0.14159913321653889, 0.74264048562691376, 6.1439393807574746e-14, 3.4883836515527054e-14},
 };
 #endif
+
+#ifndef FOOTPOINT_DETAIL_ALONG
+#define FOOTPOINT_DETAIL_ALONG
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+#ifndef FOOTPOINT_OUTSIDE
+#define FOOTPOINT_OUTSIDE 1
+#endif
+#ifndef FOOTPOINT_NOT_UNIQUE
+#define FOOTPOINT_NOT_UNIQUE 2
+#endif
+
+FOOTPOINT_PART void footpoint_detail_cross(const double a[3], const double b[3], double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+FOOTPOINT_PART double footpoint_detail_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* How far |x| is above 1, and 0 below. */
+FOOTPOINT_PART double footpoint_detail_excess(double x)
+{
+    const double more = fabs(x) - 1.0;
+    return 0.5 * (more + fabs(more));
+}
+
+/* The direction in a unit in which it is about 1 long; FOOTPOINT_ERR_DEGENERATE if it is of no length. */
+FOOTPOINT_FN int footpoint_detail_along_scale(const double along[3], double p[3])
+{
+    double most = 0.0;
+    int exponent, i;
+    if (!footpoint_detail_finite(&along, 1))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    for (i = 0; i < 3; i++)
+        most = fabs(along[i]) > most ? fabs(along[i]) : most;
+    if (footpoint_detail_below(most, 2.2250738585072014e-308) >> 63)
+        return FOOTPOINT_ERR_DEGENERATE;
+    (void)frexp(most, &exponent);
+    for (i = 0; i < 3; i++)
+        p[i] = ldexp(along[i], -exponent);
+    return FOOTPOINT_OK;
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_DOMAINS
+#define FOOTPOINT_DETAIL_DOMAINS
+#ifndef FOOTPOINT_ERR_NO_CONVERGENCE
+#define FOOTPOINT_ERR_NO_CONVERGENCE (-4)
+#endif
+
+/* How far (xi,eta) lies beyond the edges: <= 0 inside. */
+FOOTPOINT_PART double footpoint_detail_square_beyond(double xi, double eta)
+{
+    const double u = fabs(xi), v = fabs(eta);
+    return (u > v ? u : v) - 1.0;
+}
+
+FOOTPOINT_PART double footpoint_detail_triangle_beyond(double xi, double eta)
+{
+    const double least = xi < eta ? xi : eta, over = xi + eta - 1.0;
+    return -least > over ? -least : over;
+}
+
+/* Point k to start from: the middle, and towards the corners. */
+FOOTPOINT_FN void footpoint_detail_square_start(int k, double at[3])
+{
+    at[0] = k == 0 ? 0.0 : k == 1 || k == 4 ? -0.75 : 0.75;
+    at[1] = k == 0 ? 0.0 : k < 3 ? -0.75 : 0.75;
+    at[2] = 0.0;
+}
+
+FOOTPOINT_FN void footpoint_detail_triangle_start(int k, double at[3])
+{
+    at[0] = k == 0 ? 1.0 / 3.0 : k == 2 ? 0.75 : k == 4 ? 0.5 : 0.125;
+    at[1] = k == 0 ? 1.0 / 3.0 : k == 3 ? 0.75 : k == 4 ? 0.5 : 0.125;
+    at[2] = 0.0;
+}
+#endif
+
+#ifndef FOOTPOINT_QUAD8_ALONG
+#define FOOTPOINT_QUAD8_ALONG
+/* One step of (xi,eta) = at to where xS - r is a multiple of p; at[2] becomes their distance, to second order in the step,
+ * whose square is *moved.  The highest bit of what it returns is set if p is in the plane of the tangents. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad8_along_step(const double *const *x, const double p[3],
+                                                                    double most, double at[3], double *moved)
+{
+    const double pp = footpoint_detail_dot(p, p);
+    double u[3], v[3], d[3], n[3], m[3], across, size, a, b, less;
+    footpoint_detail_quad8_surface(x, at[0], at[1], u, v, d);
+    footpoint_detail_cross(u, v, n);
+    footpoint_detail_cross(p, d, m);
+    across = footpoint_detail_dot(n, p);
+    size = footpoint_detail_dot(u, u) * footpoint_detail_dot(v, v) * pp;
+    a = footpoint_detail_dot(m, v) / across;
+    b = -footpoint_detail_dot(m, u) / across;
+    *moved = a * a + b * b;
+    less = *moved > most ? sqrt(most / *moved) : 1.0;
+    at[0] += less * a;
+    at[1] += less * b;
+    at[2] = footpoint_detail_dot(n, d) / across * sqrt(pp);
+    return footpoint_detail_outside(across) |
+           footpoint_detail_bits(across * across - 100.0 * 1e-20 * size);
+}
+
+/* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless
+ * the last of five steps from the middle is so short that the next one would be of the size of rounding errors. */
+FOOTPOINT_PART unsigned long long footpoint_detail_quad8_along(const double *const *x, const double p[3],
+                                                               double at[3], int *status)
+{
+    unsigned long long flaw = 0;
+    double moved = 1.0;
+    int k;
+    footpoint_detail_square_start(0, at);
+    for (k = 0; k < 5; k++)
+        flaw = footpoint_detail_quad8_along_step(x, p, 4.0, at, &moved);
+    *status = footpoint_detail_square_beyond(at[0], at[1]) > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+    return flaw | footpoint_detail_above(moved, 4e-16) |
+           footpoint_detail_infinite(at[0] + at[1] + at[2]);
+}
+
+/* In full: short steps from five points.  Of what they find that in the segment, of two there the nearer one, of none the
+ * one less far outside. */
+FOOTPOINT_COLD int footpoint_detail_quad8_along_full(const double *const *x, const double p[3],
+                                                     double at[3])
+{
+    int found = FOOTPOINT_ERR_NO_CONVERGENCE, flat = 0, i, k;
+    double beyond = 0.0;
+    for (k = 0; k < 5; k++) {
+        double y[3], moved = 1.0, over;
+        unsigned long long flaw = 0;
+        footpoint_detail_square_start(k, y);
+        for (i = 0; i < 50 && !(flaw >> 63) &&
+                    footpoint_detail_above(moved, 4e-16) >> 63;
+             i++)
+            flaw = footpoint_detail_quad8_along_step(x, p, 0.25, y, &moved);
+        flat += i == 1 && flaw >> 63;
+        if ((flaw | footpoint_detail_above(moved, 4e-16) |
+             footpoint_detail_infinite(y[0] + y[1] + y[2])) >>
+            63)
+            continue;
+        over = footpoint_detail_square_beyond(y[0], y[1]);
+        if (found == FOOTPOINT_OK || found == FOOTPOINT_NOT_UNIQUE) {
+            const double apart = fabs(y[0] - at[0]) + fabs(y[1] - at[1]);
+            if (over > 0.0 || apart < 1e-3)
+                continue;
+            found = FOOTPOINT_NOT_UNIQUE;
+            if (fabs(y[2]) > fabs(at[2]))
+                continue;
+        } else if (found == FOOTPOINT_OUTSIDE && over > beyond)
+            continue;
+        else
+            found = over > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+        beyond = over;
+        at[0] = y[0];
+        at[1] = y[1];
+        at[2] = y[2];
+    }
+    return flat == 5 ? FOOTPOINT_ERR_DEGENERATE : found;
+}
+
+/* In full, in units of length in which the segment and the direction are about 1 long. */
+FOOTPOINT_COLD int footpoint_detail_quad8_along_again(const double *const *x, const double along[3],
+                                                      double loc[2], double *dist)
+{
+    double y[9][3], p[3], at[3];
+    const double *z[9];
+    int exponent = 0, i, status = footpoint_detail_along_scale(along, p);
+    const int nodes = footpoint_detail_scale(x, 9 - 1, 9, y, &exponent);
+    if (status == FOOTPOINT_OK || nodes == FOOTPOINT_ERR_NOT_FINITE)
+        status = nodes;
+    if (status != FOOTPOINT_OK)
+        return status;
+    for (i = 0; i < 9; i++)
+        z[i] = y[i];
+    status = footpoint_detail_quad8_along_full(z, p, at);
+    if (status < FOOTPOINT_OK)
+        return status;
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = exponent ? ldexp(at[2], exponent) : at[2];
+    return status;
+}
+#endif
+
+/* footpoint_quad8_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
+ *           normal that is the gap.  By steps to rounding.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
+ *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
+ *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_NO_CONVERGENCE: no step came upon it,
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           FOOTPOINT_ERR_NOT_FINITE.
+ * footpoint_quad8_along_n:  the same for n pairs, each with its status and its direction, three columns. */
+FOOTPOINT_FN int footpoint_quad8_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
+                                       const double xE[3], const double xF[3], const double xG[3], const double xH[3],
+                                       const double xS[3], const double along[3], double loc[2], double *dist)
+{
+    const double *const x[9] = {xA, xB, xC, xD, xE, xF, xG, xH, xS};
+    double at[3];
+    int status;
+    if (footpoint_detail_quad8_along(x, along, at, &status) >> 63)
+        return footpoint_detail_quad8_along_again(x, along, loc, dist);
+    loc[0] = at[0];
+    loc[1] = at[1];
+    *dist = at[2];
+    return status;
+}
+
+FOOTPOINT_LOOP void footpoint_quad8_along_n(size_t n, const double *const x[27],
+                                            const double *const along[3], double *FOOTPOINT_RESTRICT xi,
+                                            double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
+                                            int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+        const double q[3] = {along[0][i], along[1][i], along[2][i]};
+        const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+        double at[3];
+        int outside;
+        const unsigned long long flaw = footpoint_detail_quad8_along(row, q, at, &outside);
+        status[i] = outside - (int)(2 * (flaw >> 63)); /* < 0 where it is asked in full */
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] < FOOTPOINT_OK) {
+            const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]},
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}};
+            const double q[3] = {along[0][i], along[1][i], along[2][i]};
+            const double *const row[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]};
+            double loc[2];
+            loc[0] = xi[i];
+            loc[1] = eta[i];
+            status[i] = footpoint_detail_quad8_along_again(row, q, loc, &dist[i]);
+            xi[i] = loc[0];
+            eta[i] = loc[1];
+        }
+}
 
 #endif

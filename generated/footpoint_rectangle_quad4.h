@@ -287,31 +287,169 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
 }
 #endif
 
-#ifndef FOOTPOINT_QUAD4_CHECKED
-#define FOOTPOINT_QUAD4_CHECKED
-/* What is not good beyond doubt in full. */
-FOOTPOINT_PART void footpoint_detail_quad4_checked_rest(footpoint_detail_search *search, size_t n,
-                                                        const double *const *x, int nodes, double *xi,
-                                                        double *eta, double *gap, int *status)
+#ifndef FOOTPOINT_QUAD4_ARRAYS
+#define FOOTPOINT_QUAD4_ARRAYS
+/* The search of _at. */
+typedef unsigned long long footpoint_detail_quad4_search(const double xA[3], const double xB[3], const double xC[3],
+                                                         const double xD[3], const double xS[3], double *xi,
+                                                         double *eta);
+
+FOOTPOINT_PART void footpoint_detail_quad4_n(footpoint_detail_quad4_search *search, size_t n,
+                                             const double *const *x, double *FOOTPOINT_RESTRICT xi,
+                                             double *FOOTPOINT_RESTRICT eta)
 {
     size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        (void)search(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
+    }
+}
+
+/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
+ * doubt is searched in full behind the loop. */
+FOOTPOINT_PART void footpoint_detail_quad4_full(footpoint_detail_search *search,
+                                                const double *const *row, int nodes, double *xi,
+                                                double *eta, double *gap, int *status)
+{
+    double loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = footpoint_detail_again(search, row, nodes, 5, loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+FOOTPOINT_PART void footpoint_detail_quad4_checked_n(footpoint_detail_search *search, size_t n,
+                                                     const double *const *x, int nodes,
+                                                     double *FOOTPOINT_RESTRICT xi,
+                                                     double *FOOTPOINT_RESTRICT eta,
+                                                     double *FOOTPOINT_RESTRICT gap,
+                                                     int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
     for (i = 0; i < n; i++)
         if (status[i] != FOOTPOINT_OK) {
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            double loc[2];
-            loc[0] = xi[i];
-            loc[1] = eta[i];
-            status[i] = footpoint_detail_again(search, row, nodes, 5, loc, &gap[i]);
-            xi[i] = loc[0];
-            eta[i] = loc[1];
+            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+        }
+}
+
+/* Slave nodes x over one segment, c: values of its own, which no result can change, so that what depends on them alone
+ * is computed once. */
+FOOTPOINT_PART void
+footpoint_detail_quad4_over_n(footpoint_detail_search *search, const double *const *segment, size_t n,
+                              const double *const *x, int nodes, double *FOOTPOINT_RESTRICT xi,
+                              double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                              int *FOOTPOINT_RESTRICT status)
+{
+    double c[4][3];
+    size_t i;
+    int j, k;
+    for (k = 0; k < 4; k++)
+        for (j = 0; j < 3; j++)
+            c[k][j] = segment[k][j];
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double s[3] = {x[0][i], x[1][i], x[2][i]};
+        const double *const row[5] = {c[0], c[1], c[2], c[3], s};
+        double u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> 63);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const double s[3] = {x[0][i], x[1][i], x[2][i]};
+            const double *const row[5] = {c[0], c[1], c[2], c[3], s};
+            footpoint_detail_quad4_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
         }
 }
 #endif
 
 #ifndef FOOTPOINT_DETAIL_CLOSEST
 #define FOOTPOINT_DETAIL_CLOSEST
+#ifndef FOOTPOINT_ERR_DOMAIN
+#define FOOTPOINT_ERR_DOMAIN (-3)
+#endif
+
+/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite
+ * in `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, nn being
+ * the square of its vector; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the
+ * search has a flaw. */
+FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, double nn, double size,
+                                                   double least, double dd, double longest)
+{
+    const unsigned long long away = footpoint_detail_below(longest, dd);
+    const unsigned long long nodes =
+        footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
+        footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
+    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 63) +
+           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 63);
+}
+
+/* The root of the square of a distance, with its sign. */
+FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
+{
+    const double root = sqrt(fabs(dd));
+    return dd < 0.0 ? -root : root;
+}
+
+/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign, square of
+ * the cosine between xS - r and the normal}. */
+typedef int footpoint_detail_nearest(const double *const *x, double at[4], int *region);
+
+/* NAME_closest, with the distance in at: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in
+ * which the segment is about 1 long; with nodes = 0 not. */
+FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, const double *const *x,
+                                            int nodes, int vectors, double at[4], int *region)
+{
+    double y[10][3];
+    const double *z[10];
+    int exponent = 0, i, status = nearest(x, at, region);
+    if (status == FOOTPOINT_ERR_DEGENERATE) {
+        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
+        for (i = 0; i < vectors; i++)
+            z[i] = y[i];
+        if (status == FOOTPOINT_OK)
+            status = nearest(z, at, region);
+    }
+    at[2] = footpoint_detail_signed_root(at[2]);
+    at[2] = exponent ? ldexp(at[2], exponent) : at[2];
+    return status;
+}
+
+/* Its answer to the caller, if there is one. */
+FOOTPOINT_PART int footpoint_detail_closest_answer(int status, const double at[4], int where,
+                                                   double loc[2], double *dist, int *region)
+{
+    if (status == FOOTPOINT_OK) {
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *dist = at[2];
+        *region = where;
+    }
+    return status;
+}
+#endif
+
+#ifndef FOOTPOINT_DETAIL_EDGE
+#define FOOTPOINT_DETAIL_EDGE
 /* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
  * lies, from 0 to 1; returns the square of their distance. */
 FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3], const double s[3],
@@ -334,71 +472,18 @@ FOOTPOINT_PART double footpoint_detail_edge(const double a[3], const double b[3]
     }
     return dd;
 }
-
-#ifndef FOOTPOINT_ERR_DOMAIN
-#define FOOTPOINT_ERR_DOMAIN (-3)
-#endif
-
-/* Of the nearest point found, dd being the square of its distance: FOOTPOINT_ERR_DEGENERATE if something is not finite in
- * `all`, size, the sum of the squares of edges, is not between least and 1 / least, or there is no area, whose vector is
- * n; else FOOTPOINT_ERR_DOMAIN beyond the longest edge; else FOOTPOINT_ERR_DEGENERATE where the search has a flaw. */
-FOOTPOINT_PART int footpoint_detail_closest_status(unsigned long long flaw, double all, const double n[3],
-                                                   double size, double least, double dd, double longest)
-{
-    const double nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    const unsigned long long away = footpoint_detail_below(longest, dd);
-    const unsigned long long nodes =
-        footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
-        footpoint_detail_bits(nn - 1e-20 * (size * size)) | footpoint_detail_infinite(all);
-    return FOOTPOINT_ERR_DEGENERATE * (int)((nodes | (flaw & ~away)) >> 63) +
-           FOOTPOINT_ERR_DOMAIN * (int)((away & ~nodes) >> 63);
-}
-
-/* The root of the square of a distance, with its sign. */
-FOOTPOINT_PART double footpoint_detail_signed_root(double dd)
-{
-    const double root = sqrt(fabs(dd));
-    return dd < 0.0 ? -root : root;
-}
-
-/* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign}. */
-typedef int footpoint_detail_nearest(const double *const *x, double at[3], int *region);
-
-/* NAME_closest: where the status is FOOTPOINT_ERR_DEGENERATE once more, in a unit of length in which the segment is about 1
- * long; with nodes = 0 not. */
-FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, const double *const *x,
-                                            int nodes, int vectors, double loc[2], double *dist,
-                                            int *region)
-{
-    double y[5][3], at[3], d;
-    const double *const z[5] = {y[0], y[1], y[2], y[3], y[4]};
-    int exponent = 0, where, status = nearest(x, at, &where);
-    if (status == FOOTPOINT_ERR_DEGENERATE) {
-        status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
-        if (status == FOOTPOINT_OK)
-            status = nearest(z, at, &where);
-    }
-    if (status != FOOTPOINT_OK)
-        return status;
-    d = footpoint_detail_signed_root(at[2]);
-    loc[0] = at[0];
-    loc[1] = at[1];
-    *dist = exponent ? ldexp(d, exponent) : d;
-    *region = where;
-    return FOOTPOINT_OK;
-}
 #endif
 
 #ifndef FOOTPOINT_QUAD4_NEAREST
 #define FOOTPOINT_QUAD4_NEAREST
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at = {xi, eta,
- * square of the distance, < 0 behind}.  A point inside is taken where rounding hides which is nearer.  n, the product of
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  n, the product of
  * the diagonals, is at right angles to both, so that the height of r over A is warp times a function of xi and eta. */
 FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsigned long long flaw, double least,
-                                                  double xi, double eta, double at[3], int *region)
+                                                  double xi, double eta, double at[4], int *region)
 {
     double e[4][3], p[4][3], ee[4], t[4], dd[4], n[3], f[3], g[3], all = 0.0;
-    double size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v,
+    double size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v, nn,
         inner = 0.0, side = 0.0, warp = 0.0;
     int i, inside, left, right, below, above;
     flaw |= footpoint_detail_infinite(xi + eta);
@@ -448,22 +533,36 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const double *const *x, unsign
     side -= warp * (u + v - 2.0 * u * v);
     at[0] = xi;
     at[1] = eta;
+    nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     at[2] = side < 0.0 ? -best : best;
+    at[3] = side * side / (nn * best + 2.2250738585072014e-308);
     left = xi <= -1.0;
     right = xi >= 1.0;
     below = eta <= -1.0;
     above = eta >= 1.0;
     *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
-    return footpoint_detail_closest_status(flaw, all, n, size, least, best, longest);
+    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, longest);
 }
 
-/* Roots of the squares in dist, and once more what NAME_closest does in another unit of length. */
-FOOTPOINT_PART void footpoint_detail_quad4_closest_rest(footpoint_detail_nearest *nearest, size_t n,
-                                                        const double *const *x, int nodes, double *xi,
-                                                        double *eta, double *dist, int *region,
-                                                        int *status)
+/* Roots of the squares in dist, and once more what _closest does in another unit of length, behind the loop. */
+FOOTPOINT_PART void
+footpoint_detail_quad4_closest_n(footpoint_detail_nearest *nearest, size_t n, const double *const *x,
+                                 int nodes, double *FOOTPOINT_RESTRICT xi,
+                                 double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT dist,
+                                 int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
     size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
+        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
+        double at[4];
+        status[i] = nearest(row, at, &region[i]);
+        xi[i] = at[0];
+        eta[i] = at[1];
+        dist[i] = at[2];
+    }
     for (i = 0; i < n; i++)
         dist[i] = footpoint_detail_signed_root(dist[i]);
     for (i = 0; i < n; i++)
@@ -471,14 +570,55 @@ FOOTPOINT_PART void footpoint_detail_quad4_closest_rest(footpoint_detail_nearest
             const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
             {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
             const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-            double loc[2];
-            loc[0] = xi[i];
-            loc[1] = eta[i];
-            status[i] =
-                footpoint_detail_closest(nearest, row, nodes, 5, loc, &dist[i], &region[i]);
-            xi[i] = loc[0];
-            eta[i] = loc[1];
+            double at[4];
+            int where;
+            status[i] = footpoint_detail_closest(nearest, row, nodes, 5, at, &where);
+            if (status[i] == FOOTPOINT_OK) {
+                xi[i] = at[0];
+                eta[i] = at[1];
+                dist[i] = at[2];
+                region[i] = where;
+            }
         }
+}
+
+/* Of faces as near as each other, to rounding, that which xS lies straightest over: where they share an edge or a
+ * corner, its side is the right one. */
+FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *nearest, size_t n,
+                                                     const double *const *x, const double *xS, int nodes,
+                                                     double loc[2], double *dist, int *region,
+                                                     size_t *which)
+{
+    double least = 0.0, straightest = 0.0;
+    int found = FOOTPOINT_ERR_DOMAIN, k;
+    size_t i;
+    for (i = 0; i < n; i++) {
+        const double *row[5];
+        double at[4], away, more;
+        int where, status;
+        for (k = 0; k < 4; k++)
+            row[k] = x[4 * i + (size_t)k];
+        row[4] = xS;
+        status = footpoint_detail_closest(nearest, row, nodes, 5, at, &where);
+        if (status != FOOTPOINT_OK) {
+            found = found == FOOTPOINT_OK ? found : status;
+            continue;
+        }
+        away = fabs(at[2]);
+        more = 4.0 * 4e-16 * (away + least);
+        if (found == FOOTPOINT_OK &&
+            !(away < least - more || (away <= least + more && at[3] > straightest)))
+            continue;
+        found = FOOTPOINT_OK;
+        least = away;
+        straightest = at[3];
+        loc[0] = at[0];
+        loc[1] = at[1];
+        *dist = at[2];
+        *region = where;
+        *which = i;
+    }
+    return found;
 }
 #endif
 
@@ -486,21 +626,27 @@ FOOTPOINT_PART void footpoint_detail_quad4_closest_rest(footpoint_detail_nearest
  * scaled by a power of 2. */
 #define FOOTPOINT_RECTANGLE_QUAD4_LEAST 2.9387358770557188e-39
 
-/* NAME_at:  xi and eta, dimensionless; nothing is checked.
- * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
+/* _at:  xi and eta, dimensionless; nothing is checked.
+ * :     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
+ * _n:   _at for n pairs; x[3 k + i] is the column of coordinate i of vector k, xA, xB, xC, xD, xS;
  *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
+ * _checked_n:   for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * _over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */
 
-/* NAME_closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
+/* _closest:  the closest point r of the segment, its edges and corners included: loc = {xi, eta} there, its distance
  *           |xS - r| (mesh length; < 0 behind, where (xS - r) . (AC x BD) is), and region, where it lies:
  *           0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D.
- *           Points of edges are right to the rounding of their distances; inside it is NAME_at's point, unless one of
- *           an edge is nearer.  On error all untouched: as NAME, and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
+ *           Points of edges are right to the rounding of their distances; inside it is _at's point, unless one of
+ *           an edge is nearer.  On error all untouched: as , and FOOTPOINT_ERR_DOMAIN if r is farther from xS than
  *           the longest edge is long, slave nodes for which no search was measured.
- * NAME_closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten. */
+ * _closest_n:  the same for n pairs, each with its status; where that is an error, the rest may be overwritten.
+ * _closest_of:  the nearest of n segments, the nodes of segment i being x[4 i] and on, such as a
+ *           search for neighbours hands over; which is its number, of several as near as each other to rounding that
+ *           of the one which xS lies straightest over.  Segments without an answer are passed over; if all are, the
+ *           status is that of the last one, and FOOTPOINT_ERR_DOMAIN if n = 0. */
 
 /* footpoint_rectangle_quad4_exact
  *   operations:     17 mul, 1 div, 19 add, 0 sqrt, 0 compare; 13 temporaries
@@ -573,39 +719,28 @@ FOOTPOINT_FN int footpoint_rectangle_quad4_exact(const double xA[3], const doubl
 }
 
 FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_n(size_t n, const double *const x[15],
-                                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta)
+                                                      double *FOOTPOINT_RESTRICT xi,
+                                                      double *FOOTPOINT_RESTRICT eta)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        footpoint_rectangle_quad4_exact_at(p[0], p[1], p[2], p[3], p[4], &xi[i], &eta[i]);
-    }
+    footpoint_detail_quad4_n(footpoint_detail_footpoint_rectangle_quad4_exact, n, x, xi, eta);
 }
 
 FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_checked_n(size_t n, const double *const x[15],
                                                               double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta,
                                                               double *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE *
-            (int)(footpoint_detail_checked_footpoint_rectangle_quad4_exact(row, 0, &u, &v, &g) >> 63);
-        xi[i] = u;
-        eta[i] = v;
-        gap[i] = g;
-    }
-    footpoint_detail_quad4_checked_rest(footpoint_detail_checked_footpoint_rectangle_quad4_exact, n, x, 4,
-        xi, eta, gap, status);
+    footpoint_detail_quad4_checked_n(footpoint_detail_checked_footpoint_rectangle_quad4_exact, n, x, 4, xi, eta, gap, status);
 }
 
-FOOTPOINT_PART int footpoint_detail_closest_footpoint_rectangle_quad4_exact(const double *const *x, double at[3],
+FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_over_n(const double *const nodes[4], size_t n,
+                                                           const double *const x[3], double *FOOTPOINT_RESTRICT xi,
+                                                           double *FOOTPOINT_RESTRICT eta, double *FOOTPOINT_RESTRICT gap,
+                                                           int *FOOTPOINT_RESTRICT status)
+{
+    footpoint_detail_quad4_over_n(footpoint_detail_checked_footpoint_rectangle_quad4_exact, nodes, n, x, 4, xi, eta, gap, status);
+}
+
+FOOTPOINT_PART int footpoint_detail_closest_footpoint_rectangle_quad4_exact(const double *const *x, double at[4],
                                                                             int *region)
 {
     double xi, eta;
@@ -619,8 +754,11 @@ FOOTPOINT_FN int footpoint_rectangle_quad4_exact_closest(const double xA[3], con
                                                          double *dist, int *region)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
-    return footpoint_detail_closest(footpoint_detail_closest_footpoint_rectangle_quad4_exact,
-                                    x, 4, 5, loc, dist, region);
+    double at[4];
+    int where;
+    const int status =
+        footpoint_detail_closest(footpoint_detail_closest_footpoint_rectangle_quad4_exact, x, 4, 5, at, &where);
+    return footpoint_detail_closest_answer(status, at, where, loc, dist, region);
 }
 
 FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_closest_n(size_t n, const double *const x[15],
@@ -628,20 +766,16 @@ FOOTPOINT_LOOP void footpoint_rectangle_quad4_exact_closest_n(size_t n, const do
                                                               double *FOOTPOINT_RESTRICT dist, int *FOOTPOINT_RESTRICT region,
                                                               int *FOOTPOINT_RESTRICT status)
 {
-    size_t i;
-    FOOTPOINT_EACH
-    for (i = 0; i < n; i++) {
-        const double p[5][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]},
-            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}};
-        const double *const row[5] = {p[0], p[1], p[2], p[3], p[4]};
-        double at[3];
-        status[i] = footpoint_detail_closest_footpoint_rectangle_quad4_exact(row, at, &region[i]);
-        xi[i] = at[0];
-        eta[i] = at[1];
-        dist[i] = at[2];
-    }
-    footpoint_detail_quad4_closest_rest(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, 4,
-        xi, eta, dist, region, status);
+    footpoint_detail_quad4_closest_n(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, 4, xi, eta, dist, region,
+                                     status);
+}
+
+FOOTPOINT_FN int footpoint_rectangle_quad4_exact_closest_of(size_t n, const double *const *x, const double xS[3],
+                                                            double loc[2],
+                                                            double *dist, int *region, size_t *which)
+{
+    return footpoint_detail_quad4_closest_of(footpoint_detail_closest_footpoint_rectangle_quad4_exact, n, x, xS, 4, loc, dist,
+                                             region, which);
 }
 
 #ifdef FOOTPOINT_TEST_POINTS /* inputs, exact outputs rounded, and how far off the code may be */
@@ -854,14 +988,16 @@ FOOTPOINT_COLD int footpoint_detail_quad4_along_again(const double *const *x, co
 #endif
 
 /* footpoint_rectangle_quad4_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
- *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
- *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
- *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
- *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
- *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
+ *           normal that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
+ *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
+ *           once, the nearest one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere,
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           FOOTPOINT_ERR_NOT_FINITE.
  * footpoint_rectangle_quad4_along_n:  the same for n pairs, each with its status and its direction, three columns. */
-FOOTPOINT_FN int footpoint_rectangle_quad4_along(const double xA[3], const double xB[3], const double xC[3], const double xD[3], const double xS[3], const double along[3], double loc[2], double *dist)
+FOOTPOINT_FN int footpoint_rectangle_quad4_along(const double xA[3], const double xB[3], const double xC[3],
+                                                 const double xD[3], const double xS[3], const double along[3],
+                                                 double loc[2], double *dist)
 {
     const double *const x[5] = {xA, xB, xC, xD, xS};
     double at[3];

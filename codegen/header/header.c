@@ -7,6 +7,7 @@
 #include "../print/banner.h"
 #include "../print/c_text.h"
 #include "../print/templates.h"
+#include "header_along.h"
 #include "header_float.h"
 #include "header_helpers.h"
 #include "header_segment.h"
@@ -147,6 +148,6 @@ void header_print(const struct unit *u, FILE *out)
         if (u->options.precision == PRECISION_DOUBLE)
             print_points(u, f, out);
     }
-    helpers_print_along(u, out);
+    along_print(u, out);
     fputs("\n#endif\n", out);
 }

@@ -58,8 +58,7 @@ struct found {
 
 bool gap_shares(const struct unit *u, const struct function *f)
 {
-    const struct segment_kind *k = u->file->segment;
-    return u->file->order == CORNERS_ANY && (k->bilinear || strcmp(k->name, "tri3") == 0) && !f->scaled;
+    return u->file->order == CORNERS_ANY && lines_straight(u) && !f->scaled;
 }
 
 /* A coordinate of a vector at a point. */

@@ -8,8 +8,4 @@
 /** All of it, and the macro that sizes_least_name() names.  Templates are in templates/. */
 void helpers_print(const struct unit *u, FILE *out);
 
-/** PREFIX_along and PREFIX_along_n, projection along a direction, which need no genome: of bilinear segments and flat
- *  triangles; nothing else. */
-void helpers_print_along(const struct unit *u, FILE *out);
-
 #endif

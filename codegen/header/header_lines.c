@@ -3,9 +3,9 @@
 
 #include "../genome/text.h"
 #include "../print/c_text.h"
-#include "../print/templates.h"
 #include "header_sizes.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,24 +57,94 @@ char *lines_vectors(const struct unit *u)
     return memory_close(m);
 }
 
-char *lines_rows(const struct unit *u, const char *name)
+static char *rows_text(const char *name, size_t count)
 {
     struct memory *m = memory_open();
-    for (size_t k = 0; k <= segment_vectors(u->file->segment); k++)
+    for (size_t k = 0; k < count; k++)
         fprintf(m->stream, "%s%s[%zu]", k ? ", " : "", name, k);
     return memory_close(m);
 }
 
-char *lines_columns(const struct unit *u)
+char *lines_rows(const struct unit *u, const char *name)
+{
+    return rows_text(name, segment_vectors(u->file->segment) + 1);
+}
+
+static char *columns_text(size_t vectors)
 {
     struct memory *m = memory_open();
-    for (size_t k = 0; k <= segment_vectors(u->file->segment); k++)
+    for (size_t k = 0; k < vectors; k++)
         fprintf(m->stream, "%s{x[%zu][i], x[%zu][i], x[%zu][i]}",
                 k == 0  ? ""
                 : k % 3 ? ", "
                         : ",\n            ",
                 3 * k, 3 * k + 1, 3 * k + 2);
     return memory_close(m);
+}
+
+static char *parameters_text(const struct unit *u)
+{
+    struct memory *m = memory_open();
+    for (size_t i = 0; i <= segment_vectors(u->file->segment); i++) {
+        char name[4];
+        segment_vector_name(u->file->segment, i, name);
+        fprintf(m->stream, "%sconst %s %s[3]", i ? ", " : "", lines_real(u), name);
+    }
+    return memory_close(m);
+}
+
+bool lines_straight(const struct unit *u)
+{
+    const struct segment_kind *k = u->file->segment;
+    return k->bilinear || strcmp(k->name, "tri3") == 0;
+}
+
+struct placeholder *lines_words(const struct unit *u, const struct function *f)
+{
+    const struct segment_kind *k = u->file->segment;
+    const size_t n = segment_vectors(k) + 1;
+    const char *const name = f ? f->name : "";
+    const bool straight = lines_straight(u);
+    const struct {
+        const char *word;
+        char *text;
+    } all[] = {{"KIND", new_format("%s", k->name)},
+               {"PREFIX", new_format("%s", u->options.prefix)},
+               {"SHAPE", new_format("%s", k->triangle ? "triangle" : "square")},
+               {"EDGES", new_format("%s", k->triangle ? "1 to 3 edge AB, BC, CA, 4 to 6 corner A, B, C"
+                                                      : "1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D")},
+               {"NORMAL", new_format("%s", !straight     ? "the normal an eighth of the way from there to the middle"
+                                           : k->triangle ? "AB x AC"
+                                                         : "AC x BD")},
+               {"ACCURACY", new_format("%s", straight ? "Exact to rounding; for any segment" : "By steps to rounding")},
+               {"MISSED", new_format("%s", straight ? "FOOTPOINT_ERR_DOMAIN: it meets the surface nowhere"
+                                                    : "FOOTPOINT_ERR_NO_CONVERGENCE: no step came upon it")},
+               {"VECTORS", new_format("%zu", n)},
+               {"SEGMENT_VECTORS", new_format("%zu", n - 1)},
+               {"NODES", new_format("%zu", strlen(k->nodes))},
+               {"COORDINATES", new_format("%zu", 3 * n)},
+               {"NODE_PARAMETERS", parameters_text(u)},
+               {"NODE_NAMES", lines_vectors(u)},
+               {"COLUMNS", columns_text(n)},
+               {"ROWS", rows_text("p", n)},
+               {"SEGMENT_ROWS", rows_text("c", n - 1)},
+               {"NAME", new_format("%s", name)},
+               {"SCALED_NODES", new_format("%zu", f ? lines_scaled_nodes(u, f) : 0)},
+               {"BARE_SEARCH", new_format("footpoint_detail_%s", name)},
+               {"CHECKED_SEARCH", new_format("footpoint_detail_checked_%s", name)},
+               {"CLOSEST_SEARCH", new_format("footpoint_detail_closest_%s", name)}};
+    const size_t count = sizeof all / sizeof *all;
+    struct placeholder *words = new_array(count + 1, sizeof *words);
+    for (size_t i = 0; i < count; i++)
+        words[i] = (struct placeholder){all[i].word, all[i].text};
+    return words;
+}
+
+void lines_words_free(struct placeholder *words)
+{
+    for (struct placeholder *w = words; w->word; w++)
+        free((char *)(uintptr_t)w->text);
+    free(words);
 }
 
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f)

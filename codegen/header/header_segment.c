@@ -1,13 +1,13 @@
 /* Text of the search: nodes as a mesh has them to xi, eta and the gap.  For a genome NAME of a segment,
  *   NAME_at:  xi and eta by straight-line code, corners in the order that the scene assumes, nothing checked;
  *   NAME:     xi, eta and the signed gap (9), corners in any order, segments of any size, with a status;
- *   NAME_n, NAME_checked_n:   NAME_at and NAME for many pairs, from columns of coordinates;
- * and of faces that have it NAME_closest, see header_closest.h. */
+ * over arrays, see header_arrays.h; and of faces that have it NAME_closest, see header_closest.h. */
 #include "header_segment.h"
 
 #include "../genome/text.h"
 #include "../print/c_text.h"
 #include "../print/templates.h"
+#include "header_arrays.h"
 #include "header_closest.h"
 #include "header_float.h"
 #include "header_gap.h"
@@ -136,61 +136,13 @@ static void print_sure(const struct unit *u, const struct function *f, const cha
     free(head);
 }
 
-/* The loop over columns.  FOOTPOINT_LOOP inlines what it calls, without which it would not vectorise. */
-static void print_loop(const struct unit *u, const struct function *f, FILE *out)
-{
-    const char *real = lines_real(u);
-    const size_t vectors = segment_vectors(u->file->segment) + 1;
-    char *columns = lines_columns(u), *rows = lines_rows(u, "p");
-    fputc('\n', out);
-    const int column = fprintf(out, "FOOTPOINT_LOOP void %s_n(", f->name);
-    fprintf(out, "size_t n, const %s *const x[%zu],\n%*s%s *FOOTPOINT_RESTRICT xi, %s *FOOTPOINT_RESTRICT eta)\n", real,
-            3 * vectors, column, "", real, real);
-    fprintf(out,
-            "{\n    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {%s};\n"
-            "        %s_at(%s, &xi[i], &eta[i]);\n    }\n}\n",
-            real, vectors, columns, f->name, rows);
-    free(rows);
-    free(columns);
-}
-
-/* The same of NAME; what is not good beyond doubt is searched in full behind it. */
-static void print_checked_loop(const struct unit *u, const struct function *f, FILE *out)
-{
-    const char *real = lines_real(u);
-    const size_t vectors = segment_vectors(u->file->segment) + 1;
-    char *columns = lines_columns(u), *rows = lines_rows(u, "p");
-    char *rest = new_format("    footpoint_detail_%s_checked_rest(", u->file->segment->name);
-    fputc('\n', out);
-    const int column = fprintf(out, "FOOTPOINT_LOOP void %s_checked_n(", f->name);
-    fprintf(out,
-            "size_t n, const %s *const x[%zu],\n%*s%s *FOOTPOINT_RESTRICT xi, %s *FOOTPOINT_RESTRICT eta,\n"
-            "%*s%s *FOOTPOINT_RESTRICT gap, int *FOOTPOINT_RESTRICT status)\n",
-            real, 3 * vectors, column, "", real, real, column, "", real);
-    fprintf(out,
-            "{\n    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n        const %s p[%zu][3] = {%s};\n"
-            "        const %s *const row[%zu] = {%s};\n        %s u, v, g;\n        status[i] = "
-            "FOOTPOINT_ERR_DEGENERATE *\n",
-            real, vectors, columns, real, vectors, rows, real);
-    fprintf(out, "            (int)(footpoint_detail_checked_%s(row, 0, &u, &v, &g) >> ", f->name);
-    c_print("REAL_TOP);\n        xi[i] = u;\n        eta[i] = v;\n        gap[i] = g;\n    }\n", u->options.precision,
-            out);
-    c_print(rest, u->options.precision, out);
-    fprintf(out, "footpoint_detail_checked_%s, n, x, %zu,\n        xi, eta, gap, status);\n}\n", f->name,
-            lines_scaled_nodes(u, f));
-    free(rest);
-    free(rows);
-    free(columns);
-}
-
 void search_print_contract(const struct unit *u, FILE *out)
 {
-    char *vectors = lines_vectors(u);
-    const struct placeholder own[] = {{"VECTORS", vectors}, {NULL, NULL}};
+    struct placeholder *own = lines_words(u, NULL);
     templates_print(NULL, (const char *const[]){"contract", NULL}, u->options.precision, own, out);
+    lines_words_free(own);
     if (closest_exists(u))
         closest_print_contract(u, out);
-    free(vectors);
 }
 
 void search_print(const struct unit *u, const struct function *f, FILE *out)
@@ -202,9 +154,8 @@ void search_print(const struct unit *u, const struct function *f, FILE *out)
     print_checked(u, f, vectors, out);
     if (single_checks(u) && isfinite(f->measured->worst))
         print_sure(u, f, vectors, out);
-    print_loop(u, f, out);
-    print_checked_loop(u, f, out);
+    arrays_print(u, f, out);
     if (closest_exists(u))
-        closest_print(u, f, vectors, out);
+        closest_print(u, f, out);
     free(vectors);
 }

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { WIDTH = 118 };
+
 static const struct {
     const char *name, *text;
 } line[] = {
@@ -107,6 +109,23 @@ static size_t open_column(const char *text)
     return depth > 0 ? column[depth - 1] : 0;
 }
 
+/* A line of the text, broken behind commas where it gets long, below its first parenthesis. */
+static void print_line(const char *rest, FILE *out)
+{
+    const int indent = (int)strcspn(rest, "(") + 1;
+    const char *end = rest + strlen(rest);
+    for (int before = 0; end - rest + before > WIDTH && strncmp(rest, "/*", 2) != 0 && *rest != ' '; before = indent) {
+        const char *comma = rest + WIDTH - before;
+        while (comma > rest && memcmp(comma, ", ", 2) != 0)
+            comma--;
+        if (comma == rest)
+            break;
+        fprintf(out, "%.*s\n%*s", (int)(comma - rest) + 1, rest, indent, "");
+        rest = comma + 2;
+    }
+    fputs(rest, out);
+}
+
 /* What goes on behind a parenthesis is indented as that is now. */
 static void print_template(const char *name, enum precision precision, const struct placeholder *own, FILE *out)
 {
@@ -120,7 +139,7 @@ static void print_template(const char *name, enum precision precision, const str
         fprintf(m->stream, "%*s", (int)(goes_on ? now : indent), "");
         print_text(line[i].text + indent, precision, own, m->stream);
         char *text = memory_close(m);
-        fputs(text, out);
+        print_line(text, out);
         if (!goes_on || open_column(line[i].text)) {
             before = open_column(line[i].text);
             now = open_column(text);

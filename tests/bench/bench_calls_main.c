@@ -2,11 +2,13 @@
  * over arrays (NAME_n, NAME_checked_n), and the library's checked searches, beside Newton's iteration until it stands, written by hand,
  * bare and with the same checks; and closest points of the closed face (NAME_closest, NAME_closest_n) beside four
  * triangles about the centroid; and projection along a direction (footpoint_quad4_along, _along_n), 0.3 off the normal
- * at most, beside Newton in three unknowns.  Interleaved in one run on ordinary segments, for closest points every other slave node
+ * at most, beside Newton in three unknowns; and, a search each, eight slave nodes over one segment (NAME_over_n) beside
+ * one call of NAME each, and the nearest of four faces (NAME_closest_of) beside four triangles of each.  Interleaved in one run on ordinary segments, for closest points every other slave node
  * moved up to an edge beside its segment; prints lines
  *     call,ns,ratio,off,bare   ns: least a search; ratio: Newton's ns / this one's, checked beside checked, or four
  *                         triangles', one at a time or in a loop over the same arrays; off: of closest points and
- *                         along a direction, worst error of the distance over the longest edge; bare: ns over that of the same search unchecked
+ *                         along a direction, worst error of the distance over the longest edge; bare: ns over that of the same search unchecked,
+ *                         of _over_n over that of one call each
  * The header and Newton are compiled with this file's flags; tests/long/calls.sh runs it. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"
@@ -199,6 +201,58 @@ static void along_n(void)
     footpoint_quad4_along_n(CASES, columns, directions, xi, eta, dist, status);
 }
 
+/* Eight slave nodes over one segment, and four faces for one slave node. */
+enum { AROUND = 8, FACES = 4 };
+static double around[CASES][3], around_column[CASES / AROUND][3][AROUND];
+static size_t which[CASES];
+
+#define CORNERS(i) xyz[5 * (i)], xyz[5 * (i) + 1], xyz[5 * (i) + 2], xyz[5 * (i) + 3]
+#define AROUND_ONE(name)                                                                                               \
+    static void name##_each(void)                                                                                      \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES; i++)                                                                                \
+            status[i] = footpoint_quad4_##name(CORNERS(i / AROUND), around[i], loc[i], &gap[i]);                       \
+    }                                                                                                                  \
+    static void name##_over_n(void)                                                                                    \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES / AROUND; i++) {                                                                     \
+            const double *const nodes[4] = {CORNERS(i)};                                                               \
+            const double *const x[3] = {around_column[i][0], around_column[i][1], around_column[i][2]};                \
+            const int k = i * AROUND;                                                                                  \
+            footpoint_quad4_##name##_over_n(nodes, AROUND, x, xi + k, eta + k, gap + k, status + k);                   \
+        }                                                                                                              \
+    }
+AROUND_ONE(balanced)
+AROUND_ONE(accurate)
+
+#define CLOSEST_OF(name)                                                                                               \
+    static void name##_closest_of(void)                                                                                \
+    {                                                                                                                  \
+        for (int i = 0; i < CASES / FACES; i++) {                                                                      \
+            const double *x[4 * FACES];                                                                                \
+            for (int k = 0; k < 4 * FACES; k++)                                                                        \
+                x[k] = xyz[5 * (FACES * i + k / 4) + k % 4];                                                           \
+            status[i] = footpoint_quad4_##name##_closest_of(FACES, x, xyz[5 * FACES * i + 4], loc[i], &dist[i],        \
+                                                            &region[i], &which[i]);                                    \
+        }                                                                                                              \
+    }
+CLOSEST_OF(coarse)
+CLOSEST_OF(accurate)
+
+/* Slave nodes about those of the segments. */
+static void draw_around(void)
+{
+    uint64_t stream = 3;
+    for (int i = 0; i < CASES; i++) {
+        const int segment = 5 * (i / AROUND);
+        const double u = draw_flat(&stream, -0.3, 0.3), v = draw_flat(&stream, -0.3, 0.3);
+        for (int j = 0; j < 3; j++)
+            around_column[i / AROUND][j][i % AROUND] = around[i][j] = xyz[segment + 4][j] +
+                                                                      u * (xyz[segment + 1][j] - xyz[segment][j]) +
+                                                                      v * (xyz[segment + 3][j] - xyz[segment][j]);
+    }
+}
+
 static void call_locate(void)
 {
     for (int i = 0; i < CASES; i++)
@@ -220,6 +274,7 @@ static void call_robust(void)
 #define ROW(name, against) {#name, name, against, 0}
 #define CHECKED(name, before) {#name, name, 1, before}
 #define ROWS(name) ROW(name##_at, 0), CHECKED(name, 1), ROW(name##_n, 0), CHECKED(name##_checked_n, 1)
+#define ROWS_AROUND(name) {#name "_each", name##_each, 1, 0}, {#name "_over_n", name##_over_n, 1, 1}
 #define ROWS_CLOSEST(name) ROW(name##_closest, FOUR), ROW(name##_closest_n, FOUR + 1)
 /* clang-format on */
 enum { FOUR = 2, ALONG = 4 };
@@ -259,6 +314,10 @@ static const struct call {
     ROWS_CLOSEST(accurate),
     ROWS_CLOSEST(full),
     ROW(robust_closest, FOUR),
+    ROWS_AROUND(balanced),
+    ROWS_AROUND(accurate),
+    {"coarse_closest_of", coarse_closest_of, FOUR, 0},
+    {"accurate_closest_of", accurate_closest_of, FOUR, 0},
 };
 enum { CALLS = sizeof calls / sizeof *calls };
 
@@ -357,6 +416,7 @@ int main(void)
     }
     move_beside();
     draw_directions();
+    draw_around();
     for (int k = 0; k < 15; k++) {
         columns[k] = column[k];
         beside_columns[k] = beside_column[k];
@@ -372,7 +432,7 @@ int main(void)
     printf("call,ns,ratio,off,bare\n");
     for (int c = 0; c < CALLS; c++) {
         printf("%s,%.1f,%.1f,", calls[c].name, 1e9 * least[c] / CASES, least[calls[c].against] / least[c]);
-        if (calls[c].against >= FOUR)
+        if (calls[c].against >= FOUR && !strstr(calls[c].name, "_of"))
             printf("%.1e", calls[c].against >= ALONG ? worst_along(&calls[c]) : worst_distance(&calls[c]));
         if (calls[c].bare)
             printf(",%.2f\n", least[c] / least[c - calls[c].bare]);

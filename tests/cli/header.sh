@@ -132,6 +132,10 @@ use() {
             printf "    %s_n(8, x, column[70], column[71], column[72], status);\n", name
             return
         }
+        if (name ~ /_over$/) {
+            printf "    %s_n(x, 8, x, column[70], column[71], column[72], status);\n", name
+            return
+        }
         if (name ~ /_along$/) {
             printf "    %s_n(8, x, x, column[70], column[71], column[72], status);\n", name
             return

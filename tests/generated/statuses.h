@@ -6,22 +6,29 @@
  * and wide_NAME(x, loc), which is NAME_at in the numbers of tests/generated/wide_number.h, where corners may have any order
  * (WIDE).  EXACT: the compiler keeps the order of operations, so that bits can be compared.  CLOSEST(F), where the header
  * has them: F(NAME_closest) for each function, whose distance stands for the gap.  Each call of NAME goes to NAME_checked_n,
- * too, between two good pairs. */
+ * too, between two good pairs, and where the header has it (OVER) to NAME_over_n. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 typedef int checked(const R (*x)[3], R loc[2], R *gap);
 typedef void arrays(size_t n, const R *const x[3 * VECTORS], R *xi, R *eta, R *gap, int *status);
+typedef void over(const R *const nodes[VECTORS - 1], size_t n, const R *const x[3], R *xi, R *eta, R *gap, int *status);
 typedef void wide_at(const __float128 (*x)[3], __float128 loc[2]);
 
 static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc[2], R gap);
+#ifdef OVER
+static int as_over(over *over_n, const R (*x)[3], int status, const R loc[2], R gap);
+#else
+#define as_over(over_n, x, status, loc, gap) (status)
+#endif
 
 #define WRAP(name)                                                                                                     \
     static int call_##name(const R(*x)[3], R loc[2], R *gap)                                                           \
     {                                                                                                                  \
         const int status = name(ARGUMENTS, loc, gap);                                                                  \
-        return as_arrays(name##_checked_n, x, status, loc, *gap);                                                      \
+        const int many = as_arrays(name##_checked_n, x, status, loc, *gap);                                            \
+        return many == status ? as_over(name##_over_n, x, status, loc, *gap) : many;                                   \
     }
 FUNCTIONS(WRAP)
 #ifdef CLOSEST
@@ -107,6 +114,29 @@ static int as_arrays(arrays *checked_n, const R (*x)[3], int status, const R loc
         return 98;
     return status < 0 || (is_same(xi[1], loc[0]) && is_same(eta[1], loc[1]) && is_same(g[1], gap)) ? status : 98;
 }
+
+#ifdef OVER
+/* The status of NAME, or 97: NAME_over_n gives another or another answer, for the same slave node three times. */
+static int as_over(over *over_n, const R (*x)[3], int status, const R loc[2], R gap)
+{
+    R column[3][3], xi[3], eta[3], g[3];
+    const R *nodes[VECTORS - 1], *at[3];
+    int found[3] = {77, 77, 77}, i, k;
+    for (i = 0; i < VECTORS - 1; i++)
+        nodes[i] = x[i];
+    for (i = 0; i < 3; i++) {
+        at[i] = column[i];
+        for (k = 0; k < 3; k++)
+            column[i][k] = x[VECTORS - 1][i];
+    }
+    over_n(nodes, 3, at, xi, eta, g, found);
+    for (i = 0; i < 3; i++)
+        if (found[i] != status ||
+            (status >= 0 && !(is_same(xi[i], loc[0]) && is_same(eta[i], loc[1]) && is_same(g[i], gap))))
+            return 97;
+    return status;
+}
+#endif
 
 /* Nodes times 2^power; normals keep their length. */
 static void resize(R x[VECTORS][3], int power)

@@ -396,6 +396,70 @@ static void a_collapsed_edge_is_a_corner(void **state)
         }
 }
 
+/* Of faces about a node, that which footpoint_select_closest finds, and its answer; what has none is passed over. */
+static void the_nearest_of_many_faces(void **state)
+{
+    (void)state;
+    enum { FACES = 4 }; /* about node 4 of 3 x 3 */
+    gsl_rng *stream = stream_new();
+    stream_key(stream, SEED, 3, 0, 0);
+    for (int round = 0; round < 2000; round++) {
+        double x[9][3], xs[3], loc[2] = {7, 7}, dist = 7, certain, one[2], d;
+        const double *corner[4 * FACES];
+        int seg[FACES][4], region = 77, where, chosen;
+        size_t which = 77;
+        for (int k = 0; k < 9; k++)
+            for (int j = 0; j < 3; j++)
+                x[k][j] = (j == 0 ? k % 3 : j == 1 ? k / 3 : 0) + gsl_ran_flat(stream, -0.15, 0.15);
+        for (int i = 0; i < FACES; i++) {
+            const int a = i % 2 + 3 * (i / 2), node[4] = {a, a + 1, a + 4, a + 3};
+            for (int k = 0; k < 4; k++)
+                corner[4 * i + k] = x[seg[i][k] = node[k]];
+        }
+        for (int j = 0; j < 3; j++)
+            xs[j] = j == 2 ? gsl_ran_flat(stream, -0.2, 0.2) : gsl_ran_flat(stream, 0.2, 1.8);
+        const int status = footpoint_quad4_full_closest_of(FACES, corner, xs, loc, &dist, &region, &which);
+        assert_int_equal(status, FOOTPOINT_OK);
+        assert_int_equal(footpoint_select_closest(x[0], 4, FACES, seg[0], xs, &chosen, &certain), FOOTPOINT_OK);
+        assert_true(fabs(fabs(dist) - certain) < 1e-9);
+        const double *const *c = corner + 4 * which;
+        assert_int_equal(footpoint_quad4_full_closest(c[0], c[1], c[2], c[3], xs, one, &d, &where), FOOTPOINT_OK);
+        assert_true(one[0] == loc[0] && one[1] == loc[1] && d == dist && where == region);
+        assert_true((int)which == chosen || region > 0); /* an edge is shared */
+    }
+    gsl_rng_free(stream);
+}
+
+/* A ridge and a valley of two faces, steeper than a right angle: at the edge that they share each face sees the slave
+ * node on a side of its own, and the right one is that of the face which it lies straighter over. */
+static void sides_of_a_sharp_edge(void **state)
+{
+    (void)state;
+    for (int valley = 0; valley < 2; valley++)
+        for (int first = 0; first < 2; first++) {
+            const double z = valley ? 1 : -1,
+                         x[6][3] = {{-0.3, 0, z}, {0, 0, 0}, {0, 1, 0}, {-0.3, 1, z}, {0.3, 0, z}, {0.3, 1, z}};
+            const double *const left[4] = {x[0], x[1], x[2], x[3]}, *const right[4] = {x[1], x[4], x[5], x[2]};
+            const double *corner[12], xs[3] = {0.05, 0.5, valley ? -0.02 : 0.02}, none[3] = {NAN, 0, 0};
+            double loc[2], dist = 7;
+            int region;
+            size_t which = 77;
+            memcpy(corner, first ? left : right, sizeof left);
+            memcpy(corner + 4, first ? right : left, sizeof left);
+            assert_int_equal(footpoint_quad4_full_closest_of(2, corner, xs, loc, &dist, &region, &which), FOOTPOINT_OK);
+            assert_true(valley ? dist < 0 : dist > 0);
+            for (int k = 8; k < 12; k++)
+                corner[k] = x[0]; /* no area */
+            assert_int_equal(footpoint_quad4_full_closest_of(3, corner, xs, loc, &dist, &region, &which), FOOTPOINT_OK);
+            assert_int_equal(footpoint_quad4_full_closest_of(1, corner + 8, xs, loc, &dist, &region, &which),
+                             FOOTPOINT_ERR_DEGENERATE);
+            assert_int_equal(footpoint_quad4_full_closest_of(2, corner, none, loc, &dist, &region, &which),
+                             FOOTPOINT_ERR_NOT_FINITE);
+            assert_int_equal(footpoint_quad4_full_closest_of(0, corner, xs, loc, &dist, &region, &which),
+                             FOOTPOINT_ERR_DOMAIN);
+        }
+}
+
 /* In single precision the same region, but near its end, and distances to some units of the last place. */
 static void in_single_precision(void **state)
 {
@@ -429,8 +493,9 @@ static void in_single_precision(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_footpoint_robust),  cmocka_unit_test(arrays_are_answered_as_one),
-        cmocka_unit_test(size_does_not_matter), cmocka_unit_test(a_collapsed_edge_is_a_corner),
+        cmocka_unit_test(as_footpoint_robust),       cmocka_unit_test(arrays_are_answered_as_one),
+        cmocka_unit_test(size_does_not_matter),      cmocka_unit_test(a_collapsed_edge_is_a_corner),
+        cmocka_unit_test(the_nearest_of_many_faces), cmocka_unit_test(sides_of_a_sharp_edge),
         cmocka_unit_test(in_single_precision),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

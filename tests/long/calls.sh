@@ -25,4 +25,11 @@ for isa in $isas; do
     sed 's/^/# /' "$work/calls.csv"
     awk -F, '/_at,|_n,/ && $1 !~ /^(newton|full|four)|closest|checked/ && $3 < 1 { bad = 1 } END { exit bad || NR < 46 }' "$work/calls.csv"
     report $((! $?)) "$isa: bare searches are quicker than Newton"
+    # Faces of six, eight and nine nodes.
+    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -march=$isa -o "$work/curved" tests/bench/bench_curved_main.c tests/hard/draw.c \
+        "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm && "$work/curved" > "$work/curved.csv"
+    report $((! $?)) "$isa: curved faces run"
+    sed 's/^/# /' "$work/curved.csv"
+    awk -F, '/_along,/ && !/newton/ { n++; bad = bad || $3 < 1 } END { exit bad || n != 3 }' "$work/curved.csv"
+    report $((! $?)) "$isa: along a direction through curved faces"
 done

@@ -97,3 +97,17 @@ for scene in quad4 plane_quad4 parallelogram_quad4 rectangle_quad4; do
     [ $status = 0 ] || sed 's/^/# /' "$work/log"
     report $((status == 0)) "$scene answers there as here"
 done
+
+# A batch out of a mesh's arrays, the example to copy: answers are the host's, to the bit where nothing is contracted.
+nvcc -O3 -fmad=false -I generated tests/example/pairs.cu -o "$work/pairs" > "$work/log" 2>&1
+good=$?
+[ $good = 0 ] || sed 's/^/# /' "$work/log" | head -20
+report $((!good)) 'pairs.cu compiles for the device'
+if [ $good = 0 ]; then
+    "$work/pairs" > "$work/log"
+    status=$?
+    sed 's/^/# /' "$work/log"
+    [ $status != 77 ] || { report 1 'skipped: pairs.cu on a GPU (none here)'; exit 0; }
+    [ $status = 0 ] && grep -q "off the host's by 0.0e+00" "$work/log"
+    report $((! $?)) 'pairs.cu answers there as here, to the bit'
+fi

@@ -4,6 +4,8 @@
  * NAME:     loc = {xi, eta} and the gap along the unit normal at the foot point (mesh length, > 0 open), both
  *           untouched on error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal
  *           there, or no number.
- * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, VECTORS;
+ * NAME_n:   NAME_at for n pairs; x[3 k + i] is the column of coordinate i of vector k, NODE_NAMES;
  *           xi and eta overlap nothing else.
- * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing. */
+ * NAME_checked_n:  NAME for n pairs, each with its status; where that is an error, xi, eta and gap say nothing.
+ * NAME_over_n:  the same for n slave nodes over one segment, where corners may have any order: what belongs to the
+ *           segment alone is computed once; nodes are its vectors, x the three columns of the slave nodes. */

@@ -1,13 +1,13 @@
 /* The closest point of the closed bilinear segment. */
 
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at = {xi, eta,
- * square of the distance, < 0 behind}.  A point inside is taken where rounding hides which is nearer.  n, the product of
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer.  n, the product of
  * the diagonals, is at right angles to both, so that the height of r over A is warp times a function of xi and eta. */
 FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
-                                                  REAL xi, REAL eta, REAL at[3], int *region)
+                                                  REAL xi, REAL eta, REAL at[4], int *region)
 {
     REAL e[4][3], p[4][3], ee[4], t[4], dd[4], n[3], f[3], g[3], all = 0.0;
-    REAL size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v,
+    REAL size, longest, other, best, rest, u, v, edge_u, edge_v, far_u, far_v, nn,
         inner = 0.0, side = 0.0, warp = 0.0;
     int i, inside, left, right, below, above;
     flaw |= footpoint_detail_infinite(xi + eta);
@@ -57,11 +57,13 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BIT
     side -= warp * (u + v - 2.0 * u * v);
     at[0] = xi;
     at[1] = eta;
+    nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     at[2] = side < 0.0 ? -best : best;
+    at[3] = side * side / (nn * best + REAL_MIN);
     left = xi <= -1.0;
     right = xi >= 1.0;
     below = eta <= -1.0;
     above = eta >= 1.0;
     *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
-    return footpoint_detail_closest_status(flaw, all, n, size, least, best, longest);
+    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, longest);
 }

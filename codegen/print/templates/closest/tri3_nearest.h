@@ -1,12 +1,12 @@
 /* The closest point of the closed triangle. */
 
-/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at = {xi, eta,
- * square of the distance, < 0 behind}.  A point inside is taken where rounding hides which is nearer. */
+/* The nearer of the search's point (xi,eta), where it is inside, and the nearest point of the edges, as at: see
+ * footpoint_detail_nearest.  A point inside is taken where rounding hides which is nearer. */
 FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
-                                                 REAL xi, REAL eta, REAL at[3], int *region)
+                                                 REAL xi, REAL eta, REAL at[4], int *region)
 {
     REAL e[3][3], p[3][3], ee[4], t[4], dd[4], n[3], all = 0.0;
-    REAL size, longest, best, u, v, along, other, inner = 0.0, side = 0.0;
+    REAL size, longest, best, u, v, along, other, nn, inner = 0.0, side = 0.0;
     int i, k, last, inside;
     flaw |= footpoint_detail_infinite(xi + eta);
     dd[0] = footpoint_detail_edge(x[0], x[1], x[3], e[0], p[0], &ee[0], &t[0]);
@@ -42,8 +42,10 @@ FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS
     best = inside ? inner : best;
     at[0] = inside ? xi : u;
     at[1] = inside ? eta : v;
+    nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     at[2] = side < 0.0 ? -best : best;
+    at[3] = side * side / (nn * best + REAL_MIN);
     k += last * (2 - k);
     *region = (1 - inside) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw, all, n, size, least, best, longest);
+    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, longest);
 }

@@ -1,12 +1,12 @@
 /* What callers have of projection along a direction. */
 
 /* PREFIX_along:  where the line through xS in the direction `along`, of any length but 0, meets the segment: loc =
- *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's normal
- *           that is the gap.  Exact to rounding; for any segment.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line
- *           passes by, and the answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the
- *           segment twice, the nearer one is the answer; and where loc and dist are untouched FOOTPOINT_ERR_DOMAIN: it
- *           meets the surface nowhere, FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the
- *           segment, and FOOTPOINT_ERR_NOT_FINITE.
+ *           {xi, eta} there and dist, with xS = r(xi, eta) + dist along / |along|; mesh length; along the segment's
+ *           normal that is the gap.  ACCURACY.  Returns FOOTPOINT_OK; FOOTPOINT_OUTSIDE: the line passes by, and the
+ *           answer is where it meets the surface beyond the edges; FOOTPOINT_NOT_UNIQUE: it meets the segment more than
+ *           once, the nearest one is the answer; and where loc and dist are untouched MISSED,
+ *           FOOTPOINT_ERR_DEGENERATE: no area, no direction, or one in the plane of the segment, and
+ *           FOOTPOINT_ERR_NOT_FINITE.
  * PREFIX_along_n:  the same for n pairs, each with its status and its direction, three columns. */
 FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2], REAL *dist)
 {

@@ -1,0 +1,29 @@
+/* Projection along a direction; see header_along.h.  Where the equations are of degree 2 it is in closed form, else by
+ * Newton's steps. */
+#include "header_along.h"
+
+#include "../genome/text.h"
+#include "../print/templates.h"
+#include "header_lines.h"
+
+#include <stdlib.h>
+
+void along_print(const struct unit *u, FILE *out)
+{
+    const struct segment_kind *k = u->file->segment;
+    if (!k || *k->normals)
+        return;
+    const enum precision precision = u->options.precision;
+    const bool closed = lines_straight(u);
+    char *guard = new_format("FOOTPOINT_%s_ALONG", k->name), *method = new_format("%s_along", k->name);
+    struct placeholder *own = lines_words(u, NULL);
+    templates_print("FOOTPOINT_DETAIL_ALONG", (const char *const[]){"along", NULL}, precision, NULL, out);
+    if (!closed)
+        templates_print("FOOTPOINT_DETAIL_DOMAINS", (const char *const[]){"curved_domain", NULL}, precision, NULL, out);
+    templates_print(guard, (const char *const[]){closed ? method : "curved_along", "along_again", NULL}, precision, own,
+                    out);
+    templates_print(NULL, (const char *const[]){"along_calls", NULL}, precision, own, out);
+    lines_words_free(own);
+    free(method);
+    free(guard);
+}

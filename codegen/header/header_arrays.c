@@ -1,0 +1,32 @@
+/* Searches over arrays; see header_arrays.h.  The loops are templates, which call the search that they are given: as
+ * FOOTPOINT_LOOP inlines them and it, they vectorise like loops of their own. */
+#include "header_arrays.h"
+
+#include "../genome/text.h"
+#include "../print/templates.h"
+#include "header_lines.h"
+
+#include <stdlib.h>
+
+/* Whether something belongs to the segment alone: where the search takes its corners in any order. */
+static bool prepares(const struct unit *u)
+{
+    return u->file->order == CORNERS_ANY;
+}
+
+void arrays_print_helpers(const struct unit *u, FILE *out)
+{
+    char *guard = new_format("FOOTPOINT_%s_ARRAYS", u->file->segment->name);
+    struct placeholder *own = lines_words(u, NULL);
+    templates_print(guard, (const char *const[]){"arrays", "over", NULL}, u->options.precision, own, out);
+    lines_words_free(own);
+    free(guard);
+}
+
+void arrays_print(const struct unit *u, const struct function *f, FILE *out)
+{
+    struct placeholder *own = lines_words(u, f);
+    const char *const calls[] = {"arrays_calls", prepares(u) ? "over_calls" : NULL, NULL};
+    templates_print(NULL, calls, u->options.precision, own, out);
+    lines_words_free(own);
+}

@@ -1,0 +1,56 @@
+/* Loops over arrays, which FOOTPOINT_LOOP inlines with the searches that they call: without that they do not vectorise. */
+
+/* The search of NAME_at. */
+typedef REAL_BITS footpoint_detail_KIND_search(NODE_PARAMETERS, REAL *xi, REAL *eta);
+
+FOOTPOINT_PART void footpoint_detail_KIND_n(footpoint_detail_KIND_search *search, size_t n,
+                                            const REAL *const *x, REAL *FOOTPOINT_RESTRICT xi,
+                                            REAL *FOOTPOINT_RESTRICT eta)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const REAL p[VECTORS][3] = {COLUMNS};
+        (void)search(ROWS, &xi[i], &eta[i]);
+    }
+}
+
+/* With statuses, of the vectors p, the `nodes` first of which another unit of length changes; what is not good beyond
+ * doubt is searched in full behind the loop. */
+FOOTPOINT_PART void footpoint_detail_KIND_full(footpoint_detail_search *search,
+                                               const REAL *const *row, int nodes, REAL *xi,
+                                               REAL *eta, REAL *gap, int *status)
+{
+    REAL loc[2];
+    loc[0] = *xi;
+    loc[1] = *eta;
+    *status = footpoint_detail_again(search, row, nodes, VECTORS, loc, gap);
+    *xi = loc[0];
+    *eta = loc[1];
+}
+
+FOOTPOINT_PART void footpoint_detail_KIND_checked_n(footpoint_detail_search *search, size_t n,
+                                                    const REAL *const *x, int nodes,
+                                                    REAL *FOOTPOINT_RESTRICT xi,
+                                                    REAL *FOOTPOINT_RESTRICT eta,
+                                                    REAL *FOOTPOINT_RESTRICT gap,
+                                                    int *FOOTPOINT_RESTRICT status)
+{
+    size_t i;
+    FOOTPOINT_EACH
+    for (i = 0; i < n; i++) {
+        const REAL p[VECTORS][3] = {COLUMNS};
+        const REAL *const row[VECTORS] = {ROWS};
+        REAL u, v, g;
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> REAL_TOP);
+        xi[i] = u;
+        eta[i] = v;
+        gap[i] = g;
+    }
+    for (i = 0; i < n; i++)
+        if (status[i] != FOOTPOINT_OK) {
+            const REAL p[VECTORS][3] = {COLUMNS};
+            const REAL *const row[VECTORS] = {ROWS};
+            footpoint_detail_KIND_full(search, row, nodes, &xi[i], &eta[i], &gap[i], &status[i]);
+        }
+}

@@ -1,0 +1,268 @@
+/* Faces of six, eight and nine nodes: closest points, NAME_closest, and projection along a direction, of faces as scenes
+ * draw them, against searches that are certain and share no code with them, tests/support/curved_face.h.  Slave nodes lie in the
+ * ranges of the scenes and up to an edge beside the face.  1,000 of each scene, 1e6 with FOOTPOINT_LONG. */
+#include "../../codegen/genome/genome.h"
+#include "../../evolve/common/stream.h"
+#include "../../evolve/samples/samples.h"
+#include "../../generated/footpoint_quad8.h"
+#include "../../generated/footpoint_quad9.h"
+#include "../../generated/footpoint_tri6.h"
+#include "../support/curved_face.h"
+
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { SAMPLES = 1000, SAMPLES_LONG = 1000000, SEED = 20131, VECTORS = SEGMENT_VECTORS + 1 };
+#define TIE 1e-6 /* of xi and eta: where rounding hides which region it is */
+
+#define N6(x) x[0], x[1], x[2], x[3], x[4], x[5]
+#define N8(x) N6(x), x[6], x[7]
+#define N9(x) N8(x), x[8]
+
+typedef int closest(double (*x)[3], const double *xs, double loc[2], double *dist, int *region);
+typedef int along(double (*x)[3], const double *xs, const double *p, double loc[2], double *dist);
+
+#define CLOSEST(nodes, name)                                                                                           \
+    static int closest_##name(double(*x)[3], const double *xs, double loc[2], double *dist, int *region)               \
+    {                                                                                                                  \
+        return footpoint_##name##_closest(N##nodes(x), xs, loc, dist, region);                                         \
+    }
+#define ALONG(nodes, name)                                                                                             \
+    static int along_##name(double(*x)[3], const double *xs, const double *p, double loc[2], double *dist)             \
+    {                                                                                                                  \
+        return footpoint_##name##_along(N##nodes(x), xs, p, loc, dist);                                                \
+    }
+#define FUNCTIONS(F)                                                                                                   \
+    F(6, tri6_accurate)                                                                                                \
+    F(6, tri6_coarse)                                                                                                  \
+    F(8, quad8_sharp)                                                                                                  \
+    F(8, quad8_coarse)                                                                                                 \
+    F(9, quad9_sharp)                                                                                                  \
+    F(9, quad9_coarse)
+FUNCTIONS(CLOSEST)
+ALONG(6, tri6)
+ALONG(8, quad8)
+ALONG(9, quad9)
+
+static const struct kind {
+    const char *scene;
+    int nodes, corners;
+    closest *exact, *coarse;
+    along *along;
+} kinds[] = {{"tri6", 6, 3, closest_tri6_accurate, closest_tri6_coarse, along_tri6},
+             {"quad8", 8, 4, closest_quad8_sharp, closest_quad8_coarse, along_quad8},
+             {"quad9", 9, 4, closest_quad9_sharp, closest_quad9_coarse, along_quad9}};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static long samples(void)
+{
+    return getenv("FOOTPOINT_LONG") ? SAMPLES_LONG : SAMPLES;
+}
+
+/* ---- samples ---- */
+
+struct question {
+    double x[VECTORS][3], xs[3], normal[3], longest;
+};
+
+static double clamp(double x, double lo, double hi)
+{
+    return x < lo ? lo : x > hi ? hi : x;
+}
+
+/* A foot point in the scene's ranges and its slave node; or one moved on along the tangents, up to the face's own
+ * length beyond it. */
+static void place(const struct kind *k, const struct scene *scene, const struct surface *f, gsl_rng *stream,
+                  bool beside, struct question *q)
+{
+    const double low = k->corners == 3 ? 0 : -1, over = beside ? 1 - low : 0.1 * (1 - low);
+    double loc[2], foot[2], r[3][3], point[3], shortest = HUGE_VAL;
+    for (int i = 0; i < 2; i++) {
+        loc[i] = gsl_ran_flat(stream, low - over, 1 + over);
+        foot[i] = clamp(loc[i], low, 1);
+    }
+    if (k->corners == 3 && foot[0] + foot[1] > 1)
+        foot[1] = 1 - foot[0];
+    q->longest = 0;
+    for (int i = 0; i < k->corners; i++) {
+        double square = 0;
+        for (int j = 0; j < 3; j++)
+            square += pow(q->x[(i + 1) % k->corners][j] - q->x[i][j], 2);
+        q->longest = fmax(q->longest, sqrt(square));
+        shortest = fmin(shortest, sqrt(square));
+    }
+    f->point(f, q->x, foot[0], foot[1], r);
+    assert_true(surface_normal(f, q->x, foot[0], foot[1], point, q->normal));
+    const double gap = gsl_ran_flat(stream, -scene->shapes.gap, scene->shapes.gap) * shortest;
+    for (int j = 0; j < 3; j++)
+        q->xs[j] = r[0][j] + (loc[0] - foot[0]) * r[1][j] + (loc[1] - foot[1]) * r[2][j] + gap * q->normal[j];
+}
+
+/* Calls `ask` with samples of a kind. */
+static void each_sample(const struct kind *k,
+                        void (*ask)(const struct kind *k, struct question *q, gsl_rng *s, void *to), void *to)
+{
+    struct diag d = {0};
+    struct scene *scene = scene_read(".", k->scene, &d);
+    if (!scene)
+        fail_msg("%s", d.text);
+    const struct surface *surface = surface_find(scene->segment);
+    gsl_rng *stream = stream_new();
+    for (long i = 0; i < samples(); i++) {
+        struct question q = {0};
+        stream_key(stream, SEED, (uint64_t)(k - kinds), (uint64_t)i, 0);
+        while (!draw_face(surface, stream, &scene->shapes, q.x))
+            continue;
+        place(k, scene, surface, stream, i % 2, &q);
+        ask(k, &q, stream, to);
+    }
+    gsl_rng_free(stream);
+    scene_free(scene);
+}
+
+/* ---- closest points ---- */
+
+/* How far (xi,eta) is from where its region ends, and which it is, by its distances from the edges. */
+static int region_of(int corners, double xi, double eta, double *margin)
+{
+    static const int square[3][3] = {{5, 1, 6}, {4, 0, 2}, {8, 3, 7}}, on[8] = {0, 1, 3, 4, 2, 5, 6, 7};
+    const double away[4] = {corners == 3 ? eta : 1 + eta, corners == 3 ? xi : 1 + xi,
+                            corners == 3 ? 1 - xi - eta : 1 - xi, 1 - eta};
+    *margin = 1;
+    for (int i = 0; i < 4; i++)
+        if (away[i] > 1e-8)
+            *margin = fmin(*margin, away[i]);
+    if (corners == 4)
+        return square[away[3] < 1e-8 ? 2 : away[0] > 1e-8][away[2] < 1e-8 ? 2 : away[1] > 1e-8];
+    const int edges = (away[0] < 1e-8) + 2 * (away[1] < 1e-8) + 4 * (away[2] < 1e-8);
+    return on[edges];
+}
+
+struct tally {
+    long answers, far, wrong, regions, sides, twice, outside, none;
+    double off, longer, coarse;
+};
+
+static void ask_closest(const struct kind *k, struct question *q, gsl_rng *stream, void *to)
+{
+    struct tally *t = to;
+    struct curved_face f;
+    double certain[2], loc[2] = {7, 7}, dist = 7, margin, other;
+    int region = 77;
+    (void)stream;
+    curved_face_of(&f, k->nodes, q->x, q->xs);
+    const double least = curved_face_closest(&f, certain);
+    const int status = k->exact(q->x, q->xs, loc, &dist, &region);
+    if (status == FOOTPOINT_ERR_DOMAIN) {
+        t->far++;
+        assert_true(least > q->longest * (1 - 1e-9) && loc[0] == 7 && dist == 7 && region == 77);
+        return;
+    }
+    assert_int_equal(status, FOOTPOINT_OK);
+    t->answers++;
+    const double longer = (fabs(dist) - least) / q->longest;
+    const double off = fmax(fabs(loc[0] - certain[0]), fabs(loc[1] - certain[1]));
+    assert_true(longer > -1e-9);
+    t->longer = fmax(t->longer, longer);
+    const int right = region_of(k->corners, certain[0], certain[1], &margin);
+    const int claims = region_of(k->corners, loc[0], loc[1], &other);
+    const bool clear = margin > TIE && longer < 1e-9 && off < 1e-4;
+    if (longer > 1e-8 && t->wrong++ < 5)
+        printf("# %s: status %d, %.12g %.12g %.17g, certain %.12g %.12g %.17g\n", k->scene, status, loc[0], loc[1],
+               dist, certain[0], certain[1], least);
+    t->off = clear ? fmax(t->off, off) : t->off;
+    t->regions += (clear && region != right) || (other > TIE && region != claims);
+    double ahead = 0, r[3];
+    curved_face_point(&f, loc[0], loc[1], r);
+    for (int j = 0; j < 3; j++)
+        ahead -= r[j] * q->normal[j];
+    t->sides += region == 0 && fabs(ahead) > 1e-3 * q->longest && ahead * dist < 0;
+    if (k->coarse(q->x, q->xs, loc, &dist, &region) == FOOTPOINT_OK)
+        t->coarse = fmax(t->coarse, (fabs(dist) - least) / q->longest);
+}
+
+static void closest_points_are_right(void **state)
+{
+    (void)state;
+    for (int k = 0; k < KINDS; k++) {
+        struct tally t = {0};
+        each_sample(&kinds[k], ask_closest, &t);
+        printf("# %s: %ld answers, %ld far, %ld wrong, %ld regions, %ld sides; off by %.1e, distance by %.1e, coarse "
+               "%.1e\n",
+               kinds[k].scene, t.answers, t.far, t.wrong, t.regions, t.sides, t.off, t.longer, t.coarse);
+        assert_true(t.wrong == 0 && t.regions == 0 && t.sides == 0 && t.answers > samples() * 9 / 10);
+    }
+}
+
+/* ---- along a direction ---- */
+
+static void ask_along(const struct kind *k, struct question *q, gsl_rng *stream, void *to)
+{
+    struct tally *t = to;
+    struct curved_face f;
+    double p[3], all[8][2], loc[2] = {7, 7}, dist = 7, r[3], off = 0, least = HUGE_VAL, margin, length = 0;
+    curved_face_of(&f, k->nodes, q->x, q->xs);
+    for (int j = 0; j < 3; j++) {
+        p[j] = q->normal[j] + gsl_ran_flat(stream, -0.7, 0.7);
+        length += p[j] * p[j];
+    }
+    const int roots = curved_face_along(&f, p, 8, all), status = k->along(q->x, q->xs, p, loc, &dist);
+    if (status >= FOOTPOINT_OK) { /* whatever it is, it lies on the line */
+        curved_face_point(&f, loc[0], loc[1], r);
+        for (int j = 0; j < 3; j++)
+            off += fabs(r[j] + dist * p[j] / sqrt(length)) / q->longest;
+        t->longer = fmax(t->longer, off / (1 + fabs(loc[0]) + fabs(loc[1])));
+    } else
+        assert_true(loc[0] == 7 && loc[1] == 7 && dist == 7);
+    for (int i = 0; i < roots; i++) {
+        (void)region_of(k->corners, all[i][0], all[i][1], &margin);
+        if (margin < TIE) /* on an edge, to rounding */
+            return;
+        curved_face_point(&f, all[i][0], all[i][1], r);
+        least = fmin(least, sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]));
+    }
+    if (roots < 0)
+        return;
+    t->answers += roots == 1;
+    t->twice += roots > 1;
+    t->outside += roots == 0 && status == FOOTPOINT_OUTSIDE;
+    t->none += roots == 0 && status == FOOTPOINT_ERR_NO_CONVERGENCE;
+    const bool right = roots == 0   ? status == FOOTPOINT_OUTSIDE || status == FOOTPOINT_ERR_NO_CONVERGENCE
+                       : roots == 1 ? status == FOOTPOINT_OK
+                                    : status == FOOTPOINT_NOT_UNIQUE || status == FOOTPOINT_OK;
+    if (right && (roots == 0 || fabs(fabs(dist) - least) < 1e-9 * q->longest || roots > 1))
+        return;
+    if (t->wrong++ < 5)
+        printf("# %s: status %d, %.12g %.12g %.17g; %d in the face, nearest %.17g\n", k->scene, status, loc[0], loc[1],
+               dist, roots, least);
+}
+
+static void lines_meet_the_face(void **state)
+{
+    (void)state;
+    for (int k = 0; k < KINDS; k++) {
+        struct tally t = {0};
+        each_sample(&kinds[k], ask_along, &t);
+        printf("# %s: %ld in the face, %ld twice, %ld beside it, %ld not found, %ld wrong; off the line by %.1e\n",
+               kinds[k].scene, t.answers, t.twice, t.outside, t.none, t.wrong, t.longer);
+        assert_true(t.wrong == 0 && t.longer < 1e-8 && t.answers > samples() / 8 && t.none < samples() / 20);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(closest_points_are_right),
+        cmocka_unit_test(lines_meet_the_face),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

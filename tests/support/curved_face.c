@@ -1,0 +1,242 @@
+/* Certain answers about curved faces; see curved_face.h. */
+#include "curved_face.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef long double real;
+
+/* A box of the square of a and b, with the coefficients of a polynomial of degree 4 in each, or of two of degree 2. */
+struct box {
+    real a, b, wide, high;
+};
+
+static void point_of(const struct curved_face *f, real a, real b, double loc[2])
+{
+    loc[0] = (double)(f->triangle ? a * (1 - b) : 2 * a - 1);
+    loc[1] = (double)(f->triangle ? b : 2 * b - 1);
+}
+
+void curved_face_of(struct curved_face *f, int nodes, double (*x)[3], const double xs[3])
+{
+    static const int quad[3][3] = {{0, 7, 3}, {4, 8, 6}, {1, 5, 2}}, three[3][3] = {{0, 5, 2}, {3, -1, 2}, {1, 4, 2}};
+    f->triangle = nodes == 6;
+    for (int k = 0; k < 3; k++) {
+        real y[3][3]; /* values at the halves */
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) {
+                const int n = f->triangle ? three[i][j] : quad[i][j];
+                y[i][j] = n >= 0 && n < nodes ? (real)x[n][k] : 0;
+            }
+        if (nodes == 6) /* xi = 1/4, eta = 1/2 */
+            y[1][1] = (-(real)x[0][k] - x[1][k]) / 8 + (real)x[3][k] / 4 + (real)x[4][k] / 2 + (real)x[5][k] / 2;
+        if (nodes == 8)
+            y[1][1] =
+                ((real)x[4][k] + x[5][k] + x[6][k] + x[7][k]) / 2 - ((real)x[0][k] + x[1][k] + x[2][k] + x[3][k]) / 4;
+        for (int i = 0; i < 3; i++)
+            y[i][1] = 2 * y[i][1] - (y[i][0] + y[i][2]) / 2;
+        for (int j = 0; j < 3; j++)
+            y[1][j] = 2 * y[1][j] - (y[0][j] + y[2][j]) / 2;
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                f->net[i][j][k] = y[i][j] - xs[k];
+    }
+}
+
+void curved_face_point(const struct curved_face *f, double xi, double eta, double r[3])
+{
+    const real b = f->triangle ? (real)eta : (1 + (real)eta) / 2,
+               a = f->triangle ? (b == 1 ? 0 : xi / (1 - b)) : (1 + (real)xi) / 2;
+    const real p[3] = {(1 - a) * (1 - a), 2 * a * (1 - a), a * a}, q[3] = {(1 - b) * (1 - b), 2 * b * (1 - b), b * b};
+    for (int k = 0; k < 3; k++) {
+        real sum = 0;
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                sum += p[i] * q[j] * f->net[i][j][k];
+        r[k] = (double)sum;
+    }
+}
+
+/* ---- halves ---- */
+
+enum { MOST = 5 };
+
+/* The coefficients of `n` in a row, `stride` apart, of the two halves. */
+static void halve_row(const real *c, int n, int stride, real *low, real *high)
+{
+    real w[MOST];
+    for (int i = 0; i < n; i++)
+        w[i] = c[i * stride];
+    for (int i = 0; i < n; i++) {
+        low[i * stride] = w[0];
+        high[(n - 1 - i) * stride] = w[n - 1 - i];
+        for (int k = 0; k + 1 < n - i; k++)
+            w[k] = (w[k] + w[k + 1]) / 2;
+    }
+}
+
+static void halve(const real *c, int n, bool in_a, real *low, real *high)
+{
+    for (int i = 0; i < n; i++)
+        if (in_a)
+            halve_row(c + i, n, n, low + i, high + i);
+        else
+            halve_row(c + n * i, n, 1, low + n * i, high + n * i);
+}
+
+/* Extent in xi is what counts: near the corner C of a triangle there is little of it. */
+static bool is_wide(const struct curved_face *f, const struct box *x)
+{
+    return x->wide * (f->triangle ? 1 - x->b : 1) > x->high;
+}
+
+static struct box half_of(const struct box *x, bool in_a, bool upper)
+{
+    struct box h = *x;
+    if (in_a) {
+        h.wide /= 2;
+        h.a += upper ? h.wide : 0;
+    } else {
+        h.high /= 2;
+        h.b += upper ? h.high : 0;
+    }
+    return h;
+}
+
+static real extent(const struct curved_face *f, const struct box *x)
+{
+    return fmaxl(x->wide * (f->triangle ? 1 - x->b : 1), x->high);
+}
+
+/* ---- the closest point ---- */
+
+struct nearest {
+    const struct curved_face *face;
+    real square;
+    double loc[2];
+};
+
+static real least_of(const real *c, int count)
+{
+    real least = c[0];
+    for (int i = 1; i < count; i++)
+        least = fminl(least, c[i]);
+    return least;
+}
+
+static void search_nearest(struct nearest *n, const struct box *x, const real c[25])
+{
+    for (int corner = 0; corner < 4; corner++) {
+        const real value = c[(corner & 1 ? 20 : 0) + (corner & 2 ? 4 : 0)];
+        if (value < n->square) {
+            n->square = value;
+            point_of(n->face, x->a + (corner & 1 ? x->wide : 0), x->b + (corner & 2 ? x->high : 0), n->loc);
+        }
+    }
+    if (extent(n->face, x) < 1e-9L)
+        return;
+    real half[2][25], least[2];
+    const bool in_a = is_wide(n->face, x);
+    halve(c, 5, in_a, half[0], half[1]);
+    for (int i = 0; i < 2; i++)
+        least[i] = least_of(half[i], 25);
+    const int first = least[1] < least[0];
+    for (int i = 0; i < 2; i++) {
+        const int k = i ? !first : first;
+        const struct box h = half_of(x, in_a, k);
+        if (least[k] < n->square)
+            search_nearest(n, &h, half[k]);
+    }
+}
+
+double curved_face_closest(const struct curved_face *f, double loc[2])
+{
+    static const real two[3] = {1, 2, 1}, four[5] = {1, 4, 6, 4, 1};
+    real c[25] = {0};
+    for (int i = 0; i < 9; i++)
+        for (int j = 0; j < 9; j++) {
+            const int u = i / 3 + j / 3, v = i % 3 + j % 3;
+            const real w = two[i / 3] * two[j / 3] * two[i % 3] * two[j % 3] / (four[u] * four[v]);
+            for (int k = 0; k < 3; k++)
+                c[5 * u + v] += w * f->net[i / 3][i % 3][k] * f->net[j / 3][j % 3][k];
+        }
+    struct nearest n = {f, INFINITY, {0, 0}};
+    search_nearest(&n, &(struct box){0, 0, 1, 1}, c);
+    memcpy(loc, n.loc, sizeof n.loc);
+    return (double)sqrtl(fmaxl(n.square, 0));
+}
+
+/* ---- along a direction ---- */
+
+struct roots {
+    const struct curved_face *face;
+    int most, count, visits;
+    double (*loc)[2];
+    bool unclear;
+};
+
+static bool has_zero(const real *c)
+{
+    int up = 0, down = 0;
+    for (int i = 0; i < 9; i++) {
+        up += c[i] > 0;
+        down += c[i] < 0;
+    }
+    return up < 9 && down < 9;
+}
+
+static void search_roots(struct roots *r, const struct box *x, const real c[2][9])
+{
+    if (!has_zero(c[0]) || !has_zero(c[1]))
+        return;
+    if (++r->visits > 20000) {
+        r->unclear = true;
+        return;
+    }
+    if (extent(r->face, x) < 1e-9L) {
+        double at[2];
+        point_of(r->face, x->a + x->wide / 2, x->b + x->high / 2, at);
+        for (int i = 0; i < r->count; i++) {
+            const double apart = fabs(at[0] - r->loc[i][0]) + fabs(at[1] - r->loc[i][1]);
+            if (apart < 1e-7)
+                return;
+            r->unclear = r->unclear || apart < 1e-2;
+        }
+        if (r->count == r->most)
+            r->unclear = true;
+        else
+            memcpy(r->loc[r->count++], at, sizeof at);
+        return;
+    }
+    real half[2][2][9];
+    const bool in_a = is_wide(r->face, x);
+    for (int k = 0; k < 2; k++)
+        halve(c[k], 3, in_a, half[0][k], half[1][k]);
+    for (int i = 0; i < 2 && !r->unclear; i++) {
+        const struct box h = half_of(x, in_a, i);
+        search_roots(r, &h, (const real(*)[9])half[i]);
+    }
+}
+
+int curved_face_along(const struct curved_face *f, const double along[3], int most, double (*loc)[2])
+{
+    real c[2][9], e[2][3], length = 0;
+    int least = 0;
+    for (int k = 0; k < 3; k++) {
+        length += (real)along[k] * along[k];
+        least = fabs(along[k]) < fabs(along[least]) ? k : least;
+    }
+    for (int k = 0; k < 3; k++)
+        e[0][k] = (k == least) - along[k] * (real)along[least] / length;
+    for (int k = 0; k < 3; k++)
+        e[1][k] = (along[(k + 1) % 3] * e[0][(k + 2) % 3] - along[(k + 2) % 3] * e[0][(k + 1) % 3]) / sqrtl(length);
+    for (int m = 0; m < 2; m++)
+        for (int i = 0; i < 9; i++) {
+            c[m][i] = 0;
+            for (int k = 0; k < 3; k++)
+                c[m][i] += e[m][k] * f->net[i / 3][i % 3][k];
+        }
+    struct roots r = {f, most, 0, 0, loc, false};
+    search_roots(&r, &(struct box){0, 0, 1, 1}, (const real(*)[9])c);
+    return r.unclear ? -1 : r.count;
+}
