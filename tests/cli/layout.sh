@@ -13,6 +13,7 @@ codegen/prove:      codegen/program codegen/graph codegen/genome
 codegen/bound:      codegen/prove codegen/program codegen/graph codegen/genome
 codegen/compile:    codegen/bound codegen/prove codegen/program codegen/schedule codegen/passes codegen/graph codegen/genome
 codegen/print/templates:
+codegen/print/templates/place:
 codegen/print:      codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
 codegen/header:     codegen/print codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
 codegen:            codegen/*

@@ -55,10 +55,10 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
             '#undef footpoint_detail_KIND_along_full' '#undef footpoint_detail_KIND_along_again' '#undef PREFIX_along' \
             '#undef PREFIX_along_n'
     done
-    for name in corners quad4_sure contract contract_closest; do echo "#include \"$PWD/$folder/$name.h\""; done
+    for name in corners quad4_sure contract contract_closest place/place place/contract_place; do echo "#include \"$PWD/$folder/$name.h\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
-expect 'all of them' 0 "$(ls $folder | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
+expect 'all of them' 0 "$(find $folder -name '*.h' | wc -l)" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"
 double='-DREAL=double -DREAL_BITS_TYPE=uint64 -DREAL_TOP=63 -DREAL_DIGITS=53 -DREAL_MIDDLE=511 -DREAL_MIN=1e-300 -DREAL_FLAT=1e-20 -DREAL_MARGIN=4e-16'
 float='-DREAL=float -DREAL_BITS_TYPE=uint32 -DREAL_TOP=31 -DREAL_DIGITS=24 -DREAL_MIDDLE=31 -DREAL_MIN=1e-38f -DREAL_FLAT=1e-9f -DREAL_MARGIN=2e-7f'
 float="$float -fsingle-precision-constant -DSINGLE"
