@@ -147,7 +147,7 @@ FRAMES  := affine bezier gregory guarded parallelogram plane quad8 quad9 similar
 header_of = generated/footpoint_$(subst -,_,$(1)).h
 GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
 # Derivatives at a foot point, by kind of face.
-FACES   := quad4 quad8 tri3 tri6
+FACES   := quad4 quad8 quad9 tri3 tri6
 DERIVATIVES := $(FACES:%=generated/footpoint_%_derivatives.h)
 # Those in double, and one's own where SCENE names it, are what the bench and its tests call.
 OWN     := $(filter-out $(SHIPPED),$(basename $(notdir $(SCENE))))
@@ -322,7 +322,7 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
 # Those that compare times.
-TIMED := $(patsubst %,tests/long/%.sh,calls gregory handwritten impact pairs scaling)
+TIMED := $(patsubst %,tests/long/%.sh,calls derivatives gregory handwritten impact pairs scaling)
 check-long: build-tests ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
 	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(filter-out $(TIMED),$(wildcard tests/long/*.sh)) --alone $(TIMED)
 
