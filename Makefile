@@ -146,6 +146,9 @@ SHIPPED := bezier blocks-quad4 bricks-quad4 gregory paper-gregory paper-quad4 pa
 FRAMES  := affine bezier gregory guarded parallelogram plane quad8 quad9 similarity similarity_gregory steps tri3 tri6
 header_of = generated/footpoint_$(subst -,_,$(1)).h
 GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
+# Derivatives at a foot point, by kind of face.
+FACES   := quad4 quad8 quad9 tri3 tri6
+DERIVATIVES := $(FACES:%=generated/footpoint_%_derivatives.h)
 # Those in double, and one's own where SCENE names it, are what the bench and its tests call.
 OWN     := $(filter-out $(SHIPPED),$(basename $(notdir $(SCENE))))
 METHODS := $(wildcard $(GENERATED) $(foreach scene,$(OWN),$(call header_of,$(scene))))
@@ -282,6 +285,11 @@ MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --overs
 regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch
 	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) SEED=$(SEED) FROM=$(FROM) \
 	    sh evolve/regenerate.sh $(or $(SCENE),$(SCENES))
+	$(Q)for face in $(if $(SCENE),,$(FACES)); do \
+	    header=generated/footpoint_$${face}_derivatives.h; \
+	    $(BIN)/footpoint-codegen --allow-poles codegen/derivatives/$$face.gen -o $$header || exit $$?; \
+	    echo "$$header"; \
+	done
 
 # ---- tests ------------------------------------------------------------------------------------------------------------
 
@@ -314,7 +322,7 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
 # Those that compare times.
-TIMED := $(patsubst %,tests/long/%.sh,calls gregory handwritten impact pairs scaling)
+TIMED := $(patsubst %,tests/long/%.sh,calls derivatives gregory handwritten impact pairs scaling)
 check-long: build-tests ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
 	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(filter-out $(TIMED),$(wildcard tests/long/*.sh)) --alone $(TIMED)
 
@@ -377,7 +385,7 @@ DATADIR    := $(BINDIR)/../share/footpoint
 
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
 LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
-HEADERS := $(GENERATED) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
+HEADERS := $(GENERATED) $(DERIVATIVES) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := $(addprefix evolve/man/footpoint-,evolve.1 pga.1 perceptron.1) \
            $(addprefix codegen/man/footpoint-,codegen.1 calibrate.1) tests/bench/footpoint-bench.1

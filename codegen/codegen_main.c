@@ -44,7 +44,7 @@ static bool read_samples(const struct codegen_options *o, const struct genome_fi
         unit->precision = PRECISION_FLOAT;
     if (!o->samples)
         return true;
-    if (unit->precision != PRECISION_FLOAT || !f->segment || o->language != LANGUAGE_C)
+    if (unit->precision != PRECISION_FLOAT || !f->segment || f->face || o->language != LANGUAGE_C)
         return diag_at(d, f->path, 0, 0, "--samples are for C code of a segment in float");
     unit->samples = samples;
     return measure_read(o->samples, f, samples, d);

@@ -161,6 +161,41 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
 int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                              const double xS[3], const double loc[2], double stiffness, double fs[3], double fm[4][3]);
 
+/** Force and consistent tangent of a contact element along the normal, for any kind of face: pressure = multiplier -
+ *  stiffness gap where that is > 0, else 0, force = pressure d gap / dx.  With multiplier = 0 the penalty forces (10), (11)
+ *  along the segment's own normal; otherwise those of an augmented Lagrangian, whose next multiplier is `pressure`.
+ *  @param[in]  nodes       of the face, 3 to 9; coordinate 3 k + i is component i of node k, the slave node last
+ *  @param[in]  gap, d_gap, hessian  as footpoint_KIND_hessian of generated/ gives them
+ *  @param[in]  stiffness   >= 0, force per mesh length
+ *  @param[in]  multiplier  force; >= 0 pressing
+ *  @param[out] pressure    force, >= 0
+ *  @param[out] force       3 (nodes + 1): on all nodes
+ *  @param[out] tangent     -d force / dx, symmetric: element (r, c), r >= c, is [r (r + 1) / 2 + c]
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT */
+int footpoint_element_normal(int nodes, double gap, const double *d_gap, const double *hessian, double stiffness,
+                             double multiplier, double *pressure, double *force, double *tangent);
+
+/** Force and consistent tangent of Coulomb friction by return mapping.  The slave node is held by a spring to the point of
+ *  the face where it sticks, a place (xi0, eta0) that moves with the face; s is the way from there to the slave node, less
+ *  its part along the normal at the foot point.  The force on the slave node is -tangential s, cut down to friction times
+ *  pressure, and its reaction on node k is -phi_k times that.
+ *  @param[in]  nodes       as above
+ *  @param[in]  x           3 (nodes + 1): coordinates of the nodes and the slave node
+ *  @param[in]  phi         shape functions at (xi0, eta0)
+ *  @param[in]  r_xi, r_eta, normal  as footpoint_KIND_place of generated/ gives them at the foot point
+ *  @param[in]  d_gap, d_normal      as footpoint_KIND_hessian does
+ *  @param[in]  pressure, stiffness  of footpoint_element_normal
+ *  @param[in]  friction    Coulomb's coefficient, >= 0
+ *  @param[in]  tangential  > 0, force per mesh length
+ *  @param[out] slip        {xi, eta}: to be added to (xi0, eta0) when the step is done, to first order; 0 where it sticks
+ *  @param[out] force       3 (nodes + 1): on all nodes
+ *  @param[out] tangent     -d force / dx, not symmetric where it slides: element (r, c) is [3 (nodes + 1) r + c]
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (no area), FOOTPOINT_ERR_ARGUMENT */
+int footpoint_element_friction(int nodes, const double *x, const double *phi, const double r_xi[3],
+                               const double r_eta[3], const double normal[3], const double *d_gap,
+                               const double *d_normal, double pressure, double stiffness, double friction,
+                               double tangential, double slip[2], double *force, double *tangent);
+
 /* Answers with a proof.  These are for any four corners: warped, folded, crossing, with collapsed edges, of any size
  * from denormal numbers to 1e308. */
 

@@ -148,7 +148,8 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
     struct function *function = &u->function[k];
     struct compiled *c = &function->code;
     function->genome = &f->genome[k];
-    function->name = new_format("%s_%s", o->prefix, function->genome->name);
+    function->name = f->face ? new_format("footpoint_%s_%s", f->segment->name, function->genome->name)
+                             : new_format("%s_%s", o->prefix, function->genome->name);
     tell(s, f, k, false);
     if (!compile_genome(f, function->genome, &o->compile, c, d))
         return false;

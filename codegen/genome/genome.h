@@ -6,6 +6,8 @@
  *     note scene quad4                     provenance: a key and the rest of the line; any number
  *     segment quad4 any                    the inputs are nodes of a segment and the slave node: a kind of segment_kind.h
  *                                          and the order of corners assumed: any | nearest | nearest-shorter
+ *     face quad4                           instead: nodes and slave node in any order, and behind them xi and eta, a place
+ *                                          on the segment
  *     input x y                            names of inputs, in order, where there is no segment; may be repeated
  *     range xC -0.5 2                      closed interval of an input; at most one for each
  *     range D 0 1 0 1 -0.3 0.3             the same of a vector of inputs: of xD, yD and zD
@@ -15,6 +17,7 @@
  *         let j = + c11 * u v
  *         let un = / dot w c1 j
  *     end
+ *     let ju = derivative j xC             the derivative of a value by another
  *     let u2 j2 = step 0.5 * 2 c11 - S A   the values of a function
  *     exchange u2 c11                      of a frame: exchanging xi and eta turns the one number into the other
  *     require - xC xD                      an expression that is > 0 on the region; any number
@@ -25,20 +28,24 @@
  *     end
  *
  *     file       = "footpoint-genome" "2" { line | function | genome }
- *     line       = note | input | segment | range | let | exchange | require
+ *     line       = note | input | segment | face | range | let | exchange | require
  *     note       = "note" KEY text-to-the-end-of-the-line
  *     input      = "input" NAME { NAME }                       before the first let and the first genome; no segment
  *     segment    = "segment" KIND ORDER                        at most one, before the first let, function and genome;
  *                                                              ORDER other than "any" for quad4 alone
+ *     face       = "face" KIND                                 in its place
  *     range      = "range" INPUT NUMBER NUMBER                 lower limit <= upper limit
  *                | "range" VECTOR NUMBER NUMBER NUMBER NUMBER NUMBER NUMBER
  *     let        = "let" NAME "=" expression                   before the first genome
  *                | "let" NAME { NAME } "=" FUNCTION { expression }
+ *                | "let" NAME "=" "derivative" SYMBOL SYMBOL   outside functions
  *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let } "end"
  *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one such line at most
  *     require    = "require" expression
  *     genome     = "genome" NAME newline { note | output } "end"
  *     output     = NAME "=" expression
+ *                | NAME "=" expression { expression }          of a face; a vector stands for its components
+ *                | "require" expression { expression }         of a face
  *     expression = OP2 expression expression | OP1 expression | SYMBOL | NUMBER
  *     OP2        = "+" | "-" | "*" | "/" | "%" | "min" | "max" | "dot" | "cross"
  *     OP1        = "neg" | "sqrt" | "abs"
@@ -59,12 +66,19 @@
  * parameters; the names behind "->" are those of its values.  A file has GENOME_FUNCTIONS functions at most.  Reading
  * expands all lets to lets of numbers, in which there may be GENOME_MOST genes.
  *
+ * derivative y x is dy/dx, where x is varied by itself: an input or a let, of which nothing but y follows.  One of the two
+ * may be a vector; the result is a vector then.  What y is made of must have derivatives: no minima, maxima, magnitudes or
+ * protected quotients.
+ *
+ * A file with `face` has outputs of any number, each a row of values, and may say which expressions are > 0 where it
+ * answers (`require` in a genome); elsewhere its function returns a status.
+ *
  * A file with `segment` has exactly the inputs of that kind (quad4: xA yA zA ... xD yD zD xS yS zS), which are the
  * components of the vectors A, B, ..., S and, for unit normals, nA, nB, ...; each of its genomes has the outputs xi and
  * eta.  The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are
  * > 0.
  *
- * Version 1 has no vectors, "vector", "dot" and "cross" are names like others, `input` lines name the inputs of a
+ * Version 1 has no vectors, "vector", "face", "derivative", "dot" and "cross" are names like others, `input` lines name the inputs of a
  * segment, too, and what a function is made of are lets of the file:
  *
  *     function newton u v un vn            newton of a pair (a,b) is what the values un and vn are where a stands for u
@@ -177,6 +191,7 @@ struct genome_file {
     size_t notes, note_room;
     const struct segment_kind *segment; /* NULL when the inputs are not nodes */
     enum corner_order order;
+    bool face;    /* xi and eta are inputs behind the nodes and the slave node, outputs are rows of any length */
     char **input; /* owned */
     size_t inputs, input_room;
     struct genome_range *range; /* owned: by input */

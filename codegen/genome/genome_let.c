@@ -14,8 +14,7 @@ struct targets {
 
 /* ---- values ---- */
 
-/* Appends the gene array as a let of the function or the file; its gene. */
-static bool add_number(struct reader *r, const char *name, int line, int *gene)
+bool add_number(struct reader *r, const char *name, int line, int *gene)
 {
     struct genome_function *x = r->function;
     struct genome_file *f = r->file;
@@ -66,6 +65,47 @@ static bool read_value(struct reader *r, const struct target *t)
         first = c == 0 ? gene : first;
     }
     return add_name(r, t, vector, first);
+}
+
+/* ---- derivatives ---- */
+
+/* A symbol: the gene of a number or of a vector's first component. */
+static bool read_variable(struct reader *r, int *gene, bool *vector)
+{
+    if (!next_word(r, true))
+        return reader_fail(r, "a value is missing here");
+    if (!read_gene(r, gene))
+        return false;
+    *vector = *gene >= GENE_VECTOR;
+    *gene -= *vector ? GENE_VECTOR - GENE_SYMBOL : 0;
+    return *gene >= GENE_SYMBOL || reader_fail(r, "'%s' is not a value");
+}
+
+/* derivative y x: of a vector by a number, or of a number by a vector, the vector of three derivatives. */
+static bool read_derivative(struct reader *r, const struct target *t)
+{
+    int of, by, slope[3], gene = 0, first = 0;
+    bool of_vector = false, by_vector = false, good = true;
+    if (r->function)
+        return reader_fail(r, "'%s' inside a function");
+    if (!read_variable(r, &of, &of_vector) || !read_variable(r, &by, &by_vector))
+        return false;
+    if (of_vector && by_vector)
+        return reader_fail(r, "derivative of a vector by the vector '%s'");
+    if (!end_of_line(r))
+        return false;
+    const int components = of_vector || by_vector ? 3 : 1;
+    for (int c = 0; good && c < components; c++)
+        good = derive(r, of_vector ? of + c : of, by_vector ? by + c : by, t->name, t->line, &slope[c]);
+    for (int c = 0; good && c < components; c++) {
+        char name[NAME_ROOM];
+        component_name(t->name, c, name);
+        r->genes = 0;
+        put_gene(r, slope[c]);
+        good = add_number(r, components == 3 ? name : t->name, t->line, &gene);
+        first = c == 0 ? gene : first;
+    }
+    return good && add_name(r, t, components == 3, first);
 }
 
 /* ---- calls ---- */
@@ -227,6 +267,16 @@ static const struct genome_function *next_function(struct reader *r)
     return NULL;
 }
 
+/* Whether the next word is the keyword; it is read then. */
+static bool next_is_derivative(struct reader *r)
+{
+    const struct words before = r->w;
+    if (r->file->format > 1 && next_word(r, false) && word_is(&r->w, "derivative"))
+        return true;
+    r->w = before;
+    return false;
+}
+
 static bool read_definition(struct reader *r, struct targets *t)
 {
     if (!read_targets(r, t))
@@ -236,6 +286,8 @@ static bool read_definition(struct reader *r, struct targets *t)
         return read_call(r, x, t);
     if (t->n > 1)
         return reader_fail_text(r, "'%s' is one value too many", t->item[1].name, strlen(t->item[1].name));
+    if (next_is_derivative(r))
+        return read_derivative(r, &t->item[0]);
     return read_expression(r, t->item[0].name, false) && read_value(r, &t->item[0]);
 }
 

@@ -96,15 +96,30 @@ static void print_statement(const char *text, FILE *stream)
     free(copy);
 }
 
+/* Outputs from the k-th on that are elements of one row, or one output; returns the next. */
+static size_t print_row(const struct genome_file *f, const struct genome *g, size_t k, FILE *stream)
+{
+    const char *name = g->out[k].name;
+    const size_t n = strcspn(name, "[");
+    struct memory *m = memory_open();
+    fprintf(m->stream, "%.*s%s", (int)n, name, name[n] && strncmp(name, "require", n) == 0 ? "" : " =");
+    do {
+        char *text = genome_expr_text(f, "", &g->out[k]);
+        fputs(text, m->stream);
+        free(text);
+    } while (++k < g->outs && name[n] && strncmp(g->out[k].name, name, n + 1) == 0);
+    char *line = memory_close(m);
+    print_line(line, stream);
+    free(line);
+    return k;
+}
+
 static void print_genome(const struct genome_file *f, const struct genome *g, FILE *stream)
 {
     fprintf(stream, "\ngenome %s\n", g->name);
     print_notes(g->note, g->notes, stream);
-    for (size_t k = 0; k < g->outs; k++) {
-        char *head = new_joined(g->out[k].name, " =", "");
-        print_expr(f, head, &g->out[k], stream);
-        free(head);
-    }
+    for (size_t k = 0; k < g->outs;)
+        k = print_row(f, g, k, stream);
     fputs("end\n", stream);
 }
 
@@ -141,7 +156,9 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
     print_notes(f->note, f->notes, stream);
     if (!f->segment || f->format == 1)
         print_inputs(f, stream);
-    if (f->segment)
+    if (f->face)
+        fprintf(stream, "face %s\n", f->segment->name);
+    else if (f->segment)
         fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
     print_ranges(f, stream);
     for (size_t i = 0; i < f->statements; i++)

@@ -2,6 +2,8 @@
  * file, line and column. */
 #include "genome_reader.h"
 
+#include "text.h"
+
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,23 +38,46 @@ static bool read_order(struct reader *r, const struct segment_kind *kind, enum c
     return reader_fail(r, "unknown order of corners '%s'");
 }
 
+static const struct segment_kind *read_kind(struct reader *r)
+{
+    struct genome_file *f = r->file;
+    if (f->segment)
+        reader_fail(r, "a second 'segment' line");
+    else if (f->format > 1 && f->inputs + f->statements + f->genomes > 0)
+        reader_fail(r, "'%s' must stand before the first 'input', 'let', 'function' or 'genome'");
+    else if (!next_word(r, true))
+        reader_fail(r, "segment without a kind");
+    else {
+        char *name = new_text(r->w.word, r->w.length);
+        const struct segment_kind *kind = segment_find(name);
+        free(name);
+        return kind || reader_fail(r, "unknown segment kind '%s'") ? kind : NULL;
+    }
+    return NULL;
+}
+
+/* A segment and a place on it. */
+static bool read_face(struct reader *r)
+{
+    const struct segment_kind *kind = r->file->format == 1 ? NULL : read_kind(r);
+    if (r->file->format == 1)
+        return reader_fail(r, "unknown keyword '%s'");
+    if (!kind || !end_of_line(r))
+        return false;
+    genome_add_segment(r->file, kind, CORNERS_ANY);
+    genome_add_input(r->file, "xi");
+    genome_add_input(r->file, "eta");
+    r->file->face = true;
+    return true;
+}
+
 /* In version 1 the inputs stand in lines of their own. */
 static bool read_segment(struct reader *r)
 {
     struct genome_file *f = r->file;
     enum corner_order order = CORNERS_ANY;
-    if (f->segment)
-        return reader_fail(r, "a second 'segment' line");
-    if (f->format > 1 && f->inputs + f->statements + f->genomes > 0)
-        return reader_fail(r, "'segment' must stand before the first 'input', 'let', 'function' or 'genome'");
-    if (!next_word(r, true))
-        return reader_fail(r, "segment without a kind");
-    char *name = new_text(r->w.word, r->w.length);
-    const struct segment_kind *kind = segment_find(name);
-    free(name);
-    if (!kind)
-        return reader_fail(r, "unknown segment kind '%s'");
-    if (!read_order(r, kind, &order) || !end_of_line(r))
+    const struct segment_kind *kind = read_kind(r);
+    if (!kind || !read_order(r, kind, &order) || !end_of_line(r))
         return false;
     if (f->format > 1)
         genome_add_segment(f, kind, order);
@@ -61,17 +86,54 @@ static bool read_segment(struct reader *r)
     return true;
 }
 
+/* "NAME[3]" is an element of NAME. */
+static bool is_element(const char *output, const char *name)
+{
+    const size_t n = strlen(name);
+    return strncmp(output, name, n) == 0 && output[n] == '[';
+}
+
+/* Whether another value follows, on any line: no keyword, and no name of another row. */
+static bool row_goes_on(struct reader *r)
+{
+    const struct words before = r->w;
+    bool more = next_word(r, false) && !word_is_keyword(r);
+    more = more && !(next_word(r, true) && word_is(&r->w, "="));
+    r->w = before;
+    return more;
+}
+
+/* The values of a row, vectors by their components. */
+static bool read_row(struct reader *r, struct genome *g, const char *name, int line)
+{
+    for (size_t n = 0; n == 0 || row_goes_on(r);) {
+        if (!read_expression(r, name, true))
+            return false;
+        for (int c = 0; c < (r->node[0].vector ? 3 : 1); c++) {
+            if (!expand(r, c))
+                return false;
+            char *element = new_format("%s[%zu]", name, n++);
+            genome_add_expr(&g->out, &g->outs, &g->out_room, element, r->gene, r->genes);
+            g->out[g->outs - 1].line = line;
+            free(element);
+        }
+    }
+    return true;
+}
+
 static bool read_output(struct reader *r, struct genome *g)
 {
     char name[NAME_ROOM];
-    if (!read_name(r, name))
+    if (r->file->face && word_is(&r->w, "require") ? !word_copy(&r->w, name, sizeof name) : !read_name(r, name))
         return false;
     const int line = r->w.word_line;
     for (size_t i = 0; i < g->outs; i++)
-        if (strcmp(g->out[i].name, name) == 0)
+        if (strcmp(g->out[i].name, name) == 0 || is_element(g->out[i].name, name))
             return reader_fail(r, "output '%s' is defined already");
-    if (!next_word(r, true) || !word_is(&r->w, "="))
+    if (strcmp(name, "require") != 0 && (!next_word(r, true) || !word_is(&r->w, "=")))
         return reader_fail_text(r, "expected '=' after '%s'", name, strlen(name));
+    if (r->file->face)
+        return read_row(r, g, name, line);
     if (!read_expression(r, name, false) || !expand_number(r, name))
         return false;
     genome_add_expr(&g->out, &g->outs, &g->out_room, name, r->gene, r->genes);
@@ -202,6 +264,7 @@ static bool read_lines(struct reader *r)
         const bool good = word_is(&r->w, "note")       ? read_note(r, &f->note, &f->notes, &f->note_room)
                           : word_is(&r->w, "input")    ? read_inputs(r)
                           : word_is(&r->w, "segment")  ? read_segment(r)
+                          : word_is(&r->w, "face")     ? read_face(r)
                           : word_is(&r->w, "range")    ? read_range(r)
                           : word_is(&r->w, "let")      ? read_let(r)
                           : word_is(&r->w, "exchange") ? read_exchange(r)
@@ -220,6 +283,8 @@ static bool check_segment(const struct genome_file *f, struct diag *d)
 {
     if (!f->segment)
         return true;
+    if (f->face)
+        return true; /* which the reader has made */
     const size_t inputs = segment_inputs(f->segment);
     for (size_t i = 0; i < inputs; i++) {
         char name[5];

@@ -10,8 +10,9 @@
 
 enum { MAX_NAME = NAME_ROOM - 2, MAX_NUMBER = 63, MAX_EXPONENT = 330 };
 
-static const char *const keywords[] = {"note",     "input",   "segment", "range", "let",   "exchange",
-                                       "function", "require", "genome",  "end",   "vector"};
+static const char *const keywords[] = {"note",    "input",  "segment", "range",  "let",  "exchange",  "function",
+                                       "require", "genome", "end",     "vector", "face", "derivative"};
+enum { NEW_KEYWORDS = 3 }; /* the last ones are version 2's */
 
 bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)
 {
@@ -38,10 +39,9 @@ bool end_of_line(struct reader *r)
     return !next_word(r, true) || reader_fail(r, "'%s' is too much here");
 }
 
-/* The last keyword is version 2's. */
 bool word_is_keyword(const struct reader *r)
 {
-    const size_t n = sizeof keywords / sizeof *keywords - (r->file->format == 1);
+    const size_t n = sizeof keywords / sizeof *keywords - (r->file->format == 1 ? NEW_KEYWORDS : 0);
     for (size_t i = 0; i < n; i++)
         if (word_is(&r->w, keywords[i]))
             return true;

@@ -87,6 +87,13 @@ bool add_name(struct reader *r, const struct target *t, bool vector, int gene);
 /** Appends the words from `start` to here as a statement. */
 void add_statement(struct reader *r, const char *name, const char *start, int line);
 
+/** Appends what is in the gene array as a let of the function or the file; its gene. */
+bool add_number(struct reader *r, const char *name, int line, int *gene);
+
+/** The gene of the derivative of a number by a number, both of them symbols; on the way lets are added, "TARGET.LET", which
+ *  no text can name. */
+bool derive(struct reader *r, int of, int by, const char *target, int line, int *gene);
+
 /** Lines "let ..." and "function ...", at the keyword. */
 bool read_let(struct reader *r);
 bool read_function(struct reader *r);

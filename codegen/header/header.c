@@ -10,6 +10,7 @@
 #include "header_along.h"
 #include "header_float.h"
 #include "header_helpers.h"
+#include "header_place.h"
 #include "header_segment.h"
 
 #include <ctype.h>
@@ -113,7 +114,7 @@ static void print_helpers(const struct unit *u, FILE *out)
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
         status = status || function_has_poles(f);
-        scales = scales || (segment && search_hides_poles(f) && c_scales_status(u, f));
+        scales = scales || (segment && !u->file->face && search_hides_poles(f) && c_scales_status(u, f));
     }
     templates_print(NULL, (const char *const[]){"macros", NULL}, precision, NULL, out);
     if (status)
@@ -122,7 +123,9 @@ static void print_helpers(const struct unit *u, FILE *out)
         templates_print("FOOTPOINT_DETAIL_POWER", (const char *const[]){"power", NULL}, precision, NULL, out);
     if (u->options.samples)
         single_print_helpers(u, out);
-    if (segment)
+    if (u->file->face)
+        place_print_helpers(u, out);
+    else if (segment)
         helpers_print(u, out);
 }
 
@@ -131,23 +134,26 @@ void header_print(const struct unit *u, FILE *out)
     banner_print_file(u, out);
     print_guard(u->options.prefix, out);
     print_helpers(u, out);
-    if (u->file->segment)
+    if (u->file->segment && !u->file->face)
         search_print_contract(u, out);
-    else
+    else if (!u->file->segment)
         print_contract(u, out);
     for (size_t i = 0; i < u->file->genomes; i++) {
         const struct function *f = &u->function[i];
         fputc('\n', out);
         banner_print_function(u, f, out);
-        if (u->file->segment)
+        if (u->file->face)
+            place_print(u, f, out);
+        else if (u->file->segment)
             search_print(u, f, out);
         else {
             print_one(u, f, out);
             print_loop(u, f, out);
         }
-        if (u->options.precision == PRECISION_DOUBLE)
+        if (u->options.precision == PRECISION_DOUBLE && !u->file->face)
             print_points(u, f, out);
     }
-    along_print(u, out);
+    if (!u->file->face)
+        along_print(u, out);
     fputs("\n#endif\n", out);
 }

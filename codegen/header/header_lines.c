@@ -70,7 +70,7 @@ char *lines_rows(const struct unit *u, const char *name)
     return rows_text(name, segment_vectors(u->file->segment) + 1);
 }
 
-static char *columns_text(size_t vectors)
+char *lines_columns(size_t vectors)
 {
     struct memory *m = memory_open();
     for (size_t k = 0; k < vectors; k++)
@@ -125,7 +125,7 @@ struct placeholder *lines_words(const struct unit *u, const struct function *f)
                {"COORDINATES", new_format("%zu", 3 * n)},
                {"NODE_PARAMETERS", parameters_text(u)},
                {"NODE_NAMES", lines_vectors(u)},
-               {"COLUMNS", columns_text(n)},
+               {"COLUMNS", lines_columns(n)},
                {"ROWS", rows_text("p", n)},
                {"SEGMENT_ROWS", rows_text("c", n - 1)},
                {"NAME", new_format("%s", name)},

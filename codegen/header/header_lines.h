@@ -18,6 +18,9 @@ char *lines_vectors(const struct unit *u);
 /** "NAME[0], NAME[1], ...", one of each vector; caller frees. */
 char *lines_rows(const struct unit *u, const char *name);
 
+/** "{x[0][i], x[1][i], x[2][i]}, ..." of so many vectors; caller frees. */
+char *lines_columns(size_t vectors);
+
 /** Whether its edges are straight: of bilinear segments and flat triangles. */
 bool lines_straight(const struct unit *u);
 

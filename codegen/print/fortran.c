@@ -283,6 +283,8 @@ bool fortran_print(const struct unit *u, FILE *out, struct diag *d)
 {
     const struct genome_file *f = u->file;
     const char *prefix = u->options.prefix;
+    if (f->face)
+        return diag_at(d, f->path, 0, 0, "functions at a place of a face are printed in C alone");
     if (!check_names(u, d))
         return false;
     banner_print_as(u, NULL, "!", WIDTH, out);

@@ -38,6 +38,8 @@ static char *input_text(const struct genome_file *f, size_t k)
     char vector[4];
     if (!f->segment)
         return new_format("in_%s", f->input[k]);
+    if (k >= segment_inputs(f->segment)) /* xi, eta of a face */
+        return new_text(f->input[k], strlen(f->input[k]));
     segment_vector_name(f->segment, k / 3, vector);
     return new_format("%s[%d]", vector, (int)(k % 3));
 }
@@ -92,6 +94,7 @@ static void write_c(void *to, const char *name, long output, const char *text)
     if (!t->out)
         return;
     char *head = output < 0         ? new_format("    %s%s %s = ", constant ? "" : "const ", t->type, name)
+                 : t->file->face    ? new_format("    %s = ", name)
                  : t->file->segment ? new_format("    *%s = ", name)
                                     : new_format("    *out_%s = ", name);
     fputs(head, t->out);

@@ -196,6 +196,8 @@ static int find_name(const struct reader *r, char *word)
         return (*found)->op;
     if (!r->file->segment)
         input = strncmp(word, "in_", 3) == 0 ? word + 3 : "";
+    else if (r->file->face && (strcmp(word, "xi") == 0 || strcmp(word, "eta") == 0))
+        input = word;
     else
         read_coordinate(word, coordinate);
     const long k = genome_find_symbol(r->file, input);
@@ -382,7 +384,7 @@ static bool add_name(struct reader *r, const char *name, int op)
     return false;
 }
 
-/* "*out_NAME" (of a segment "*NAME"): the genome's outputs, in its order. */
+/* "*out_NAME" (of a segment "*NAME", of a face "NAME[0]"): the genome's outputs, in its order. */
 static bool is_next_output(const struct reader *r, const char *word)
 {
     const size_t k = r->program->outputs;
@@ -400,7 +402,11 @@ static bool read_statement(struct reader *r)
     struct program *p = r->program;
     char word[MOST_WORD + 1];
     const size_t first = p->ops;
-    const bool output = accept(r, "*");
+    const size_t next = p->outputs;
+    const char *name = r->file->face && next < r->genome->outs ? r->genome->out[next].name : "*";
+    const bool output = strncmp(r->at, name, strlen(name)) == 0;
+    if (output && !r->file->face)
+        r->at++;
     const bool changes = !output && !accept(r, "const"); /* a variable, for a constant alone */
     if (!output && !accept(r, "double"))
         return false;

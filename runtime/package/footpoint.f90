@@ -113,6 +113,26 @@ module footpoint
       integer(c_int) :: status
     end function
 
+    function footpoint_element_normal(nodes, gap, d_gap, hessian, stiffness, multiplier, pressure, force, tangent) &
+        bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: nodes
+      real(c_double), value :: gap, stiffness, multiplier
+      real(c_double), intent(in) :: d_gap(*), hessian(*)
+      real(c_double), intent(inout) :: pressure, force(*), tangent(*)
+      integer(c_int) :: status
+    end function
+
+    function footpoint_element_friction(nodes, x, phi, r_xi, r_eta, normal, d_gap, d_normal, pressure, stiffness, &
+        friction, tangential, slip, force, tangent) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: nodes
+      real(c_double), intent(in) :: x(3, *), phi(*), r_xi(3), r_eta(3), normal(3), d_gap(*), d_normal(*)
+      real(c_double), value :: pressure, stiffness, friction, tangential
+      real(c_double), intent(inout) :: slip(2), force(*), tangent(*)
+      integer(c_int) :: status
+    end function
+
     function footpoint_certify(xA, xB, xC, xD, xS, loc, rho) bind(C) result(status)
       import :: c_int, c_double
       real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3), loc(2)

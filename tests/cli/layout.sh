@@ -15,6 +15,7 @@ codegen/compile:    codegen/bound codegen/prove codegen/program codegen/schedule
 codegen/print/templates:
 codegen/print/templates/closest:
 codegen/print/templates/along:
+codegen/print/templates/place:
 codegen/print:      codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
 codegen/header:     codegen/print codegen/compile codegen/bound codegen/program codegen/graph codegen/genome
 codegen:            codegen/*

@@ -44,7 +44,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         for name in $files arrays_calls over_calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done
-    for name in corners quad4_sure contract contract_closest; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in corners quad4_sure contract contract_closest place contract_place; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
 } > "$work/all.c"
 cp "$work/all.c" "$work/all.cpp"
 expect 'all of them' 0 "$(find $folder -name "*.h" | grep -c '\.h$')" '' sh -c "grep -o '[a-z0-9_]*\.h\"' '$work/all.c' | sort -u | wc -l"

@@ -1,0 +1,212 @@
+/* Derivatives of values, in genome text: each let that a value is made of and that depends on a symbol gets a let more, its
+ * derivative by the rules of calculus; see genome_reader.h.  Zeros are left out; all else the graph simplifies. */
+#include "genome_reader.h"
+#include "text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The derivative of an expression; of no genes where it is 0. */
+struct text {
+    int *gene; /* owned */
+    size_t n, room;
+};
+
+/* An expression on the stack: its genes, and its derivative. */
+struct operand {
+    const int *gene; /* not owned */
+    size_t length;
+    struct text slope;
+};
+
+struct derivation {
+    struct reader *r;
+    const char *target; /* not owned: the name that hidden lets begin with */
+    int by, line;
+    int *slope; /* owned: by let, the gene of its derivative; 0 where that is 0 */
+};
+
+static void put(struct text *t, int gene)
+{
+    grow_array(&t->gene, t->n, &t->room, sizeof *t->gene);
+    t->gene[t->n++] = gene;
+}
+
+static void put_all(struct text *t, const int *gene, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        put(t, gene[i]);
+}
+
+static void put_slope(struct text *t, const struct operand *x)
+{
+    put_all(t, x->slope.gene, x->slope.n);
+}
+
+/* x y' */
+static void put_product(struct text *t, const struct operand *x, const struct operand *y)
+{
+    put(t, GENE_MUL);
+    put_all(t, x->gene, x->length);
+    put_slope(t, y);
+}
+
+static void add_slopes(struct text *t, int gene, const struct operand *x, const struct operand *y)
+{
+    if (x->slope.n && y->slope.n)
+        put(t, gene);
+    else if (y->slope.n && gene == GENE_SUB)
+        put(t, GENE_NEG);
+    put_slope(t, x);
+    put_slope(t, y);
+}
+
+static void multiply_slopes(struct text *t, const struct operand *x, const struct operand *y)
+{
+    if (x->slope.n && y->slope.n)
+        put(t, GENE_ADD);
+    if (x->slope.n)
+        put_product(t, y, x);
+    if (y->slope.n)
+        put_product(t, x, y);
+}
+
+/* (x' - (x / y) y') / y */
+static void divide_slopes(struct text *t, const struct operand *x, const struct operand *y)
+{
+    put(t, GENE_DIV);
+    if (y->slope.n) {
+        put(t, x->slope.n ? GENE_SUB : GENE_NEG);
+        put_slope(t, x);
+        put(t, GENE_MUL);
+        put(t, GENE_DIV);
+        put_all(t, x->gene, x->length);
+        put_all(t, y->gene, y->length);
+        put_slope(t, y);
+    } else
+        put_slope(t, x);
+    put_all(t, y->gene, y->length);
+}
+
+/* x' / (2 sqrt x) */
+static void divide_by_root(const struct derivation *v, struct text *t, const struct operand *x)
+{
+    put(t, GENE_DIV);
+    put_slope(t, x);
+    put(t, GENE_MUL);
+    put(t, -1 - (int)genome_add_constant(v->r->file, "2"));
+    put(t, GENE_SQRT);
+    put_all(t, x->gene, x->length);
+}
+
+/* The derivative of an operation, of which one operand at least has one. */
+static bool derive_operation(const struct derivation *v, int gene, const struct operand *x, const struct operand *y,
+                             struct text *t)
+{
+    switch (gene) {
+    case GENE_ADD:
+    case GENE_SUB:
+        add_slopes(t, gene, x, y);
+        return true;
+    case GENE_MUL:
+        multiply_slopes(t, x, y);
+        return true;
+    case GENE_DIV:
+        divide_slopes(t, x, y);
+        return true;
+    case GENE_NEG:
+        put(t, GENE_NEG);
+        put_slope(t, x);
+        return true;
+    case GENE_SQRT:
+        divide_by_root(v, t, x);
+        return true;
+    default:
+        return diag_at(v->r->d, v->r->file->path, v->line, 1, "'%s' has no derivative everywhere", gene_name(gene));
+    }
+}
+
+/* The gene of a symbol's derivative, 0 where that is 0. */
+static int slope_of(const struct derivation *v, int gene)
+{
+    const struct genome_file *f = v->r->file;
+    if (gene == v->by)
+        return -1 - (int)genome_add_constant(v->r->file, "1");
+    return gene < GENE_SYMBOL + (int)f->inputs ? 0 : v->slope[gene - GENE_SYMBOL - (int)f->inputs];
+}
+
+/* The derivative of an expression, to the reader's genes; from its end, as a stack machine. */
+static bool derive_expression(struct derivation *v, const struct genome_expr *e)
+{
+    struct operand *stack = new_array(e->length, sizeof *stack);
+    size_t depth = 0;
+    bool good = true;
+    for (size_t i = e->length; good && i-- > 0;) {
+        const int gene = e->gene[i], operands = gene_arity(gene);
+        const struct operand none = {0};
+        const struct operand x = operands > 0 ? stack[--depth] : none, y = operands > 1 ? stack[--depth] : none;
+        struct operand z = {e->gene + i, 1 + x.length + y.length, {0}};
+        const int slope = operands == 0 ? slope_of(v, gene) : 0;
+        if (slope)
+            put(&z.slope, slope);
+        if (x.slope.n || y.slope.n)
+            good = derive_operation(v, gene, &x, &y, &z.slope);
+        free(x.slope.gene);
+        free(y.slope.gene);
+        stack[depth++] = z;
+    }
+    v->r->genes = 0;
+    for (size_t i = 0; good && i < stack[0].slope.n; i++)
+        put_gene(v->r, stack[0].slope.gene[i]);
+    for (size_t i = 0; i < depth; i++)
+        free(stack[i].slope.gene);
+    free(stack);
+    return good;
+}
+
+/* By let: whether the last one needs it. */
+static bool *needed_lets(const struct genome_file *f, size_t lets)
+{
+    const int first = GENE_SYMBOL + (int)f->inputs;
+    bool *needed = new_array(lets, sizeof *needed);
+    if (lets > 0)
+        needed[lets - 1] = true;
+    for (size_t i = lets; i-- > 0;)
+        for (size_t k = 0; needed[i] && k < f->let[i].length; k++)
+            if (f->let[i].gene[k] >= first)
+                needed[f->let[i].gene[k] - first] = true;
+    return needed;
+}
+
+/* What is in the reader's genes, as one gene: of a let more, "TARGET.LET", unless it is a gene or, as 0, none. */
+static bool hide_slope(struct derivation *v, size_t let)
+{
+    const char *name = v->r->file->let[let].name, *inner = strrchr(name, '.');
+    if (v->r->genes <= 1) {
+        v->slope[let] = v->r->genes ? v->r->gene[0] : 0;
+        return true;
+    }
+    char *hidden = new_joined(v->target, ".", inner ? inner + 1 : name);
+    const bool good = add_number(v->r, hidden, v->line, &v->slope[let]);
+    free(hidden);
+    return good;
+}
+
+bool derive(struct reader *r, int of, int by, const char *target, int line, int *gene)
+{
+    const int first = GENE_SYMBOL + (int)r->file->inputs;
+    const size_t lets = of >= first ? (size_t)(of - first) + 1 : 0;
+    struct derivation v = {r, target, by, line, new_array(lets, sizeof *v.slope)};
+    bool *needed = needed_lets(r->file, lets), good = true;
+    for (size_t i = 0; good && i < lets; i++)
+        if (needed[i] && first + (int)i != by) {
+            const struct genome_expr let = r->file->let[i];
+            good = derive_expression(&v, &let) && hide_slope(&v, i);
+        }
+    *gene = slope_of(&v, of);
+    if (*gene == 0)
+        *gene = -1 - (int)genome_add_constant(r->file, "0");
+    free(needed);
+    free(v.slope);
+    return good;
+}

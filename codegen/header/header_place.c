@@ -1,0 +1,240 @@
+/* Text of functions at a place of a face: nodes, slave node and (xi, eta) to rows of values.  For a genome NAME
+ *   NAME:    one pair, with a status; where the quick way does not tell, once more in another unit of length;
+ *   NAME_n:  many pairs, from columns of coordinates.
+ * The row `require` is not written: its elements are > 0 where there is an answer. */
+#include "header_place.h"
+
+#include "../genome/text.h"
+#include "../print/c_text.h"
+#include "../print/templates.h"
+#include "../program/degree.h"
+#include "header_lines.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_ROWS = 16 };
+
+struct row {
+    const char *name; /* not owned: of so many characters */
+    size_t length, size;
+    int degree; /* of lengths */
+};
+
+struct rows {
+    struct row row[MOST_ROWS];
+    size_t n, required; /* of the row `require` */
+};
+
+/* Outputs are elements of rows, one row after the other. */
+static struct rows find_rows(const struct unit *u, const struct function *f)
+{
+    struct rows r = {.n = 0};
+    for (size_t k = 0, n; k < f->genome->outs; k += n) {
+        const char *name = f->genome->out[k].name;
+        const size_t length = strcspn(name, "[");
+        for (n = 1; k + n < f->genome->outs && strncmp(f->genome->out[k + n].name, name, length + 1) == 0; n++)
+            continue;
+        if (length == strlen("require") && strncmp(name, "require", length) == 0)
+            r.required = n;
+        else if (r.n < MOST_ROWS) {
+            struct row *row = &r.row[r.n++];
+            *row = (struct row){name, length, n, 0};
+            homogeneous_degree(f->program, u->file->segment, f->program->output[k], &row->degree);
+        }
+    }
+    return r;
+}
+
+/* The vectors and rows by the names that statements have for them. */
+static void print_names(const struct unit *u, const struct rows *r, FILE *out)
+{
+    const struct segment_kind *k = u->file->segment;
+    for (size_t i = 0; i <= segment_vectors(k); i++) {
+        char name[4];
+        segment_vector_name(k, i, name);
+        fprintf(out, "%s*const %s = x[%zu]%s", i ? i % 5 ? ", " : ",\n                 " : "    const REAL ", name, i,
+                i == segment_vectors(k) ? ";\n" : "");
+    }
+    for (size_t i = 0; i < r->n; i++)
+        fprintf(out, "    REAL *const %.*s = row[%zu];\n", (int)r->row[i].length, r->row[i].name, i);
+    if (r->required)
+        fprintf(out, "    REAL require[%zu];\n", r->required);
+    fputs("    REAL_BITS flaw;\n", out);
+}
+
+/* The row that a statement sets an element of; r->n if it is none. */
+static size_t row_of(const struct rows *r, const char *text)
+{
+    size_t i = 0;
+    while (i < r->n && !(strncmp(text, r->row[i].name, r->row[i].length) == 0 && text[r->row[i].length] == '['))
+        i++;
+    return i;
+}
+
+/* What is wanted of a row, with "[3 * step] = " for its element 3. */
+static void print_row(const struct rows *r, size_t row, const char *statements, FILE *out)
+{
+    fprintf(out, "    if (always || %.*s) {\n", (int)r->row[row].length, r->row[row].name);
+    for (const char *t = statements, *end; *t; t = end + 2) {
+        end = strstr(t, ";\n");
+        const char *text = t + strspn(t, " "), *bracket = strchr(text, ']');
+        if (row_of(r, text) == row)
+            fprintf(out, "        %.*s * step%.*s;\n", (int)(bracket - text), text, (int)(end - bracket), bracket);
+    }
+    fputs("    }\n", out);
+}
+
+static void print_others(const struct rows *r, const char *statements, FILE *out)
+{
+    for (const char *t = statements, *end; *t; t = end + 2) {
+        end = strstr(t, ";\n");
+        if (row_of(r, t + strspn(t, " ")) == r->n)
+            fprintf(out, "%.*s;\n", (int)(end - t), t);
+    }
+}
+
+static void print_flaw(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+{
+    char *flaw = c_flaw(u, f, false);
+    struct memory *m = memory_open();
+    fprintf(m->stream, "    flaw = %s", flaw);
+    for (size_t i = 0; i < r->required; i++)
+        fprintf(m->stream, " | footpoint_detail_not_above(require[%zu])", i);
+    fputs(" | footpoint_detail_infinite(xS[0] + xS[1] + xS[2] + xi + eta);", m->stream);
+    char *text = memory_close(m);
+    c_print_broken(text, out);
+    c_print("    if (!always && flaw >> REAL_TOP)\n        return flaw;\n", u->options.precision, out);
+    free(text);
+    free(flaw);
+}
+
+static void print_place(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+{
+    struct memory *m = memory_open(), *names = memory_open();
+    c_print_statements(u, f, m->stream);
+    print_names(u, r, names->stream);
+    char *statements = memory_close(m), *head = memory_close(names);
+    c_print("FOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
+    const int column = fprintf(out, "footpoint_detail_%s(", f->name);
+    c_print("const REAL *const *x, REAL xi, REAL eta,\n", u->options.precision, out);
+    fprintf(out, "%*s", column, "");
+    c_print("REAL *const *row, size_t step, int always)\n{\n", u->options.precision, out);
+    c_print(head, u->options.precision, out);
+    print_others(r, statements, out);
+    print_flaw(u, f, r, out);
+    for (size_t i = 0; i < r->n; i++)
+        print_row(r, i, statements, out);
+    fputs("    return flaw;\n}\n", out);
+    free(head);
+    free(statements);
+}
+
+/* "const int shape[6] = {15, -1, 15, -1, 15, 0};": sizes and degrees. */
+static void print_shape(const struct rows *r, const char *indent, FILE *out)
+{
+    fprintf(out, "%sconst int shape[%zu] = {", indent, 2 * r->n);
+    for (size_t i = 0; i < r->n; i++)
+        fprintf(out, "%s%zu, %d", i ? ", " : "", r->row[i].size, r->row[i].degree);
+    fputs("};\n", out);
+}
+
+/* "double *const row[3] = {d_xi, d_eta, d_gap};", the elements of pair i. */
+static void print_rows(const struct unit *u, const struct rows *r, const char *indent, const char *element, FILE *out)
+{
+    fprintf(out, "%s%s *const row[%zu] = {", indent, lines_real(u), r->n);
+    for (size_t i = 0; i < r->n; i++)
+        fprintf(out, "%s%.*s%s", i ? ", " : "", (int)r->row[i].length, r->row[i].name, element);
+    fputs("};\n", out);
+}
+
+/* "footpoint_detail_place_again(NAME, x, 4, 5, XI, ETA, row, STEP, 3, shape);" */
+static void print_again(const struct unit *u, const struct function *f, const struct rows *r, const char *x,
+                        const char *place, FILE *out)
+{
+    c_print("footpoint_detail_place_again(", u->options.precision, out);
+    fprintf(out, "\n                footpoint_detail_%s, %s, %zu, %zu, %s, %zu, shape);\n", f->name, x,
+            strlen(u->file->segment->nodes), segment_vectors(u->file->segment) + 1, place, r->n);
+}
+
+static void print_one(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+{
+    const size_t vectors = segment_vectors(u->file->segment) + 1;
+    char *head = new_format("FOOTPOINT_FN int %s", f->name), *names = lines_vectors(u);
+    struct memory *m = memory_open();
+    fputs("const REAL loc[2]", m->stream);
+    for (size_t i = 0; i < r->n; i++)
+        fprintf(m->stream, ",REAL %.*s[%zu]", (int)r->row[i].length, r->row[i].name, r->row[i].size);
+    char *last = memory_close(m);
+    fputc('\n', out);
+    lines_print_head(u, head, last, out);
+    fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n", lines_real(u), vectors, names);
+    print_rows(u, r, "    ", "", out);
+    fprintf(out, "    if (footpoint_detail_%s(x, loc[0], loc[1], row, 1, 0) >> ", f->name);
+    c_print("REAL_TOP) {\n", u->options.precision, out);
+    print_shape(r, "        ", out);
+    fputs("        return ", out);
+    print_again(u, f, r, "x", "loc[0], loc[1], row, 1", out);
+    fputs("    }\n    return FOOTPOINT_OK;\n}\n", out);
+    free(last);
+    free(names);
+    free(head);
+}
+
+/* The vectors of pair i. */
+static void print_pair(const struct unit *u, const char *indent, FILE *out)
+{
+    const size_t vectors = segment_vectors(u->file->segment) + 1;
+    char *columns = lines_columns(vectors), *places = lines_rows(u, "p");
+    fprintf(out, "%sconst %s p[%zu][3] = {%s};\n%sconst %s *const y[%zu] = {%s};\n", indent, lines_real(u), vectors,
+            columns, indent, lines_real(u), vectors, places);
+    free(places);
+    free(columns);
+}
+
+/* What is not good beyond doubt is done once more behind the loop. */
+static void print_loop(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+{
+    const char *real = lines_real(u);
+    fputc('\n', out);
+    const int column = fprintf(out, "FOOTPOINT_LOOP void %s_n(", f->name);
+    fprintf(out, "size_t n, const %s *const x[%zu],\n%*sconst %s *xi, const %s *eta,\n", real,
+            3 * segment_vectors(u->file->segment) + 3, column, "", real, real);
+    for (size_t i = 0; i < r->n; i++)
+        fprintf(out, "%*s%s *FOOTPOINT_RESTRICT %.*s,\n", column, "", real, (int)r->row[i].length, r->row[i].name);
+    fprintf(out, "%*sint *FOOTPOINT_RESTRICT status)\n{\n", column, "");
+    print_shape(r, "    ", out);
+    fputs("    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n", out);
+    print_pair(u, "        ", out);
+    print_rows(u, r, "        ", " + i", out);
+    fprintf(out,
+            "        status[i] = FOOTPOINT_ERR_DEGENERATE *\n            (int)(footpoint_detail_%s(y, xi[i], eta[i], "
+            "row, n, 1) >> ",
+            f->name);
+    c_print("REAL_TOP);\n    }\n    for (i = 0; i < n; i++)\n        if (status[i] != FOOTPOINT_OK) {\n",
+            u->options.precision, out);
+    print_pair(u, "            ", out);
+    print_rows(u, r, "            ", " + i", out);
+    fputs("            status[i] = ", out);
+    print_again(u, f, r, "y", "xi[i], eta[i], row, n", out);
+    fputs("        }\n}\n", out);
+}
+
+void place_print_helpers(const struct unit *u, FILE *out)
+{
+    const enum precision precision = u->options.precision;
+    char *vectors = lines_vectors(u);
+    const struct placeholder own[] = {{"VECTORS", vectors}, {NULL, NULL}};
+    templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
+    templates_print("FOOTPOINT_DETAIL_PLACE", (const char *const[]){"place", NULL}, precision, NULL, out);
+    templates_print(NULL, (const char *const[]){"contract_place", NULL}, precision, own, out);
+    free(vectors);
+}
+
+void place_print(const struct unit *u, const struct function *f, FILE *out)
+{
+    const struct rows r = find_rows(u, f);
+    print_place(u, f, &r, out);
+    print_one(u, f, &r, out);
+    print_loop(u, f, &r, out);
+}

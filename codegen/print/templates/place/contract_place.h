@@ -1,0 +1,8 @@
+/* What the functions at a place of a face do, said once for all genomes. */
+
+/* NAME:    what its banner says, of the face and the slave node VECTORS at the place loc = {xi, eta}, in
+ *          rows; a row that is NULL is not wanted, and costs nothing where the call is inlined.  Rows are untouched on
+ *          error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or, of
+ *          derivatives, a Hessian of the distance that is singular.
+ * NAME_n:  the same for n pairs; x[3 k + i] is the column of coordinate i of vector k, element j of pair i goes to
+ *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing. */

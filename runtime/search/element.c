@@ -1,0 +1,116 @@
+/* What a contact element of any face adds to the equations: forces and their consistent tangents, of the normal law (10)
+ * with a multiplier and of Coulomb's law by return mapping; see footpoint.h. */
+#include "../footpoint.h"
+#include "../geometry/vector.h"
+
+enum { MOST_COORDINATES = 30 };
+
+static int all_finite(const double *x, int n)
+{
+    int finite = 1;
+    for (int i = 0; i < n; i++)
+        finite = finite && number_finite(x[i]);
+    return finite;
+}
+
+int footpoint_element_normal(int nodes, double gap, const double *d_gap, const double *hessian, double stiffness,
+                             double multiplier, double *pressure, double *force, double *tangent)
+{
+    const int n = 3 * (nodes + 1);
+    if (nodes < 3 || n > MOST_COORDINATES || !(stiffness >= 0.0))
+        return FOOTPOINT_ERR_ARGUMENT;
+    if (!number_finite(gap) || !number_finite(stiffness) || !number_finite(multiplier) || !all_finite(d_gap, n) ||
+        !all_finite(hessian, n * (n + 1) / 2))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    const double law = multiplier - stiffness * gap, p = law > 0.0 ? law : 0.0, k = law > 0.0 ? stiffness : 0.0;
+    for (int r = 0; r < n; r++) {
+        force[r] = p * d_gap[r];
+        for (int c = 0; c <= r; c++)
+            tangent[r * (r + 1) / 2 + c] = k * d_gap[r] * d_gap[c] - p * hessian[r * (r + 1) / 2 + c];
+    }
+    *pressure = p;
+    return FOOTPOINT_OK;
+}
+
+/* ---- friction ---- */
+
+/* Of node k, the slave node being the last, in the way from the point where it sticks to the slave node. */
+static double weight(const double *phi, int nodes, int k)
+{
+    return k < nodes ? -phi[k] : 1.0;
+}
+
+/* The force -factor s on the slave node. */
+struct traction {
+    double s[3], length, factor;
+    int slides;
+};
+
+/* Its change dt with s and the limit of friction. */
+static void change_of(const struct traction *y, const double ds[3], double d_limit, double dt[3])
+{
+    const double along = y->slides ? vector_dot(y->s, ds) / (y->length * y->length) : 0.0;
+    for (int i = 0; i < 3; i++)
+        dt[i] = -y->factor * (ds[i] - along * y->s[i]) - (y->slides ? d_limit * y->s[i] / y->length : 0.0);
+}
+
+/* Return mapping. */
+static void cut_down(struct traction *y, double limit, double tangential)
+{
+    y->length = sqrt(vector_dot(y->s, y->s));
+    y->slides = limit > 0.0 && tangential * y->length > limit;
+    y->factor = y->slides ? limit / y->length : limit > 0.0 ? tangential : 0.0;
+}
+
+/* What s has more than its spring, in xi and eta; false: no area. */
+static int slip_of(const struct traction *y, double tangential, const double r_xi[3], const double r_eta[3],
+                   double slip[2])
+{
+    const double aa = vector_dot(r_xi, r_xi), ab = vector_dot(r_xi, r_eta), bb = vector_dot(r_eta, r_eta);
+    const double u = vector_dot(r_xi, y->s), v = vector_dot(r_eta, y->s), area = aa * bb - ab * ab;
+    const double rest = 1.0 - y->factor / tangential;
+    if (!(area > 0.0))
+        return 0;
+    slip[0] = rest * (bb * u - ab * v) / area;
+    slip[1] = rest * (aa * v - ab * u) / area;
+    return 1;
+}
+
+int footpoint_element_friction(int nodes, const double *x, const double *phi, const double r_xi[3],
+                               const double r_eta[3], const double normal[3], const double *d_gap,
+                               const double *d_normal, double pressure, double stiffness, double friction,
+                               double tangential, double slip[2], double *force, double *tangent)
+{
+    const int n = 3 * (nodes + 1);
+    double way[3] = {0, 0, 0}, change[2];
+    struct traction y;
+    if (nodes < 3 || n > MOST_COORDINATES || !(stiffness >= 0.0 && friction >= 0.0 && tangential > 0.0))
+        return FOOTPOINT_ERR_ARGUMENT;
+    for (int k = 1; k <= nodes; k++)
+        for (int i = 0; i < 3; i++)
+            way[i] += weight(phi, nodes, k) * (x[3 * k + i] - x[i]);
+    if (!vector_finite(way) || !number_finite(pressure) || !vector_finite(r_xi) || !vector_finite(r_eta) ||
+        !vector_finite(normal) || !all_finite(d_normal, 3 * n) || !all_finite(d_gap, n))
+        return FOOTPOINT_ERR_NOT_FINITE;
+    const double height = vector_dot(way, normal);
+    for (int i = 0; i < 3; i++)
+        y.s[i] = way[i] - height * normal[i];
+    cut_down(&y, friction * pressure, tangential);
+    if (!slip_of(&y, tangential, r_xi, r_eta, change))
+        return FOOTPOINT_ERR_DEGENERATE;
+    for (int c = 0; c < n; c++) {
+        double ds[3], dm[3], dt[3];
+        for (int i = 0; i < 3; i++)
+            dm[i] = d_normal[n * i + c];
+        const double w = weight(phi, nodes, c / 3), turned = w * normal[c % 3] + vector_dot(way, dm);
+        for (int i = 0; i < 3; i++)
+            ds[i] = (i == c % 3 ? w : 0.0) - normal[i] * turned - height * dm[i];
+        change_of(&y, ds, -friction * stiffness * d_gap[c], dt);
+        force[c] = -w * y.factor * y.s[c % 3];
+        for (int r = 0; r < n; r++)
+            tangent[n * r + c] = -weight(phi, nodes, r / 3) * dt[r % 3];
+    }
+    slip[0] = change[0];
+    slip[1] = change[1];
+    return FOOTPOINT_OK;
+}

@@ -1,0 +1,234 @@
+/* The contact element, of all kinds of faces: its tangents are derivatives of its forces, by differences; forces balance;
+ * Newton's iteration with the tangent converges quadratically. */
+#include "../../generated/footpoint_quad4_derivatives.h"
+#include "../../generated/footpoint_quad8_derivatives.h"
+#include "../../generated/footpoint_quad9_derivatives.h"
+#include "../../generated/footpoint_tri3_derivatives.h"
+#include "../../generated/footpoint_tri6_derivatives.h"
+#include "../../runtime/footpoint.h"
+#include "../support/kind_arguments.h"
+#include "../support/quad_precision.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { SAMPLES = 20, C = MOST_COORDINATES };
+#define STEP 1e-5
+#define STIFFNESS 70.0
+#define TANGENTIAL 30.0
+
+/* A contact and its element. */
+struct contact {
+    double x[C], xi0, eta0, multiplier, friction; /* it sticks at (xi0, eta0) */
+    double pressure, normal[C], packed[C * (C + 1) / 2], slip[2], tangential[C], full[C * C];
+};
+
+struct point {
+    double phi[MOST_NODES], r_xi[3], r_eta[3], normal[3], gap, d_gap[C], d_normal[3 * C], hessian[C * (C + 1) / 2];
+};
+
+typedef int point_function(double (*x)[3], const double loc[2], struct point *p);
+
+#define POINT(kind)                                                                                                    \
+    static int point_##kind(double(*x)[3], const double loc[2], struct point *p)                                       \
+    {                                                                                                                  \
+        (void)footpoint_##kind##_place(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), loc, p->phi, p->r_xi, p->r_eta,   \
+                                       p->normal, &p->gap);                                                            \
+        return footpoint_##kind##_hessian(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), loc, NULL, NULL, NULL,         \
+                                          p->d_gap, p->d_normal, p->hessian);                                          \
+    }
+POINT(tri3)
+POINT(tri6)
+POINT(quad4)
+POINT(quad8)
+POINT(quad9)
+
+static const struct {
+    int nodes;
+    point_function *point;
+} kinds[] = {{3, point_tri3}, {6, point_tri6}, {4, point_quad4}, {8, point_quad8}, {9, point_quad9}};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+/* The element at the foot point, which is found in quadruple precision. */
+static void assemble(int kind, const struct exact_face *f, struct contact *e)
+{
+    const int nodes = f->nodes, n = 3 * (nodes + 1);
+    double x[MOST_NODES + 1][3];
+    quadruple y[C];
+    struct exact_foot foot;
+    static struct point at, stick;
+    for (int i = 0; i < n; i++)
+        x[i / 3][i % 3] = e->x[i], y[i] = e->x[i];
+    assert_true(exact_foot_near(f, y, 0.2, 0.1, &foot));
+    const double loc[2] = {(double)foot.xi, (double)foot.eta}, loc0[2] = {e->xi0, e->eta0};
+    assert_int_equal(kinds[kind].point(x, loc, &at), FOOTPOINT_OK);
+    assert_int_equal(kinds[kind].point(x, loc0, &stick), FOOTPOINT_OK);
+    assert_int_equal(footpoint_element_normal(nodes, at.gap, at.d_gap, at.hessian, STIFFNESS, e->multiplier,
+                                              &e->pressure, e->normal, e->packed),
+                     FOOTPOINT_OK);
+    assert_int_equal(footpoint_element_friction(nodes, e->x, stick.phi, at.r_xi, at.r_eta, at.normal, at.d_gap,
+                                                at.d_normal, e->pressure, STIFFNESS, e->friction, TANGENTIAL, e->slip,
+                                                e->tangential, e->full),
+                     FOOTPOINT_OK);
+}
+
+/* Nodes moved, the slave node above or below the place (0.2, 0.1) or so. */
+static void draw(uint64_t *stream, const struct exact_face *f, double gap, struct contact *e)
+{
+    for (int i = 0; i < 3 * f->nodes + 3; i++) {
+        *stream = *stream * 6364136223846793005u + 1442695040888963407u;
+        e->x[i] = 0.1 * ((double)(*stream >> 11) * 0x1p-53 - 0.5);
+        if (i < 3 * f->nodes && i % 3 < 2)
+            e->x[i] += f->place[i / 3][i % 3];
+        if (i >= 3 * f->nodes)
+            e->x[i] += i % 3 == 0 ? 0.2 : i % 3 == 1 ? 0.1 : gap;
+    }
+}
+
+static double packed_at(const struct contact *e, int r, int c)
+{
+    return r < c ? packed_at(e, c, r) : e->packed[r * (r + 1) / 2 + c];
+}
+
+static void expect_tangents(int kind, const struct exact_face *f, const struct contact *e)
+{
+    const int n = 3 * (f->nodes + 1);
+    static struct contact away[2];
+    for (int c = 0; c < n; c++) {
+        for (int side = 0; side < 2; side++) {
+            away[side] = *e;
+            away[side].x[c] += side ? -STEP : STEP;
+            assemble(kind, f, &away[side]);
+        }
+        for (int r = 0; r < n; r++) {
+            const double normal = (away[1].normal[r] - away[0].normal[r]) / (2 * STEP);
+            const double tangential = (away[1].tangential[r] - away[0].tangential[r]) / (2 * STEP);
+            if (!(fabs(packed_at(e, r, c) - normal) <= 1e-5 * STIFFNESS))
+                fail_msg("kind %d, normal %d %d: %g, not %g", kind, r, c, packed_at(e, r, c), normal);
+            if (!(fabs(e->full[n * r + c] - tangential) <= 1e-5 * STIFFNESS))
+                fail_msg("kind %d, friction %d %d: %g, not %g", kind, r, c, e->full[n * r + c], tangential);
+        }
+    }
+}
+
+static void tangents_are_derivatives(void **state)
+{
+    uint64_t stream = 1;
+    int slid = 0, stuck = 0, open = 0;
+    (void)state;
+    for (int kind = 0; kind < KINDS; kind++) {
+        const struct exact_face f = exact_face_of(kinds[kind].nodes);
+        for (int sample = 0; sample < SAMPLES; sample++) {
+            static struct contact e;
+            memset(&e, 0, sizeof e);
+            draw(&stream, &f, sample % 4 == 3 ? 0.3 : -0.15, &e);
+            e.xi0 = 0.2 + 0.05 * (sample % 3);
+            e.eta0 = 0.15;
+            e.multiplier = sample % 2 ? 2.5 : 0;
+            e.friction = sample % 4 < 2 ? 0.05 : 5;
+            assemble(kind, &f, &e);
+            for (int i = 0; i < 3; i++) {
+                double sum = 0, drag = 0;
+                for (int k = 0; k <= f.nodes; k++) {
+                    sum += e.normal[3 * k + i];
+                    drag += e.tangential[3 * k + i];
+                }
+                assert_true(fabs(sum) + fabs(drag) <= 1e-12 * STIFFNESS);
+            }
+            double pull = 0;
+            for (int i = 0; i < 3; i++)
+                pull += e.tangential[3 * f.nodes + i] * e.tangential[3 * f.nodes + i];
+            assert_true(sqrt(pull) <= (1 + 1e-12) * e.friction * e.pressure);
+            open += e.pressure == 0;
+            slid += e.pressure > 0 && e.slip[0] != 0;
+            stuck += e.pressure > 0 && e.slip[0] == 0;
+            expect_tangents(kind, &f, &e);
+        }
+    }
+    assert_true(open > 5 && slid > 5 && stuck > 5);
+}
+
+static double length(const double f[3])
+{
+    return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+}
+
+/* A slave node on springs, pressed into a face and drawn along it: the residuals of Newton's iteration. */
+static void newton_is_quadratic(void **state)
+{
+    static const double anchor[3] = {0.3, 0.2, -0.5}, springs = 10;
+    (void)state;
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int slides = 0; slides < 2; slides++) {
+            const struct exact_face f = exact_face_of(kinds[kind].nodes);
+            const int n = 3 * (f.nodes + 1), s = 3 * f.nodes;
+            static struct contact e;
+            uint64_t stream = 7;
+            double residual[12], last = 1;
+            int step = 0;
+            memset(&e, 0, sizeof e);
+            draw(&stream, &f, -0.05, &e);
+            e.xi0 = 0.2;
+            e.eta0 = 0.1;
+            e.friction = slides ? 0.02 : 5;
+            for (; step < 12 && last > 1e-12; step++) {
+                double a[3][4];
+                assemble(kind, &f, &e);
+                for (int i = 0; i < 3; i++) {
+                    a[i][3] = e.normal[s + i] + e.tangential[s + i] + springs * (anchor[i] - e.x[s + i]);
+                    for (int j = 0; j < 3; j++)
+                        a[i][j] = packed_at(&e, s + i, s + j) + e.full[n * (s + i) + s + j] + (i == j ? springs : 0);
+                }
+                const double f3[3] = {a[0][3], a[1][3], a[2][3]};
+                residual[step] = last = length(f3);
+                for (int k = 0; k < 3; k++)
+                    for (int i = 0; i < 3; i++)
+                        for (int j = 3; i != k && j >= k; j--)
+                            a[i][j] -= a[i][k] / a[k][k] * a[k][j];
+                for (int i = 0; i < 3; i++)
+                    e.x[s + i] += a[i][3] / a[i][i];
+            }
+            if (!(last <= 1e-12))
+                fail_msg("kind %d, slides %d: residual %g", kind, slides, last);
+            assert_true((e.slip[0] != 0) == slides);
+            /* Quadratic: each of the last is below a constant times the square of the one before. */
+            for (int k = step - 2; k < step; k++)
+                assert_true(k < 1 || residual[k] <= 1e-12 || residual[k] <= 2 * residual[k - 1] * residual[k - 1]);
+        }
+}
+
+static void arguments_are_checked(void **state)
+{
+    static double many[C * C], out[C * C], pressure, slip[2];
+    const double a[3] = {1, 0, 0}, b[3] = {0, 1, 0}, c[3] = {0, 0, 1};
+    (void)state;
+    assert_int_equal(footpoint_element_normal(2, 0, many, many, 1, 0, &pressure, out, out), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_element_normal(10, 0, many, many, 1, 0, &pressure, out, out), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_element_normal(4, 0, many, many, -1, 0, &pressure, out, out), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_element_normal(4, (double)NAN, many, many, 1, 0, &pressure, out, out),
+                     FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(footpoint_element_friction(4, many, many, a, a, c, many, many, 1, 1, 1, 1, slip, out, out),
+                     FOOTPOINT_ERR_DEGENERATE);
+    assert_int_equal(footpoint_element_friction(4, many, many, a, b, c, many, many, 1, 1, 1, 0, slip, out, out),
+                     FOOTPOINT_ERR_ARGUMENT);
+    many[4] = INFINITY;
+    assert_int_equal(footpoint_element_friction(4, many, many, a, b, c, many, many, 1, 1, 1, 1, slip, out, out),
+                     FOOTPOINT_ERR_NOT_FINITE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tangents_are_derivatives),
+        cmocka_unit_test(newton_is_quadratic),
+        cmocka_unit_test(arguments_are_checked),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,36 @@
+/* A foot point and what changes with it in quadruple precision: the reference of derivatives.  Shape functions follow from
+ * the monomials of a face and the places of its nodes alone, the foot point from Newton's iteration, derivatives from
+ * differences of two foot points. */
+#ifndef FOOTPOINT_QUAD_PRECISION_H
+#define FOOTPOINT_QUAD_PRECISION_H
+
+#include <stdbool.h>
+
+__extension__ typedef __float128 quadruple;
+
+enum { MOST_NODES = 9, MOST_COORDINATES = 3 * (MOST_NODES + 1) };
+
+struct exact_face {
+    int nodes;
+    const double (*place)[2];                /* (xi, eta) of the nodes; not owned */
+    quadruple shape[MOST_NODES][MOST_NODES]; /* of node k, the factor of monomial m */
+};
+
+/** What a foot point has: its place, the gap, the normal, and the shape functions there. */
+struct exact_foot {
+    quadruple xi, eta, gap, normal[3], phi[MOST_NODES];
+    double condition; /* of the Hessian of half the square of the distance, and of the metric */
+};
+
+/** The face of so many nodes: 3, 4, 6, 8 or 9. */
+struct exact_face exact_face_of(int nodes);
+
+/** The point of the face and its unit normal; the nodes have three coordinates each. */
+void exact_point(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta, quadruple r[3],
+                 quadruple normal[3]);
+
+/** The foot point near (xi, eta); x are the nodes and the slave node behind them.  False: Newton's iteration ends nowhere. */
+bool exact_foot_near(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta,
+                     struct exact_foot *foot);
+
+#endif
