@@ -36,7 +36,7 @@ scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "bad"/'
 expect 'infinite value' 1 '' "$work/s.scene:13: error: 'bad' is not finite on 700 of 700 training samples" \
     "$evolve" --root "$work/root" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
 scene 's/\["xi0", "eta0", "p", "q", "a", "b"\]/["xi0", "eta0"]/'
-expect 'constant values alone' 0 '*' '' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 3 --quiet
+expect 'constant values alone' 0 '*' '' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1 --quiet
 rm -f "$work/o.gen"
 scene 's/max_length = 30/max_length = 30; budget = 0.5/'; refused 'budget below an operation' "$work/s.scene:13: error: 'budget' must be in 1..1e+06"
 
@@ -69,17 +69,17 @@ refused 'no pair is near enough' "$work/m.inp: error: no slave node within a dis
 scene ''
 cp tests/scenes/small.scene "$work/"
 run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 "$@"; }
-expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 25 --islands 3 -o "$work/r1.gen"
+expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 10 --islands 3 -o "$work/r1.gen"
 for ranks in 2 3 4; do
-    run $ranks --from-scratch --generations 25 --islands 3 -o "$work/r$ranks.gen" > /dev/null
+    run $ranks --from-scratch --generations 10 --islands 3 -o "$work/r$ranks.gen" > /dev/null
     cmp -s "$work/r1.gen" "$work/r$ranks.gen"; report $((! $?)) "$ranks ranks, the same bytes"
 done
 expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 --from-scratch \
-    --generations 25 --islands 3 -o "$work/r0.gen"
+    --generations 10 --islands 3 -o "$work/r0.gen"
 cmp -s "$work/r1.gen" "$work/r0.gen"; report $((! $?)) 'and the same bytes'
 run 2 --start "$work/r1.gen" --generations 0 -o "$work/again.gen" > /dev/null
 cmp -s "$work/r1.gen" "$work/again.gen"; report $((! $?)) 'no generations: the same file again'
-run 2 --start "$work/r1.gen" --generations 40 -o "$work/later.gen" > "$work/table"
+run 2 --start "$work/r1.gen" --generations 15 -o "$work/later.gen" > "$work/table"
 worse=$(awk '/->/ && $5 + 0 > $3 + 0' "$work/table")
 [ -z "$worse" ] && grep -q -- '->' "$work/table"; report $((! $?)) 'a second run makes nothing worse'
 "$BIN/footpoint-codegen" --effort 10 --allow-poles "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
@@ -93,7 +93,7 @@ expect 'output folder missing' 3 '' "$work/none/o.gen: error: cannot write: No s
     "$evolve" --scene "$work/small.scene" --from-scratch -o "$work/none/o.gen" --generations 100000000
 
 # A run may end before it has begun to breed: what is there is written.
-sed 's/training  = 700/training  = 100000/' tests/scenes/small.scene > "$work/large.scene"
+sed 's/training  = 700/training  = 30000/' tests/scenes/small.scene > "$work/large.scene"
 interrupted() { # by SIGTERM, a second after it is listened to (bit 15 of those caught)
     "$evolve" --scene "$work/large.scene" --quiet --from-scratch --generations 100000000 --checkpoint "$work/ck" -o "$work/part.gen" &
     pid=$! tries=200
@@ -148,12 +148,12 @@ report $((! $?)) 'one tier of one gene beside one that is evolved'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.
 if [ -n "$(command -v script)" ]; then
-    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --population 60 --generations 60 -o $work/t.gen" /dev/null > "$work/tty"
-    tr '\r' '\n' < "$work/tty" | sed -n 's/\x1b\[K//; /^[0-9]*\/60 .* left /p' > "$work/lines"
-    [ -s "$work/lines" ] && [ -z "$(awk 'length > 59' "$work/lines")" ] && tail -1 "$work/lines" | grep -q '^60/60 '
+    script -qec "stty cols 60; $mpirun -n 2 $evolve --scene $work/small.scene --population 60 --generations 20 -o $work/t.gen" /dev/null > "$work/tty"
+    tr '\r' '\n' < "$work/tty" | sed -n 's/\x1b\[K//; /^[0-9]*\/20 .* left /p' > "$work/lines"
+    [ -s "$work/lines" ] && [ -z "$(awk 'length > 59' "$work/lines")" ] && tail -1 "$work/lines" | grep -q '^20/20 '
     report $((! $?)) 'a line on a terminal'
 fi
-$mpirun -n 2 "$evolve" --scene "$work/small.scene" --population 60 --generations 60 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
+$mpirun -n 2 "$evolve" --scene "$work/small.scene" --population 60 --generations 20 -o "$work/t.gen" 2>&1 > /dev/null | grep '^generation' > "$work/lines"
 [ "$(wc -l < "$work/lines")" -gt 10 ] && ! grep -q "$(printf '[\r\033]')" "$work/lines" &&
-    tail -1 "$work/lines" | grep -q '^generation 60/60  0 s left  .* genes x samples/s  steps both .*  paper both '
+    tail -1 "$work/lines" | grep -q '^generation 20/20  0 s left  .* genes x samples/s  steps both .*  paper both '
 report $((! $?)) 'plain lines in a file'

@@ -12,7 +12,7 @@ version=$(sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/bas
 git clone -q . "$work/clone" && make -s -C "$work/clone" dist &&
     mv "$work/clone/build/footpoint-$version.tar.gz" "$work/footpoint_$version.orig.tar.gz" && cd "$work" &&
     tar xf "footpoint_$version.orig.tar.gz" && cd "footpoint-$version" && cp -r runtime/package/debian debian &&
-    dpkg-buildpackage -us -uc > "$work/log" 2>&1
+    DEB_BUILD_OPTIONS='parallel=2 noautodbgsym' dpkg-buildpackage -b -us -uc > "$work/log" 2>&1
 good=$?
 [ $good = 0 ] || tail -n 20 "$work/log" | sed 's/^/# /'
 report $((! good)) 'packages build'
