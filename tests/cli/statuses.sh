@@ -44,7 +44,7 @@ for header in $HEADERS; do
         echo "#define ORDER $(echo "$@" | sed 's/ /, /g')"
         echo "#define ARGUMENTS $arguments"
         echo "#define FUNCTIONS(F) $(for f in $functions; do printf 'F(%s) ' "$f"; done)"
-        ! grep -q '_over_n(' "$header" || echo '#define OVER'
+        ! grep -q '^FOOTPOINT_LOOP void .*_over_n(' "$header" || echo '#define OVER'
         ! grep -q _closest "$header" || echo "#define CLOSEST(F) $(for f in $functions; do printf 'F(%s_closest) ' "$f"; done)"
         echo '#ifdef __cplusplus'
         echo 'extern "C" {'
