@@ -438,10 +438,18 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
             least = merit(plan, budget, own, m->cost);
         }
     }
-    if (!best && c->tree.length == 0)
+    if (!best && c->tree.length == 0 && front_count(f) > 0)
         best = front_member(f, 0); /* the cheapest, where none is within the budget */
     if (best)
         replace_champion(a, o, tier, output, best);
+}
+
+bool archive_has(const struct archive *a, size_t tier)
+{
+    bool has = true;
+    for (int k = tier_first(&a->scene->tier[tier]); k <= tier_last(&a->scene->tier[tier]); k++)
+        has = has && a->champion[tier][k].tree.length > 0;
+    return has;
 }
 
 void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge)

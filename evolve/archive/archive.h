@@ -128,6 +128,10 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
  *                    alone is not taken; NULL: as trees, by the training samples */
 void archive_choose_champions(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge);
 
+/** False if there is no expression for the tier: none had a finite error on every sample.  It is left out of what is
+ *  written. */
+bool archive_has(const struct archive *a, size_t tier);
+
 /** Write the file: notes, program, and one genome for each tier with its errors on the held-out parts, which serve
  *  for nothing else. */
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,

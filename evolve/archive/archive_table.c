@@ -22,6 +22,8 @@ void archive_table(const struct archive *a, FILE *stream)
         for (int k = tier_first(&a->scene->tier[i]); k <= tier_last(&a->scene->tier[i]); k++) {
             const struct champion *c = &a->champion[i][k];
             char error[16] = "-", length[16] = "-";
+            if (!archive_has(a, i))
+                continue;
             if (c->length_before > 0) {
                 snprintf(error, sizeof error, "%.3e", c->error_before);
                 snprintf(length, sizeof length, "%zu", c->length_before);

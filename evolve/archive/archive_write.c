@@ -180,7 +180,8 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
     struct kernel *kernel = kernel_new_widest();
     add_file_notes(a->program, a->scene, heldout);
     for (size_t i = 0; i < a->scene->tiers; i++)
-        add_tier(a, kernel, i, run, heldout);
+        if (archive_has(a, i))
+            add_tier(a, kernel, i, run, heldout);
     kernel_free(kernel);
     scene_region_add(a->program, heldout->part, 2);
     genome_print_needed(a->program, f.stream);

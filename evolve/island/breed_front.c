@@ -7,7 +7,6 @@
  * from changed programs with an empty front; when that stagnates in turn, the best of all times join it. */
 #include "breed.h"
 
-#include "../common/decimal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -134,8 +133,7 @@ static void fill_at_random(struct island *is, size_t first)
 static void begin_with_numbers(struct island *is)
 {
     struct individual *x = &is->now[0];
-    const struct tree numbers = {(int[2]){decimal_gene(-0.1), decimal_gene(0.1)}, 2};
-    tree_copy(&numbers, &x->tree);
+    population_numbers(&x->tree);
     population_count(is, x);
     evaluate(is, x);
 }

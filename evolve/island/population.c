@@ -1,6 +1,8 @@
 /* What both ways of breeding share; see population.h. */
 #include "population.h"
 
+#include "../common/decimal.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -68,12 +70,22 @@ const struct tree *population_choose(struct island *is)
     return &is->now[low].tree;
 }
 
-/* One of the front of all times, changed a few times. */
+void population_numbers(struct tree *t)
+{
+    const struct tree numbers = {(int[2]){decimal_gene(-0.1), decimal_gene(0.1)}, 2};
+    tree_copy(&numbers, t);
+}
+
+/* One of the front of all times, changed a few times; two numbers, as long as nothing has had a finite error. */
 static void random_program(struct island *is, struct tree *t)
 {
     const struct fitting *f = is->goal.fit;
     enum { CHANGES = 3 };
     const size_t members = front_count(is->all);
+    if (members == 0) {
+        population_numbers(t);
+        return;
+    }
     tree_copy(&front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree, t);
     for (int i = 0; i < CHANGES; i++) {
         const struct tree *mate = &front_member(is->all, gsl_rng_uniform_int(is->rng, members))->tree;

@@ -58,6 +58,8 @@ void population_refresh(struct island *is);
 const struct tree *population_choose(struct island *is);
 /* The k-th individual of a new population. */
 void population_draw(struct island *is, size_t k, struct tree *t);
+/* Two numbers: programs that nothing is known of begin with them. */
+void population_numbers(struct tree *t);
 /* Ints of an individual in a parcel. */
 static inline size_t population_parcel(const struct island *is)
 {

@@ -461,6 +461,20 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
     reports_free(&f);
 }
 
+/* False with *d filled if a tier has no expression; the first one, if none has. */
+static bool found(const struct archive *a, bool all, struct diag *d)
+{
+    size_t lacking = 0, first = 0;
+    for (size_t i = a->scene->tiers; i-- > 0;)
+        if (!archive_has(a, i)) {
+            lacking++;
+            first = i;
+        }
+    return lacking == 0 || (!all && lacking < a->scene->tiers) ||
+           diag_at(d, a->scene->path, 0, 0, "tier '%s': no expression has a finite error on every sample",
+                   a->scene->tier[first].name);
+}
+
 /* On rank 0: what was found, to the files and in a table. */
 static bool write_found(const struct call *call, struct archive *a, const char *output, const struct heldout *heldout,
                         const struct outcome *out, struct diag *d)
@@ -471,6 +485,8 @@ static bool write_found(const struct call *call, struct archive *a, const char *
     if (out->reason != STOP_DONE)
         fprintf(stderr, "%s: ended at generation %zu of %zu%s%s\n", stop_name(out->reason), out->generation,
                 o->generations, saved ? "; go on with --resume " : "", saved ? o->checkpoint : "");
+    if (!found(a, false, d))
+        return false;
     say(call, "measuring on samples held out ...");
     const bool written = archive_write(a, output, &facts, heldout, d);
     const bool fronts = written && (!o->front || archive_write_front(a, o->front, heldout, d));
@@ -483,7 +499,7 @@ static bool write_found(const struct call *call, struct archive *a, const char *
     if (fflush(stdout) != 0)
         return diag_system(d, "standard output", "cannot write");
     *d = (struct diag){.code = out->unsaved ? EXIT_SYSTEM : EXIT_DONE}; /* said already when it happened */
-    return !out->unsaved;
+    return !out->unsaved && found(a, true, d);
 }
 
 static void problem_free(struct problem *p)
