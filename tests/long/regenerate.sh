@@ -1,0 +1,27 @@
+# The main job's search, run on what is committed, makes no error on held-out samples (mean, 99 %, worst, of xi or eta, of
+# any function) worse by more than 2 %.  Headers are not emitted: they are what the genomes say.  Scenes are done as
+# `make regenerate` does them, two at a time; GENERATIONS= as there.
+. tests/cli/expect.inc
+export OMPI_MCA_btl_base_warn_component_unused=0
+GENERATIONS=${GENERATIONS:-12}
+for scene in evolve/scenes/*.scene; do basename "$scene" .scene; done |
+    xargs -P 2 -I{} sh -c "\"$BIN/footpoint-evolve\" --scene {} --generations $GENERATIONS --seed 1 --quiet -o '$work/{}.gen' \
+        > '$work/{}.log' 2>&1 || echo {} >> '$work/failed'"
+[ ! -e "$work/failed" ]; report $((! $?)) 'every scene is bred'
+
+# errors FILE: a line "SCENE FUNCTION SAMPLES mean 99% worst" for each held-out note
+errors() {
+    awk -v scene="$(basename "$1" .gen)" '/^genome /{ name = $2 } /^note heldout_/{ print scene, name, $2, $6, $8, $10 }' "$1"
+}
+for file in evolve/genomes/*.gen; do errors "$file"; done > "$work/before"
+for file in "$work"/*.gen; do errors "$file"; done > "$work/after"
+awk 'NR == FNR { mean[$1, $2, $3] = $4; p99[$1, $2, $3] = $5; worst[$1, $2, $3] = $6; next }
+    function compare(what, before, after) {
+        if (after > 1.02 * before)
+            printf "%s %s %s: %s %s -> %s, %.1f %% worse\n", $1, $2, $3, what, before, after, 100 * (after / before - 1)
+    }
+    { compare("mean", mean[$1, $2, $3], $4); compare("99 %", p99[$1, $2, $3], $5); compare("worst", worst[$1, $2, $3], $6) }' \
+    "$work/before" "$work/after" > "$work/worse"
+sed 's/^/# /' "$work/worse"
+[ "$(wc -l < "$work/before")" = "$(wc -l < "$work/after")" ] && [ ! -s "$work/worse" ]
+report $((! $?)) "none of $(wc -l < "$work/before") rows of held-out errors is worse"
