@@ -322,7 +322,7 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
 # Those that compare times.
-TIMED := $(patsubst %,tests/long/%.sh,calls derivatives gregory handwritten impact pairs scaling)
+TIMED := $(patsubst %,tests/long/%.sh,calls derivatives gregory handwritten impact pairs replace_times scaling)
 check-long: build-tests ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
 	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(filter-out $(TIMED),$(wildcard tests/long/*.sh)) --alone $(TIMED)
 

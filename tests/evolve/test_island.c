@@ -235,8 +235,7 @@ static void finds_a_known_target(void **state)
             free(report);
         }
         if (found < seeds - 1)
-            fail_msg("breeding %d, selection %d: x y + 0.5 is found with %d seeds of %d", k / 2, k % 2, found,
-                     seeds);
+            fail_msg("breeding %d, selection %d: x y + 0.5 is found with %d seeds of %d", k / 2, k % 2, found, seeds);
     }
 }
 
