@@ -32,7 +32,7 @@ void footpoint_quad4_offset(const double xA[3], const double xB[3], const double
                             const double xS[3], double xi, double eta, double d[3]);
 
 /** Signed gap (xS - r(xi,eta)) . n along the unit normal there; mesh length, > 0 open.  Status as
- *  footpoint_quad4_normal. */
+ *  footpoint_quad4_normal; FOOTPOINT_ERR_DEGENERATE, too, where it is no finite number. */
 int footpoint_quad4_gap(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                         const double xS[3], double xi, double eta, double *gap);
 

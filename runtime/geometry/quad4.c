@@ -59,6 +59,9 @@ int footpoint_quad4_gap(const double xA[3], const double xB[3], const double xC[
     if (status != FOOTPOINT_OK)
         return status;
     footpoint_quad4_offset(xA, xB, xC, xD, xS, xi, eta, d);
-    *gap = vector_dot(d, n);
+    const double along = vector_dot(d, n);
+    if (!number_finite(along))
+        return FOOTPOINT_ERR_DEGENERATE;
+    *gap = along;
     return FOOTPOINT_OK;
 }
