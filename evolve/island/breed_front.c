@@ -7,7 +7,6 @@
  * from changed programs with an empty front; when that stagnates in turn, the best of all times join it. */
 #include "breed.h"
 
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

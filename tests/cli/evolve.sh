@@ -35,6 +35,20 @@ mkdir -p "$work/root/evolve" && cp -r evolve/frames "$work/root/evolve/" && echo
 scene 's/"xi0", "eta0", "p"/"xi0", "eta0", "bad"/'
 expect 'infinite value' 1 '' "$work/s.scene:13: error: 'bad' is not finite on 700 of 700 training samples" \
     "$evolve" --root "$work/root" --scene "$work/s.scene" -o "$work/o.gen" --generations 1
+
+# Where nothing has a finite error, the other tiers are written, and it is told.
+cp evolve/frames/parallelogram.gen "$work/root/evolve/frames/" && cat >> "$work/root/evolve/frames/parallelogram.gen" <<'FUNCTION'
+function blow u v -> xi eta j
+    let j = - p 0.01
+    let xi = / u j
+    let eta = v
+end
+FUNCTION
+scene '0,/max_length = 30/s//last = "blow"; max_length = 30/'
+expect 'a tier of which nothing is finite' 1 '*' "$work/s.scene: error: tier 'steps': no expression has a finite error on every sample" \
+    "$evolve" --root "$work/root" --scene "$work/s.scene" -o "$work/o.gen" --generations 1 --islands 1 --quiet
+grep -q '^genome paper' "$work/o.gen" && ! grep -q '^genome steps' "$work/o.gen"; report $((! $?)) 'is left out, the other is written'
+rm -f "$work/o.gen"
 scene 's/\["xi0", "eta0", "p", "q", "a", "b"\]/["xi0", "eta0"]/'
 expect 'constant values alone' 0 '*' '' "$evolve" --scene "$work/s.scene" -o "$work/o.gen" --generations 1 --quiet
 rm -f "$work/o.gen"
@@ -129,13 +143,13 @@ printf '%s\n' 'segment = "quad8"; training = 300; heldout = 200;' \
     'shapes: { aspect = 2.0; skew = "20 deg"; taper = 0.2; warp = "9 deg"; curve = 0.03; shift = 0.02; overhang = 0.1;' 'gap = 3.0; };' \
     > "$work/faces.scene"
 expect 'a scene of few words' 0 '*' "$work/faces.scene:3: warning: 'gap' is 3; 0.2 is usual" \
-    timeout 60 $mpirun -n 2 "$evolve" --scene "$work/faces.scene" --from-scratch --generations 100000000 --quiet -o "$work/faces.gen"
+    timeout 60 $mpirun -n 2 "$evolve" --scene "$work/faces.scene" --from-scratch --generations 1 --population 20 --quiet -o "$work/faces.gen"
 grep -q '^faces: segments are quad8, frame quad8' "$work/stdout" && [ "$(grep -c '^genome' "$work/faces.gen")" = "$(grep -c 'name =' evolve/scenes/quad8.scene)" ]
 report $((! $?)) 'has the frame and the tiers of its kind'
 # Tiers of one gene are done at once, and others are evolved beside them.
-grep -q '^faces: nothing to evolve for fast coarse medium balanced fine accurate sharp: one gene, chosen among the frame.s values$' "$work/stdout" &&
+grep -q '^faces: nothing to evolve for fast coarse medium sharp: one gene, chosen among the frame.s values$' "$work/stdout" &&
     grep -q '^faces: .*: nothing to evolve for full$' "$work/stdout" &&
-    [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 14 ] &&
+    [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 8 ] &&
     grep -q '^xi = p_xi$' "$work/faces.gen" && grep -q '^eta = eta5t$' "$work/faces.gen"
 report $((! $?)) 'tiers of one gene need no generations'
 "$evolve" --scene "$work/faces.scene" --start "$work/faces.gen" --generations 0 --quiet -o "$work/again.gen" > /dev/null 2>&1
