@@ -149,7 +149,7 @@ report $((! $?)) 'has the frame and the tiers of its kind'
 # Tiers of one gene are done at once, and others are evolved beside them.
 grep -q '^faces: nothing to evolve for fast coarse medium balanced sharp: one gene, chosen among the frame.s values$' "$work/stdout" &&
     grep -q '^faces: .*: nothing to evolve for full$' "$work/stdout" &&
-    [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 8 ] &&
+    [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 10 ] &&
     grep -q '^xi = p_xi$' "$work/faces.gen" && grep -q '^eta = eta5t$' "$work/faces.gen"
 report $((! $?)) 'tiers of one gene need no generations'
 "$evolve" --scene "$work/faces.scene" --start "$work/faces.gen" --generations 0 --quiet -o "$work/again.gen" > /dev/null 2>&1
