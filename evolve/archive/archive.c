@@ -409,11 +409,15 @@ struct court {
     struct tails tails; /* the champion's */
 };
 
+/* What is within the champion's tails, or else INFINITY: who replaces it is worse in nothing. */
 static double verdict(const struct court *court, const struct tree *t, double error)
 {
-    return court->judge && error < INFINITY
-               ? objective_error_in_tails(court->judge, t, court->target, &court->tails, INFINITY)
-               : error;
+    if (!court->judge || !(error < INFINITY))
+        return error;
+    const struct tails own = objective_tails(court->judge, t, court->target);
+    if ((court->tails.p99 > 0 && own.p99 > court->tails.p99) || (court->tails.max > 0 && own.max > court->tails.max))
+        return INFINITY;
+    return objective_error_in_tails(court->judge, t, court->target, &court->tails, INFINITY);
 }
 
 static void choose_champion(struct archive *a, const struct plan *plan, struct objective *o, struct objective *judge,
@@ -426,11 +430,14 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     if (court.judge && c->tree.length > 0)
         court.tails = objective_tails(judge, &c->tree, court.target);
     const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
+    const bool fits = c->tree.length > 0 && merit(plan, budget, c->error, c->cost) < INFINITY;
     double least = worth * merit(plan, budget, error, c->cost);
     const struct member *best = NULL;
     for (size_t k = 0; k <= f->limit; k++) {
         const struct member *m = &f->member[k];
         if (m->tree.length == 0 || m->origin == ORIGIN_START || merit(plan, budget, m->error, m->cost) == INFINITY)
+            continue;
+        if (budget > 0 && fits && m->error > c->error) /* the champion may have a pole among the validation samples */
             continue;
         const double own = verdict(&court, &m->tree, m->error);
         if ((budget > 0 || own <= error) && merit(plan, budget, own, m->cost) < least) {
