@@ -1,10 +1,10 @@
 # The main job's search, run on what is committed, makes no error on held-out samples (mean, 99 %, worst, of xi or eta, of
 # any function) worse by more than 2 %.  Headers are not emitted: they are what the genomes say.  Scenes are done as
-# `make regenerate` does them, two at a time; GENERATIONS= as there.
+# `make regenerate` does them, two at a time; GENERATIONS= as there, SCENES= for some of them.
 . tests/cli/expect.inc
 export OMPI_MCA_btl_base_warn_component_unused=0
 GENERATIONS=${GENERATIONS:-12}
-for scene in evolve/scenes/*.scene; do basename "$scene" .scene; done |
+for scene in ${SCENES:-evolve/scenes/*.scene}; do basename "$scene" .scene; done |
     xargs -P 2 -I{} sh -c "\"$BIN/footpoint-evolve\" --scene {} --generations $GENERATIONS --seed 1 --quiet -o '$work/{}.gen' \
         > '$work/{}.log' 2>&1 || echo {} >> '$work/failed'"
 [ ! -e "$work/failed" ]; report $((! $?)) 'every scene is bred'
@@ -13,8 +13,10 @@ for scene in evolve/scenes/*.scene; do basename "$scene" .scene; done |
 errors() {
     awk -v scene="$(basename "$1" .gen)" '/^genome /{ name = $2 } /^note heldout_/{ print scene, name, $2, $6, $8, $10 }' "$1"
 }
-for file in evolve/genomes/*.gen; do errors "$file"; done > "$work/before"
-for file in "$work"/*.gen; do errors "$file"; done > "$work/after"
+for file in "$work"/*.gen; do
+    errors "evolve/genomes/$(basename "$file")" >> "$work/before"
+    errors "$file" >> "$work/after"
+done
 awk 'NR == FNR { mean[$1, $2, $3] = $4; p99[$1, $2, $3] = $5; worst[$1, $2, $3] = $6; next }
     function compare(what, before, after) {
         if (after > 1.02 * before)
