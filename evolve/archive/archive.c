@@ -406,16 +406,16 @@ struct court {
     const struct archive *a; /* not owned */
     struct objective *judge; /* not owned; NULL: as they were found */
     size_t target;
-    struct tails tails; /* the champion's */
+    const struct tree *champion; /* not owned; NULL: none within the budget */
+    struct tails tails;          /* the champion's */
 };
 
-/* What is within the champion's tails, or else INFINITY: who replaces it is worse in nothing. */
+/* INFINITY for what is worse than the champion in anything. */
 static double verdict(const struct court *court, const struct tree *t, double error)
 {
     if (!court->judge || !(error < INFINITY))
         return error;
-    const struct tails own = objective_tails(court->judge, t, court->target);
-    if ((court->tails.p99 > 0 && own.p99 > court->tails.p99) || (court->tails.max > 0 && own.max > court->tails.max))
+    if (court->champion && t != court->champion && !objective_no_worse(court->judge, t, court->champion, court->target))
         return INFINITY;
     return objective_error_in_tails(court->judge, t, court->target, &court->tails, INFINITY);
 }
@@ -426,11 +426,13 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     const struct front *f = a->front[tier][output];
     const struct champion *c = &a->champion[tier][output];
     const double budget = a->scene->tier[tier].budget;
-    struct court court = {a, output == TIER_BOTH ? judge : NULL, archive_target(a, tier, output), {0, 0}};
+    struct court court = {a, output == TIER_BOTH ? judge : NULL, archive_target(a, tier, output), NULL, {0, 0}};
+    const bool fits = c->tree.length > 0 && merit(plan, budget, c->error, c->cost) < INFINITY;
     if (court.judge && c->tree.length > 0)
         court.tails = objective_tails(judge, &c->tree, court.target);
+    if (court.judge && fits)
+        court.champion = &c->tree;
     const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
-    const bool fits = c->tree.length > 0 && merit(plan, budget, c->error, c->cost) < INFINITY;
     double least = worth * merit(plan, budget, error, c->cost);
     const struct member *best = NULL;
     for (size_t k = 0; k <= f->limit; k++) {

@@ -67,6 +67,32 @@ struct tails objective_tails(struct objective *o, const struct tree *t, size_t t
     return (struct tails){errors_p99(o->scratch, n), max};
 }
 
+/* Mean, 99 % and largest error of xi, then of eta. */
+static void measure_outputs(struct objective *o, const struct tree *t, size_t target, double error[6])
+{
+    const size_t n = o->table->n;
+    lines_errors(o->lines, t, objective_last(o, target), o->scratch);
+    for (size_t k = 0; k < 2; k++) {
+        double *e = o->scratch + k * n, sum = 0;
+        for (size_t i = 0; i < n; i++)
+            sum += fabs(e[i]);
+        error[3 * k] = sum / (double)n;
+        error[3 * k + 2] = errors_max(e, n);
+        error[3 * k + 1] = errors_p99(e, n);
+    }
+}
+
+bool objective_no_worse(struct objective *o, const struct tree *t, const struct tree *than, size_t target)
+{
+    double own[6], other[6];
+    measure_outputs(o, t, target, own);
+    measure_outputs(o, than, target, other);
+    for (int i = 0; i < 6; i++)
+        if (!(own[i] <= other[i]))
+            return false;
+    return true;
+}
+
 double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
                                 double bound)
 {
