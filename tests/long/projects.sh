@@ -64,7 +64,7 @@ int main()
     const auto [xi, eta, gap] = find(x, footpoint_locate);
     const Foot own = find(x, footpoint_quad4_accurate);
     std::cout << xi << ' ' << eta << ' ' << gap << ' ' << (own.xi == xi && own.eta == eta) << '\n';
-    x[1] = x[0];
+    x[1] = x[2] = x[3] = x[0];
     try {
         find(x, footpoint_locate);
     } catch (const std::runtime_error &e) {
