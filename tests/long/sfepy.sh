@@ -2,9 +2,10 @@
 # give the same displacements, contact forces and Newton iterations.  sfepy stops its local search at steps of 1e-3, so
 # answers differ by what that leaves: with our equivalent of its iteration, stopped there, they agree to rounding, and so do
 # ours with the same iteration converged.  Takes Debian's packages of sfepy and what it needs, from where this machine's
-# packages come, into a scratch folder (SFEPY=FOLDER keeps them between runs), and installs nothing.  sfepy need not be
-# built: the search is exchanged where Python calls it, its own called in the same way.  A table goes to $BIN/sfepy.csv;
-# MODELS='plane space' runs just these.
+# packages come, into a scratch folder (SFEPY=FOLDER keeps them between runs), and installs nothing.  The search is
+# exchanged where Python calls it, its own called in the same way; and, where there is sfepy's source (SFEPY_SOURCE=FOLDER
+# or Debian's), in sfepy's extension, which is built with either search and must pass sfepy's tests of contact.  A table
+# goes to $BIN/sfepy.csv; MODELS='plane space' runs just these.
 . tests/cli/expect.inc
 . tests/calculix/sources.inc
 here=$PWD
@@ -29,10 +30,12 @@ fetch() { # into $folder/root
         python3-mdurl python3-pyparsing python3-tables python3-tables-lib python3-numexpr python3-sympy python3-mpmath \
         python3-decorator python3-pooch python3-appdirs python3-packaging python3-matplotlib python3-dateutil python3-six \
         python3-kiwisolver python3-contourpy python3-cycler python3-fonttools python3-pil libblas3 liblapack3 \
-        libgfortran5 libumfpack5 libamd2 liblbfgsb0 libsuperlu5 libblosc1 || return 1
+        libgfortran5 libumfpack5 libamd2 liblbfgsb0 libsuperlu5 libblosc1 cython3 libpython3.11-dev || return 1
+    $apt source --download-only sfepy && tar xf sfepy_2021.4.orig.tar.* && mv sfepy-*2021.4 source
     for package in *.deb; do dpkg -x "$package" root || return 1; done
 }
 
+[ -z "$SFEPY_SOURCE" ] || SFEPY_SOURCE=$(cd "$SFEPY_SOURCE" && pwd) || exit 3
 [ -e "$folder/fetched" ] || (cd "$folder" && fetch && touch fetched) > "$work/fetch" 2>&1 ||
     skip "no packages: $(tail -n 1 "$work/fetch")"
 modules=$folder/root/usr/lib/python3/dist-packages libs=$(echo "$folder"/root/usr/lib/*-linux-gnu)
@@ -117,4 +120,45 @@ solve $model iterated "$work/iterated_once.so" && within $ROUNDING $model-own $m
 report $((! $?)) "our equivalent of sfepy's iteration, stopped where it stops: the same to $ROUNDING"
 solve $model converged "$work/converged.so" && within $ROUNDING $model-ours $model-converged
 report $((! $?)) "and converged: as ours, to $ROUNDING"
+
+# ---- sfepy's extension, built anew ----------------------------------------------------------------------------------
+
+source=${SFEPY_SOURCE:-$folder/source}
+build() { # build NAME SEARCH...: sfepy in $work/NAME, whose extension has the search of that file, or its own
+    name=$1 extension=$work/$1/sfepy/mechanics/extmods
+    shift
+    mkdir "$work/$name" && cp -r "$modules/sfepy" "$work/$name" && rm "$extension"/ccontres.*.so || return 1
+    includes="-I$source/sfepy/mechanics/extmods -I$common -I$work/sfepy_h -I$modules/numpy/core/include
+        -I$folder/root/usr/include -I$folder/root/usr/include/python3.11 -DSFEPY_PLATFORM=0"
+    ${CC:-gcc} -O2 -w -fPIC $includes ${1:+-DevaluateContactConstraints=evaluate_replaced} -c \
+        "$source/sfepy/mechanics/extmods/contres.c" -o "$work/$name.o" &&
+        ${CC:-gcc} -O2 -w -ffp-contract=off -fPIC -shared $includes -Igenerated "$work/ccontres.c" \
+            "$common/common_python.c" "$work/$name.o" "$@" -o "$extension/$(basename "$own")" -lm
+}
+passes() { # passes NAME: sfepy's tests of contact, with that extension
+    (cd "$work" && PYTHONPATH=$work/$1:$modules $python -m sfepy.script.run_tests -o "$work/$1.tests" \
+        "$work/$1"/sfepy/tests/test_input_*contact*.py) > "$work/log" 2>&1 &&
+        grep -q '^3 test file(s) executed.* 0 failure(s) of 3 test(s)' "$work/log" || { sed 's/^/# /' "$work/log" | tail -n 5; false; }
+}
+native() { # native NAME MODEL: solved by sfepy with that extension, which nothing exchanges
+    (cd "$work" && PYTHONPATH=$work/$1:$modules $python "$here/tests/sfepy/contact.py" "models/$2.py" "$2-$1.npz" -) \
+        > "$work/$2-$1"
+}
+if [ -e "$source/sfepy/mechanics/extmods/ccontres.pyx" ]; then
+    common=$source/sfepy/discrete/common/extmods
+    mkdir "$work/sfepy_h" && cp "$common/version.h.in" "$work/sfepy_h/version.h"
+    (cd "$source" && $python -m cython -2 -w . sfepy/mechanics/extmods/ccontres.pyx -o "$work/ccontres.c") > "$work/log" 2>&1 &&
+        build rebuilt && build replaced runtime/replace/sfepy.c
+    report $((! $?)) "sfepy's extension is built with its own search and with ours"
+    for name in rebuilt replaced; do
+        passes $name
+        report $((! $?)) "$name: sfepy's tests of contact pass"
+    done
+    native rebuilt $model && within $ROUNDING $model-own $model-rebuilt
+    report $((! $?)) "built with its own search: as Debian's, to $ROUNDING"
+    native replaced $model && within $ROUNDING $model-ours $model-replaced
+    report $((! $?)) "built with ours: as where it is exchanged, to $ROUNDING"
+else
+    echo "# SKIP sfepy's extension is not built: no source of sfepy 2021.4 (SFEPY_SOURCE=)"
+fi
 sed 's/^/# /' "$table"
