@@ -92,6 +92,7 @@ include_dirs = $(filter -I%,$(1))
 
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
 CFLAGS_batch_lanes := -fno-math-errno -fno-trapping-math
+$(foreach kind,tri3 tri6 quad4 quad8 quad9,$(eval CFLAGS_face_$(kind) := $(CFLAGS_batch_lanes)))
 # Costs of operations are those of optimised code, in any configuration.
 CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 
@@ -384,7 +385,7 @@ MANDIR     ?= $(PREFIX)/share/man
 DATADIR    := $(BINDIR)/../share/footpoint
 
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
-LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h
+LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h runtime/footpoint_face.h
 HEADERS := $(GENERATED) $(DERIVATIVES) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := $(addprefix evolve/man/footpoint-,evolve.1 pga.1 perceptron.1) \

@@ -1,4 +1,5 @@
-! footpoint for Fortran 2003: the functions of footpoint.h under the same names, which see for what they do.
+! footpoint for Fortran 2003: the functions of footpoint.h and footpoint_face.h under the same names, which see for what
+! they do; of those on faces no argument may be left out.
 !
 !     use footpoint
 !     status = footpoint_locate(xA, xB, xC, xD, xS, loc, gap)
@@ -23,6 +24,13 @@ module footpoint
   integer(c_int), parameter :: FOOTPOINT_ERR_NO_CONVERGENCE = -4
   integer(c_int), parameter :: FOOTPOINT_ERR_ARGUMENT = -5
   integer(c_int), parameter :: FOOTPOINT_ERR_UNPROVED = -6
+
+  ! Kinds of faces.
+  integer(c_int), parameter :: FOOTPOINT_TRI3 = 0
+  integer(c_int), parameter :: FOOTPOINT_TRI6 = 1
+  integer(c_int), parameter :: FOOTPOINT_QUAD4 = 2
+  integer(c_int), parameter :: FOOTPOINT_QUAD8 = 3
+  integer(c_int), parameter :: FOOTPOINT_QUAD9 = 4
 
   type, bind(C) :: footpoint_derivatives
     real(c_double) :: phi(4), r_xi(3), r_eta(3), normal(3), gap, d_xi(15), d_eta(15), d_gap(15)
@@ -159,6 +167,77 @@ module footpoint
       import :: c_int, c_double, footpoint_derivatives
       real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3), loc(2)
       type(footpoint_derivatives), intent(inout) :: out
+      integer(c_int) :: status
+    end function
+    function footpoint_face_nodes(face) bind(C) result(nodes)
+      import :: c_int
+      integer(c_int), value :: face
+      integer(c_int) :: nodes
+    end function
+
+    function footpoint_face_locate(face, x, loc, gap) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *)
+      real(c_double), intent(inout) :: loc(2), gap
+      integer(c_int) :: status
+    end function
+
+    ! seg: nodes of a face after those of another.
+    function footpoint_face_locate_pairs(face, n, xyz, nodes, seg, slave, loc, gap, status) bind(C) result(failed)
+      import :: c_int, c_size_t, c_double
+      integer(c_int), value :: face
+      integer(c_size_t), value :: n, nodes
+      real(c_double), intent(in) :: xyz(3, *)
+      integer(c_int), intent(in) :: seg(*), slave(*)
+      real(c_double), intent(inout) :: loc(2, *), gap(*)
+      integer(c_int), intent(inout) :: status(*)
+      integer(c_size_t) :: failed
+    end function
+
+    function footpoint_face_closest(face, x, loc, distance, region) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *)
+      real(c_double), intent(inout) :: loc(2), distance
+      integer(c_int), intent(inout) :: region
+      integer(c_int) :: status
+    end function
+
+    function footpoint_face_select(face, xyz, candidates, seg, xS, chosen, loc, distance, region) bind(C) result(status)
+      import :: c_int, c_size_t, c_double
+      integer(c_int), value :: face
+      integer(c_size_t), value :: candidates
+      real(c_double), intent(in) :: xyz(3, *), xS(3)
+      integer(c_int), intent(in) :: seg(*)
+      integer(c_size_t), intent(inout) :: chosen
+      real(c_double), intent(inout) :: loc(2), distance
+      integer(c_int), intent(inout) :: region
+      integer(c_int) :: status
+    end function
+
+    function footpoint_face_place(face, x, loc, phi, r_xi, r_eta, normal, gap) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *), loc(2)
+      real(c_double), intent(inout) :: phi(*), r_xi(3), r_eta(3), normal(3), gap
+      integer(c_int) :: status
+    end function
+
+    function footpoint_face_differentiate(face, x, loc, phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap) bind(C) &
+        result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *), loc(2)
+      real(c_double), intent(inout) :: phi(*), r_xi(3), r_eta(3), normal(3), gap, d_xi(*), d_eta(*), d_gap(*)
+      integer(c_int) :: status
+    end function
+
+    function footpoint_face_hessian(face, x, loc, gap, d_xi, d_eta, d_gap, d_normal, hessian) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *), loc(2)
+      real(c_double), intent(inout) :: gap, d_xi(*), d_eta(*), d_gap(*), d_normal(*), hessian(*)
       integer(c_int) :: status
     end function
   end interface

@@ -19,8 +19,8 @@ installed=$work/moved include=$work/moved/include lib=$work/moved/lib
 find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?)) 'nothing outside PREFIX'
 find "$include" -name '*.h' | sed 's|.*/||' | grep -v '^footpoint[-_.]' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'headers have our name'
-find "$include" -name '*.h' | grep -vxF "$include/footpoint_batch.h" | sed 's|.*/||' | grep '_' | grep -vxF "$(ls generated)" \
-    > "$work/log" # footpoint_batch.h stands beside footpoint.h, generated ones have a folder of their own
+find "$include" -name '*.h' | grep -vxF -e "$include/footpoint_batch.h" -e "$include/footpoint_face.h" | sed 's|.*/||' | grep '_' | grep -vxF "$(ls generated)" \
+    > "$work/log" # they stand beside footpoint.h, generated ones have a folder of their own
 [ ! -s "$work/log" ]; report $((! $?)) 'and those of the library none that a generated one could have'
 ! grep -rlIF -e "$work" -e "$PWD" "$installed" > "$work/log"; report $((! $?)) 'no file knows where it was made'
 
@@ -94,7 +94,7 @@ else
 fi
 
 # ---- Fortran ----
-functions_of "$installed/include/footpoint.h" > "$work/declared"
+functions_of "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h > "$work/declared"
 module=$include/footpoint/footpoint.f90
 sed -n 's/^ *function \(footpoint_[a-z0-9_]*\)(.*/\1/p' "$module" | sort > "$work/module"
 logged 'the Fortran module has every function' diff "$work/declared" "$work/module"
@@ -162,7 +162,7 @@ for program in evolve codegen bench calibrate pga perceptron; do
     [ $good = 0 ] || sed "s/^/# not in footpoint-$program.1: /" "$work/log"
     report $((!good)) "the page of footpoint-$program has every option of its --help"
 done
-functions_of "$installed/include/footpoint.h" | while read -r function; do
+functions_of "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h | while read -r function; do
     grep -qx "\.F[no] $function" "$installed/share/man/man3/footpoint.3" || echo "$function"
 done > "$work/log"
 [ ! -s "$work/log" ]; good=$?

@@ -25,6 +25,7 @@ runtime/geometry:   runtime
 runtime/certain:    runtime/geometry runtime generated
 runtime/search:     runtime/certain runtime/geometry runtime generated
 runtime/batch:      runtime/search runtime/certain runtime/geometry runtime generated
+runtime/faces:      runtime generated
 runtime/calculix:   runtime/certain runtime/geometry runtime generated
 runtime/replace:    runtime generated                           # C, Fortran and C++
 evolve/common:      codegen/genome

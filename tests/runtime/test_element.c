@@ -1,12 +1,6 @@
 /* The contact element, of all kinds of faces: its tangents are derivatives of its forces, by differences; forces balance;
  * Newton's iteration with the tangent converges quadratically. */
-#include "../../generated/footpoint_quad4_derivatives.h"
-#include "../../generated/footpoint_quad8_derivatives.h"
-#include "../../generated/footpoint_quad9_derivatives.h"
-#include "../../generated/footpoint_tri3_derivatives.h"
-#include "../../generated/footpoint_tri6_derivatives.h"
-#include "../../runtime/footpoint.h"
-#include "../support/kind_arguments.h"
+#include "../../runtime/footpoint_face.h"
 #include "../support/quad_precision.h"
 
 #include <math.h>
@@ -34,42 +28,26 @@ struct point {
     double phi[MOST_NODES], r_xi[3], r_eta[3], normal[3], gap, d_gap[C], d_normal[3 * C], hessian[C * (C + 1) / 2];
 };
 
-typedef int point_function(double (*x)[3], const double loc[2], struct point *p);
-
-#define POINT(kind)                                                                                                    \
-    static int point_##kind(double(*x)[3], const double loc[2], struct point *p)                                       \
-    {                                                                                                                  \
-        (void)footpoint_##kind##_place(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), loc, p->phi, p->r_xi, p->r_eta,   \
-                                       p->normal, &p->gap);                                                            \
-        return footpoint_##kind##_hessian(NODES_OF_##kind(x, x[VECTORS_OF_##kind - 1]), loc, NULL, NULL, NULL,         \
-                                          p->d_gap, p->d_normal, p->hessian);                                          \
-    }
-POINT(tri3)
-POINT(tri6)
-POINT(quad4)
-POINT(quad8)
-POINT(quad9)
-
-static const struct {
-    int nodes;
-    point_function *point;
-} kinds[] = {{3, point_tri3}, {6, point_tri6}, {4, point_quad4}, {8, point_quad8}, {9, point_quad9}};
-enum { KINDS = sizeof kinds / sizeof *kinds };
+static int point_of(int kind, const double *x, const double loc[2], struct point *p)
+{
+    const enum footpoint_face face = (enum footpoint_face)kind;
+    (void)footpoint_face_place(face, x, loc, p->phi, p->r_xi, p->r_eta, p->normal, &p->gap);
+    return footpoint_face_hessian(face, x, loc, NULL, NULL, NULL, p->d_gap, p->d_normal, p->hessian);
+}
 
 /* The element at the foot point, which is found in quadruple precision. */
 static void assemble(int kind, const struct exact_face *f, struct contact *e)
 {
     const int nodes = f->nodes, n = 3 * (nodes + 1);
-    double x[MOST_NODES + 1][3];
     quadruple y[C];
     struct exact_foot foot;
     static struct point at, stick;
     for (int i = 0; i < n; i++)
-        x[i / 3][i % 3] = e->x[i], y[i] = e->x[i];
+        y[i] = e->x[i];
     assert_true(exact_foot_near(f, y, 0.2, 0.1, &foot));
     const double loc[2] = {(double)foot.xi, (double)foot.eta}, loc0[2] = {e->xi0, e->eta0};
-    assert_int_equal(kinds[kind].point(x, loc, &at), FOOTPOINT_OK);
-    assert_int_equal(kinds[kind].point(x, loc0, &stick), FOOTPOINT_OK);
+    assert_int_equal(point_of(kind, e->x, loc, &at), FOOTPOINT_OK);
+    assert_int_equal(point_of(kind, e->x, loc0, &stick), FOOTPOINT_OK);
     assert_int_equal(footpoint_element_normal(nodes, at.gap, at.d_gap, at.hessian, STIFFNESS, e->multiplier,
                                               &e->pressure, e->normal, e->packed),
                      FOOTPOINT_OK);
@@ -123,8 +101,8 @@ static void tangents_are_derivatives(void **state)
     uint64_t stream = 1;
     int slid = 0, stuck = 0, open = 0;
     (void)state;
-    for (int kind = 0; kind < KINDS; kind++) {
-        const struct exact_face f = exact_face_of(kinds[kind].nodes);
+    for (int kind = 0; kind < FOOTPOINT_FACES; kind++) {
+        const struct exact_face f = exact_face_of(footpoint_face_nodes((enum footpoint_face)kind));
         for (int sample = 0; sample < SAMPLES; sample++) {
             static struct contact e;
             memset(&e, 0, sizeof e);
@@ -165,9 +143,9 @@ static void newton_is_quadratic(void **state)
 {
     static const double anchor[3] = {0.3, 0.2, -0.5}, springs = 10;
     (void)state;
-    for (int kind = 0; kind < KINDS; kind++)
+    for (int kind = 0; kind < FOOTPOINT_FACES; kind++)
         for (int slides = 0; slides < 2; slides++) {
-            const struct exact_face f = exact_face_of(kinds[kind].nodes);
+            const struct exact_face f = exact_face_of(footpoint_face_nodes((enum footpoint_face)kind));
             const int n = 3 * (f.nodes + 1), s = 3 * f.nodes;
             static struct contact e;
             uint64_t stream = 7;

@@ -1,0 +1,7 @@
+/* Faces of kind quad4; see face_kind.h. */
+#include "../../generated/footpoint_quad4.h"
+#include "../../generated/footpoint_quad4_derivatives.h"
+
+#include "face_kind.h"
+
+KIND(quad4, full, 4)

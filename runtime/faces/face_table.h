@@ -1,0 +1,36 @@
+/* What there is of each kind of face; x points to its nodes, s to the slave node.  The rest as in footpoint_face.h. */
+#ifndef FOOTPOINT_FACE_TABLE_H
+#define FOOTPOINT_FACE_TABLE_H
+
+#include <stddef.h>
+
+enum { FACE_BLOCK = 32, FACE_MOST_NODES = 9 };
+
+struct face {
+    int nodes;
+    int (*locate)(const double *const *x, const double *s, double *loc, double *gap);
+    int (*closest)(const double *const *x, const double *s, double *loc, double *distance, int *region);
+    /* Of n faces, the nodes of which x has one face after the other. */
+    int (*nearest)(size_t n, const double *const *x, const double *s, double *loc, double *distance, int *region,
+                   size_t *which);
+    int (*place)(const double *const *x, const double *s, const double *loc, double *phi, double *r_xi, double *r_eta,
+                 double *normal, double *gap);
+    int (*differentiate)(const double *const *x, const double *s, const double *loc, double *phi, double *r_xi,
+                         double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta, double *d_gap);
+    int (*hessian)(const double *const *x, const double *s, const double *loc, double *gap, double *d_xi, double *d_eta,
+                   double *d_gap, double *d_normal, double *hessian);
+    /* FACE_BLOCK pairs; coordinate i of node k, the slave node being the last, in column 3 k + i. */
+    void (*block)(const double *const *columns, double *xi, double *eta, double *gap, int *status);
+};
+
+/* Not for callers of the library. */
+#ifdef __GNUC__
+#pragma GCC visibility push(hidden)
+#endif
+extern const struct face footpoint_face_tri3, footpoint_face_tri6, footpoint_face_quad4, footpoint_face_quad8,
+    footpoint_face_quad9;
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
+
+#endif

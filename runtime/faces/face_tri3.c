@@ -1,0 +1,7 @@
+/* Faces of kind tri3; see face_kind.h. */
+#include "../../generated/footpoint_tri3.h"
+#include "../../generated/footpoint_tri3_derivatives.h"
+
+#include "face_kind.h"
+
+KIND(tri3, exact, 3)

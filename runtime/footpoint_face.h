@@ -1,0 +1,95 @@
+/* footpoint: faces of every kind, told by a number: the search, closest points, derivatives, arrays of pairs.
+ *
+ * Each call is that of a generated header, compiled: the most accurate search of generated/footpoint_KIND.h, whose
+ * banner says how accurate it is and on which faces, and generated/footpoint_KIND_derivatives.h.  Nodes are in its order:
+ * corners counter-clockwise seen from where slave nodes come, then the middles of edges from AB on, then the middle.  A
+ * triangle has 0 <= xi, eta and xi + eta <= 1, a quadrilateral xi and eta in [-1,1].
+ *
+ * Statuses and the rest as in footpoint.h; what footpoint_locate and footpoint_robust prove of four-node segments,
+ * nobody proves here.  With d_gap, d_normal and hessian, footpoint_element_normal and footpoint_element_friction give
+ * force and tangent of a contact element. */
+#ifndef FOOTPOINT_FACE_INCLUDED
+#define FOOTPOINT_FACE_INCLUDED
+
+#include "footpoint.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum footpoint_face {
+    FOOTPOINT_TRI3,
+    FOOTPOINT_TRI6,
+    FOOTPOINT_QUAD4,
+    FOOTPOINT_QUAD8,
+    FOOTPOINT_QUAD9,
+    FOOTPOINT_FACES
+};
+
+/* In what follows, N is the number of nodes, and x are coordinates of the nodes and, last, of the slave node: 3 (N + 1),
+ * mesh length; derivatives by them are in the same order.  FOOTPOINT_ERR_ARGUMENT: no such face. */
+
+/** 3, 6, 4, 8, 9; or 0: no such face. */
+int footpoint_face_nodes(enum footpoint_face face);
+
+/** Foot point of a slave node, as footpoint_locate.
+ *  @param[out] loc  {xi, eta}; not clamped to the face
+ *  @param[out] gap  mesh length, along the face's unit normal there; > 0 open
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE, FOOTPOINT_ERR_ARGUMENT */
+int footpoint_face_locate(enum footpoint_face face, const double *x, double loc[2], double *gap);
+
+/** The same for n pairs of a slave node and a face, to the same bits, with AVX-512 or AVX2 where the machine has them.
+ *  @param[in]  xyz     nodes x 3, mesh length
+ *  @param[in]  seg     n x N node indices, from 0
+ *  @param[in]  slave   n node indices
+ *  @param[out] loc     n x 2: xi, eta of each pair; untouched where the status is not FOOTPOINT_OK
+ *  @param[out] gap     n; likewise
+ *  @param[out] status  n, or NULL: as footpoint_face_locate, FOOTPOINT_ERR_ARGUMENT where an index is out of range, too
+ *  @return how many pairs have a status other than FOOTPOINT_OK */
+size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const double *xyz, size_t nodes, const int *seg,
+                                   const int *slave, double *loc, double *gap, int *status);
+
+/** The closest point of the face, its edges and corners included, as NAME_closest of generated/: points of edges are
+ *  right to the rounding of their distances; inside it is the foot point, unless one of an edge is nearer.
+ *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face
+ *  @param[out] region    where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; of a triangle
+ *                        1 to 3 and 5 to 7
+ *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long */
+int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
+
+/** The face that a slave node is closest to, of any number of them.
+ *  @param[in]  xyz     coordinates by node index, mesh length
+ *  @param[in]  seg     candidates x N node indices, from 0
+ *  @param[out] chosen  which of the candidates, from 0: of several as near as each other to rounding, the one that xS
+ *                      lies straightest over
+ *  @param[out] loc, distance, region  as of footpoint_face_closest, on the chosen face
+ *  @return as footpoint_face_closest.  Faces without an answer are passed over; if all are, the status is that of the
+ *          last one, and FOOTPOINT_ERR_DOMAIN if there are no candidates */
+int footpoint_face_select(enum footpoint_face face, const double *xyz, size_t candidates, const int *seg,
+                          const double xS[3], size_t *chosen, double loc[2], double *distance, int *region);
+
+/** What there is at given (xi, eta), which need not be a foot point.  Outputs may be NULL.
+ *  @param[out] phi     N: shape functions
+ *  @param[out] r_xi, r_eta, normal  3: tangents, unit normal
+ *  @param[out] gap     (xS - r) . normal */
+int footpoint_face_place(enum footpoint_face face, const double *x, const double loc[2], double *phi, double *r_xi,
+                         double *r_eta, double *normal, double *gap);
+
+/** First derivatives at a foot point, and what footpoint_face_place gives.  Outputs may be NULL.
+ *  @param[out] d_xi, d_eta, d_gap  3 (N + 1): by all coordinates
+ *  @return FOOTPOINT_ERR_DEGENERATE, too, where the foot point is not unique (the centre of curvature) */
+int footpoint_face_differentiate(enum footpoint_face face, const double *x, const double loc[2], double *phi,
+                                 double *r_xi, double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta,
+                                 double *d_gap);
+
+/** Second derivatives of the gap, first ones of the normal.  Outputs may be NULL.
+ *  @param[out] d_normal  3 x 3 (N + 1): of each component by all coordinates
+ *  @param[out] hessian   packed: by coordinates r and c, r >= c, at [r (r + 1) / 2 + c] */
+int footpoint_face_hessian(enum footpoint_face face, const double *x, const double loc[2], double *gap, double *d_xi,
+                           double *d_eta, double *d_gap, double *d_normal, double *hessian);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

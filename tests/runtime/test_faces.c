@@ -1,0 +1,278 @@
+/* The library's faces of every kind: foot points and derivatives against quadruple precision, closest points against
+ * points all over the face, many pairs to the bits of single ones, and statuses. */
+#include "../../runtime/footpoint_face.h"
+#include "../support/quad_precision.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { SAMPLES = 50, PAIRS = 70, GRID = 14, C = MOST_COORDINATES };
+#define UNTOUCHED 77.25
+
+static double uniform(uint64_t *stream)
+{
+    *stream = *stream * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*stream >> 11) * 0x1p-53;
+}
+
+/* Nodes moved by up to 0.05; the slave node above or below some point of the face, or beyond it by up to a tenth. */
+static void draw(uint64_t *stream, enum footpoint_face face, double *x)
+{
+    const struct exact_face f = exact_face_of(footpoint_face_nodes(face));
+    quadruple y[C], r[3], normal[3];
+    const double u = uniform(stream), v = uniform(stream), gap = 0.4 * uniform(stream) - 0.2;
+    const int triangle = face <= FOOTPOINT_TRI6;
+    const double xi = triangle ? 1.1 * u : 2.2 * u - 1.1, eta = triangle ? (1.1 - 1.1 * u) * v : 2.2 * v - 1.1;
+    for (int i = 0; i < 3 * f.nodes; i++) {
+        x[i] = 0.1 * (uniform(stream) - 0.5) + (i % 3 < 2 ? f.place[i / 3][i % 3] : 0.0);
+        y[i] = x[i];
+    }
+    exact_point(&f, y, xi, eta, r, normal);
+    for (int i = 0; i < 3; i++)
+        x[3 * f.nodes + i] = (double)(r[i] + gap * normal[i]);
+}
+
+static void expect_near(double a, double b, double within, const char *what, int face)
+{
+    if (!(fabs(a - b) <= within))
+        fail_msg("face %d, %s: %.17g, not %.17g", face, what, a, b);
+}
+
+static void foot_points_are_right(void **state)
+{
+    uint64_t stream = 3;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const struct exact_face f = exact_face_of(footpoint_face_nodes(face));
+        for (int sample = 0; sample < SAMPLES; sample++) {
+            double x[C], loc[2], gap, phi[MOST_NODES], d_xi[C], d_gap[C], again[C], r[3], n[3];
+            static double hessian[C * (C + 1) / 2];
+            struct exact_foot foot, moved;
+            quadruple y[C];
+            draw(&stream, face, x);
+            assert_int_equal(footpoint_face_locate(face, x, loc, &gap), FOOTPOINT_OK);
+            for (int i = 0; i < C; i++)
+                y[i] = i < 3 * f.nodes + 3 ? x[i] : 0.0;
+            assert_true(exact_foot_near(&f, y, loc[0], loc[1], &foot));
+            expect_near(loc[0], (double)foot.xi, 1e-5, "xi", face);
+            expect_near(loc[1], (double)foot.eta, 1e-5, "eta", face);
+            expect_near(gap, (double)foot.gap, 1e-9, "gap", face);
+            loc[0] = (double)foot.xi;
+            loc[1] = (double)foot.eta;
+            assert_int_equal(footpoint_face_place(face, x, loc, phi, r, NULL, n, &gap), FOOTPOINT_OK);
+            for (int k = 0; k < f.nodes; k++)
+                expect_near(phi[k], (double)foot.phi[k], 1e-14, "shape function", face);
+            expect_near(r[0] * n[0] + r[1] * n[1] + r[2] * n[2], 0.0, 1e-14, "tangent and normal", face);
+            assert_int_equal(
+                footpoint_face_differentiate(face, x, loc, NULL, NULL, NULL, NULL, NULL, d_xi, NULL, d_gap),
+                FOOTPOINT_OK);
+            assert_int_equal(footpoint_face_hessian(face, x, loc, NULL, NULL, NULL, again, NULL, hessian),
+                             FOOTPOINT_OK);
+            const int c = (int)(uniform(&stream) * (3 * f.nodes + 3));
+            expect_near(again[c], d_gap[c], 1e-14, "derivative of the gap, twice", face);
+            y[c] += 1e-9;
+            assert_true(exact_foot_near(&f, y, foot.xi, foot.eta, &moved));
+            expect_near(d_xi[c], (double)((moved.xi - foot.xi) / 1e-9), 1e-7, "derivative of xi", face);
+            expect_near(d_gap[c], (double)((moved.gap - foot.gap) / 1e-9), 1e-7, "derivative of the gap", face);
+            expect_near(hessian[c * (c + 1) / 2 + c],
+                        (double)(((moved.gap - foot.gap) / 1e-9 - (quadruple)d_gap[c]) / 0.5e-9), 1e-4,
+                        "second derivative of the gap", face);
+        }
+    }
+}
+
+/* From a slave node to the point (xi, eta) of its face. */
+static double distance_to(const struct exact_face *f, const double *x, double xi, double eta)
+{
+    quadruple y[C], r[3], normal[3];
+    double square = 0.0;
+    for (int i = 0; i < 3 * f->nodes; i++)
+        y[i] = x[i];
+    exact_point(f, y, xi, eta, r, normal);
+    for (int i = 0; i < 3; i++) {
+        const double d = x[3 * f->nodes + i] - (double)r[i];
+        square += d * d;
+    }
+    return sqrt(square);
+}
+
+static void nothing_is_closer(void **state)
+{
+    uint64_t stream = 5;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const struct exact_face f = exact_face_of(footpoint_face_nodes(face));
+        const int triangle = face <= FOOTPOINT_TRI6;
+        int inside = 0;
+        for (int sample = 0; sample < SAMPLES; sample++) {
+            double x[C], loc[2], distance, least = HUGE_VAL;
+            int region;
+            draw(&stream, face, x);
+            assert_int_equal(footpoint_face_closest(face, x, loc, &distance, &region), FOOTPOINT_OK);
+            expect_near(distance_to(&f, x, loc[0], loc[1]), fabs(distance), 1e-9, "distance", face);
+            for (int i = 0; i <= GRID; i++)
+                for (int j = 0; j <= (triangle ? GRID - i : GRID); j++) {
+                    const double u = (double)i / GRID, v = (double)j / GRID;
+                    least = fmin(least, triangle ? distance_to(&f, x, u, v) : distance_to(&f, x, 2 * u - 1, 2 * v - 1));
+                }
+            assert_true(fabs(distance) <= least + 1e-9 && region >= 0 && region <= 8);
+            inside += region == 0;
+        }
+        assert_true(inside > SAMPLES / 4 && inside < SAMPLES);
+    }
+}
+
+/* Faces and slave nodes one after the other, each with nodes of its own. */
+struct mesh {
+    double xyz[PAIRS * C];
+    int seg[PAIRS * MOST_NODES], slave[PAIRS];
+    size_t nodes;
+};
+
+static void fill(struct mesh *m, enum footpoint_face face)
+{
+    uint64_t stream = 9;
+    const int nodes = footpoint_face_nodes(face);
+    m->nodes = 0;
+    for (int i = 0; i < PAIRS; i++) {
+        draw(&stream, face, m->xyz + 3 * m->nodes);
+        for (int k = 0; k <= nodes; k++, m->nodes++)
+            *(k < nodes ? &m->seg[nodes * i + k] : &m->slave[i]) = (int)m->nodes;
+    }
+}
+
+static void pairs_are_single_ones(void **state)
+{
+    static const size_t counts[] = {0, 1, 31, 32, 33, PAIRS};
+    static struct mesh m;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const int nodes = footpoint_face_nodes(face);
+        double loc[2 * PAIRS], gap[PAIRS], one[2], one_gap;
+        int status[PAIRS];
+        fill(&m, face);
+        for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+            assert_int_equal(
+                footpoint_face_locate_pairs(face, counts[c], m.xyz, m.nodes, m.seg, m.slave, loc, gap, status), 0);
+            for (size_t i = 0; i < counts[c]; i++) {
+                assert_int_equal(status[i], FOOTPOINT_OK);
+                assert_int_equal(footpoint_face_locate(face, m.xyz + 3 * m.seg[(size_t)nodes * i], one, &one_gap), 0);
+                assert_memory_equal(one, loc + 2 * i, sizeof one);
+                assert_memory_equal(&one_gap, gap + i, sizeof one_gap);
+            }
+        }
+        for (size_t i = 0; i < PAIRS; i++)
+            loc[2 * i] = gap[i] = UNTOUCHED;
+        m.seg[nodes * 3 + 1] = -1;
+        m.slave[40] = (int)m.nodes;
+        m.xyz[3 * m.seg[nodes * 5] + 2] = (double)NAN;
+        for (int k = 0; k < nodes; k++) /* without area */
+            m.seg[nodes * 7 + k] = m.seg[nodes * 8];
+        assert_int_equal(footpoint_face_locate_pairs(face, PAIRS, m.xyz, m.nodes, m.seg, m.slave, loc, gap, status), 4);
+        assert_int_equal(footpoint_face_locate_pairs(face, PAIRS, m.xyz, m.nodes, m.seg, m.slave, loc, gap, NULL), 4);
+        for (size_t i = 0; i < PAIRS; i++) {
+            assert_int_equal(status[i], i == 3 || i == 40 ? FOOTPOINT_ERR_ARGUMENT
+                                        : i == 5          ? FOOTPOINT_ERR_NOT_FINITE
+                                        : i == 7          ? FOOTPOINT_ERR_DEGENERATE
+                                                          : FOOTPOINT_OK);
+            assert_true((gap[i] == UNTOUCHED) == (status[i] < 0) && (loc[2 * i] == UNTOUCHED) == (status[i] < 0));
+        }
+    }
+}
+
+static void the_nearest_face_is_chosen(void **state)
+{
+    static struct mesh m;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const int nodes = footpoint_face_nodes(face);
+        fill(&m, face);
+        for (int i = 0; i < PAIRS; i++) { /* side by side */
+            for (int k = 0; k < nodes; k++)
+                m.xyz[3 * m.seg[nodes * i + k]] += 0.05 * i;
+            m.xyz[3 * m.slave[i]] += 0.05 * i;
+        }
+        for (int s = 0; s < PAIRS; s++)
+            for (size_t n = 0; n <= PAIRS; n += n < 3 ? 1 : 33) {
+                const double *const xS = m.xyz + 3 * m.slave[s];
+                double loc[2] = {UNTOUCHED, 0}, distance, least = HUGE_VAL;
+                size_t chosen = 99;
+                int region;
+                for (size_t i = 0; i < n; i++) {
+                    double x[C], at[2], d;
+                    int where;
+                    for (int k = 0; k <= nodes; k++)
+                        memcpy(x + 3 * k, k < nodes ? m.xyz + 3 * m.seg[(size_t)nodes * i + (size_t)k] : xS,
+                               3 * sizeof *x);
+                    if (footpoint_face_closest(face, x, at, &d, &where) >= FOOTPOINT_OK)
+                        least = fmin(least, fabs(d));
+                }
+                const int status = footpoint_face_select(face, m.xyz, n, m.seg, xS, &chosen, loc, &distance, &region);
+                assert_int_equal(status, least < HUGE_VAL ? FOOTPOINT_OK : FOOTPOINT_ERR_DOMAIN);
+                if (status == FOOTPOINT_OK)
+                    expect_near(fabs(distance), least, 1e-12, "least distance", face);
+                assert_true(status == FOOTPOINT_OK ? chosen < n : chosen == 99 && loc[0] == UNTOUCHED);
+            }
+        m.seg[4] = -1;
+        double loc[2], distance;
+        size_t chosen;
+        int region;
+        assert_int_equal(footpoint_face_select(face, m.xyz, 3, m.seg, m.xyz, &chosen, loc, &distance, &region),
+                         FOOTPOINT_ERR_ARGUMENT);
+    }
+}
+
+static void statuses(void **state)
+{
+    double x[C] = {0}, loc[2] = {0, 0}, gap = UNTOUCHED;
+    size_t chosen;
+    int status = 0, region;
+    const int none[2] = {0, 0};
+    (void)state;
+    for (int face = -1; face <= FOOTPOINT_FACES; face += FOOTPOINT_FACES + 1) {
+        const enum footpoint_face no = (enum footpoint_face)face;
+        assert_int_equal(footpoint_face_nodes(no), 0);
+        assert_int_equal(footpoint_face_locate(no, x, loc, &gap), FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_closest(no, x, loc, &gap, &region), FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_select(no, x, 1, none, x, &chosen, loc, &gap, &region), FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_place(no, x, loc, NULL, NULL, NULL, NULL, &gap), FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_differentiate(no, x, loc, NULL, NULL, NULL, NULL, NULL, x, x, x),
+                         FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_hessian(no, x, loc, NULL, NULL, NULL, NULL, NULL, x), FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_locate_pairs(no, 1, x, 2, none, none, loc, &gap, &status), 1);
+        assert_int_equal(status, FOOTPOINT_ERR_ARGUMENT);
+    }
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        uint64_t stream = 1;
+        memset(x, 0, sizeof x); /* no area */
+        assert_int_equal(footpoint_face_locate(face, x, loc, &gap), FOOTPOINT_ERR_DEGENERATE);
+        assert_int_equal(footpoint_face_place(face, x, loc, NULL, NULL, NULL, NULL, &gap), FOOTPOINT_ERR_DEGENERATE);
+        assert_int_equal(footpoint_face_hessian(face, x, loc, &gap, NULL, NULL, NULL, NULL, NULL),
+                         FOOTPOINT_ERR_DEGENERATE);
+        draw(&stream, face, x);
+        x[4] = INFINITY;
+        assert_int_equal(footpoint_face_locate(face, x, loc, &gap), FOOTPOINT_ERR_NOT_FINITE);
+        assert_int_equal(footpoint_face_closest(face, x, loc, &gap, &region), FOOTPOINT_ERR_NOT_FINITE);
+        assert_int_equal(footpoint_face_differentiate(face, x, loc, NULL, NULL, NULL, NULL, &gap, NULL, NULL, NULL),
+                         FOOTPOINT_ERR_NOT_FINITE);
+    }
+    assert_true(gap == UNTOUCHED);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(foot_points_are_right),
+        cmocka_unit_test(nothing_is_closer),
+        cmocka_unit_test(pairs_are_single_ones),
+        cmocka_unit_test(the_nearest_face_is_chosen),
+        cmocka_unit_test(statuses),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
