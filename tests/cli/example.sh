@@ -1,5 +1,6 @@
 # The examples to copy, in C.  Impact: it compiles alone, keeps momentum to rounding and energy nearly, and both
-# searches agree.  Slide: contact with Gregory patches makes forces smoother, and is never lost.
+# searches agree.  Slide: contact with Gregory patches makes forces smoother, and is never lost.  Press: Newton's residuals
+# fall quadratically, on every kind of face, without friction and with it.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
@@ -62,3 +63,26 @@ done
 awk -F, 'NF != 9 { exit 1 } END { exit !(NR > 1000 && $1 > 15.99) }' "$work/slide.csv"
 report $((! $?)) 'forces over the way'
 expect 'usage of slide' 2 '' 'usage: slide [SCALE [FOLDER]]       0 < SCALE <= 1: of the time step' "$work/slide" 2
+
+# ---- press ----
+$CC $strict -O1 tests/example/press.c "$BIN/libfootpoint.a" -o "$work/press" -lm > "$work/log" 2>&1
+good=$?
+[ $good = 0 ] || sed 's/^/# /' "$work/log"
+report $((!good)) 'press compiles'
+kinds='tri3 quad4 quad8'
+[ -z "${FOOTPOINT_LONG:-}" ] || kinds='tri3 tri6 quad4 quad8 quad9'
+for kind in $kinds; do
+    for friction in 0 0.3; do
+        "$work/press" $kind $friction > "$work/table"; report $((! $?)) "press finds equilibrium, $kind, friction $friction"
+        awk 'NR > 2 { steps++; b = $(NF - 2); c = $(NF - 1); d = $NF; slid += $6
+                      if (c > 300 * b * b && c > 1e-12 || d > 300 * c * c && d > 1e-12) { print "# " $0; bad = 1 } }
+             END { exit bad || steps != 8 || (slid > 0) != ('$friction' > 0) }' "$work/table"
+        report $((! $?)) 'its last three residuals fall quadratically'
+        awk 'NR == 10 { exit !($4 / $3 > '$friction' - 0.05 && $4 / $3 < '$friction' + 0.05) }' "$work/table"
+        report $((! $?)) 'and it is drawn with the force of friction'
+    done
+done
+expect 'usage of press' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1' \
+    "$work/press" quad5
+expect 'and of its friction' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1' \
+    "$work/press" quad4 -1

@@ -56,7 +56,7 @@ if git ls-files > "$work/files" 2> /dev/null; then
         grep -oE "(^| )$folder/[a-z0-9_-]+\.[a-z]+" "$work/before" | tr -d ' ' | sort -u > "$work/put"
         expect "all of $folder is installed" 0 '' '' diff "$work/kept" "$work/put"
     done
-    for left in tests/example/impact tests/example/slide tests/example/out/energy.csv tests/example/plates.inp \
+    for left in tests/example/impact tests/example/slide tests/example/press tests/example/out/energy.csv tests/example/plates.inp \
         evolve/genomes/plates-quad4.gen generated/footpoint_plates_quad4.h example.h example.f90 example.txt; do
         git check-ignore -q $left; report $((! $?)) "git ignores $left"
     done

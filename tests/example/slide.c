@@ -5,7 +5,7 @@
  * patches over them (patches.h), from the paper's normals at nodes (44) and from better ones; and with the round body
  * that the mesh is of.  Global search, facets and units: penalty.h; elements: plates.h.
  *
- *     cc -O3 -march=native slide.c ../../runtime/{gregory,bezier,normals}.c -o slide -lm
+ *     cc -O3 -march=native slide.c ../../runtime/geometry/{gregory,bezier,node_normals}.c -o slide -lm
  *     ./slide                  all four, a table
  *     ./slide 0.5 FOLDER       half the time step; slide.csv in a folder that exists: forces over the distance slid
  */
