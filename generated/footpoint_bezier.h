@@ -60,6 +60,13 @@
 #define FOOTPOINT_EACH
 #endif
 #endif
+#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
+#else
+#define FOOTPOINT_UNROLL
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -185,21 +192,28 @@ FOOTPOINT_FN void footpoint_detail_bezier_surface(const double *const *x, double
 {
     double a[4][2][3];
     int c, m, j;
-    for (c = 0; c < 4; c++)
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const double *const y = x[m ? 3 - c : c ^ 1], *const n = x[4 + c];
             const double along =
                 (y[0] - x[c][0]) * n[0] + (y[1] - x[c][1]) * n[1] + (y[2] - x[c][2]) * n[2];
+            FOOTPOINT_UNROLL
             for (j = 0; j < 3; j++)
                 a[c][m][j] = (y[j] - x[c][j] - along * n[j]) / 3.0;
         }
+    }
+    FOOTPOINT_UNROLL
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[8][j] - x[0][j];
     }
+    FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
         const double z[2] = {c == 1 || c == 2 ? 0.5 : -0.5, c > 1 ? 0.5 : -0.5};
         double g[2], h[2], gd[2], hd[2];
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const double p = 0.5 + z[m] * (m ? eta : xi), r = 1.0 - p;
             g[m] = 3.0 * p * p * r;
@@ -207,6 +221,7 @@ FOOTPOINT_FN void footpoint_detail_bezier_surface(const double *const *x, double
             gd[m] = 3.0 * z[m] * p * (2.0 * r - p);
             hd[m] = 6.0 * z[m] * p * r;
         }
+        FOOTPOINT_UNROLL
         for (j = 0; j < 3; j++) {
             const double y = x[c][j] - x[0][j];
             d[j] -= y * h[0] * h[1] + a[c][0][j] * g[0] * h[1] + a[c][1][j] * h[0] * g[1];
@@ -223,9 +238,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bezier_gap(const double *cons
     double u[3], v[3], d[3], size = 0.0, uu, vv;
     int i, j;
     footpoint_detail_bezier_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++)
+    FOOTPOINT_UNROLL
+    for (j = 0; j < 3; j++) {
+        FOOTPOINT_UNROLL
         for (i = 1; i < 4; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
+    }
     uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
     vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     return footpoint_detail_normal_gap(u, v, d, uu, vv, size, least, xi + eta, gap);

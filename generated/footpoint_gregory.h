@@ -60,6 +60,13 @@
 #define FOOTPOINT_EACH
 #endif
 #endif
+#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
+#else
+#define FOOTPOINT_UNROLL
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -187,27 +194,38 @@ FOOTPOINT_FN void footpoint_detail_gregory_surface(const double *const *x, doubl
 {
     double a[4][2][3], t[4][2][3], k[4][2], l[4][2], q[4][2][3];
     int c, m, j;
-    for (c = 0; c < 4; c++)
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const double *const y = x[m ? 3 - c : c ^ 1], *const n = x[4 + c];
             const double along =
                 (y[0] - x[c][0]) * n[0] + (y[1] - x[c][1]) * n[1] + (y[2] - x[c][2]) * n[2];
+            FOOTPOINT_UNROLL
             for (j = 0; j < 3; j++)
                 a[c][m][j] = (y[j] - x[c][j] - along * n[j]) / 3.0;
+            FOOTPOINT_UNROLL
             for (j = 0; j < 3; j++)
                 t[c][m][j] =
                     n[(j + 1) % 3] * a[c][m][(j + 2) % 3] - n[(j + 2) % 3] * a[c][m][(j + 1) % 3];
         }
-    for (c = 0; c < 4; c++)
+    }
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const double *const b = a[c][m], *const o = a[c][1 - m];
             const double size = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
             k[c][m] = (t[c][m][0] * o[0] + t[c][m][1] * o[1] + t[c][m][2] * o[2]) / size;
             l[c][m] = (b[0] * o[0] + b[1] * o[1] + b[2] * o[2]) / size;
         }
-    for (c = 0; c < 4; c++)
+    }
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const int e = m ? 3 - c : c ^ 1;
+            FOOTPOINT_UNROLL
             for (j = 0; j < 3; j++) {
                 const double middle = (x[e][j] - x[c][j]) + (a[e][m][j] - a[c][m][j]);
                 q[c][m][j] = a[c][m][j] + ((k[c][m] - k[e][m]) * t[c][m][j] - k[c][m] * t[e][m][j] +
@@ -215,13 +233,17 @@ FOOTPOINT_FN void footpoint_detail_gregory_surface(const double *const *x, doubl
                                               3.0;
             }
         }
+    }
+    FOOTPOINT_UNROLL
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[8][j] - x[0][j];
     }
+    FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
         const double z[2] = {c == 1 || c == 2 ? 0.5 : -0.5, c > 1 ? 0.5 : -0.5};
-        double f[2], g[2], h[2], fd[2], gd[2], hd[2], s[2], w, wd[2];
+        double f[2], g[2], h[2], fd[2], gd[2], hd[2], s[2], sum, w, wd[2];
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const double p = 0.5 + z[m] * (m ? eta : xi), r = 1.0 - p;
             s[m] = r;
@@ -232,13 +254,15 @@ FOOTPOINT_FN void footpoint_detail_gregory_surface(const double *const *x, doubl
             gd[m] = 3.0 * z[m] * p * (2.0 * r - p);
             hd[m] = 6.0 * z[m] * p * r;
         }
-        w = (s[0] > 0.0 ? s[0] : 0.0) + (s[1] > 0.0 ? s[1] : 0.0);
-        wd[0] = wd[1] = 0.0;
-        if (s[0] > 0.0 && s[1] > 0.0) {
-            wd[0] = z[0] * s[1] / (w * w);
-            wd[1] = -z[1] * s[0] / (w * w);
-        }
-        w = w > 0.0 ? (s[1] > 0.0 ? s[1] / w : 0.0) : 0.5;
+        FOOTPOINT_UNROLL
+        for (m = 0; m < 2; m++)
+            s[m] = s[m] > 0.0 ? s[m] : 0.0;
+        w = s[0] + s[1];
+        sum = w > 0.0 ? w : 1.0;
+        wd[0] = s[0] > 0.0 ? z[0] * s[1] / (sum * sum) : 0.0;
+        wd[1] = s[1] > 0.0 ? -z[1] * s[0] / (sum * sum) : 0.0;
+        w = w > 0.0 ? s[1] / sum : 0.5;
+        FOOTPOINT_UNROLL
         for (j = 0; j < 3; j++) {
             const double y = x[c][j] - x[0][j], o = q[c][1][j] - q[c][0][j], i = q[c][0][j] + w * o;
             d[j] -= y * h[0] * h[1] + a[c][0][j] * g[0] * f[1] + a[c][1][j] * f[0] * g[1] +
@@ -258,9 +282,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_gregory_gap(const double *con
     double u[3], v[3], d[3], size = 0.0, uu, vv;
     int i, j;
     footpoint_detail_gregory_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++)
+    FOOTPOINT_UNROLL
+    for (j = 0; j < 3; j++) {
+        FOOTPOINT_UNROLL
         for (i = 1; i < 4; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
+    }
     uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
     vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     return footpoint_detail_normal_gap(u, v, d, uu, vv, size, least, xi + eta, gap);

@@ -47,6 +47,13 @@
 #define FOOTPOINT_EACH
 #endif
 #endif
+#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
+#else
+#define FOOTPOINT_UNROLL
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict

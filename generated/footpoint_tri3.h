@@ -58,6 +58,13 @@
 #define FOOTPOINT_EACH
 #endif
 #endif
+#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
+#else
+#define FOOTPOINT_UNROLL
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -183,9 +190,11 @@ FOOTPOINT_PART void footpoint_detail_weighted(const double *const *x, int nodes,
                                               double d[3])
 {
     int j, k;
+    FOOTPOINT_UNROLL
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[nodes][j] - x[0][j];
+        FOOTPOINT_UNROLL
         for (k = 1; k < nodes; k++) {
             u[j] += pu[k] * (x[k][j] - x[0][j]);
             v[j] += pv[k] * (x[k][j] - x[0][j]);
@@ -254,9 +263,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri3_gap(const double *const 
     double u[3], v[3], d[3], size = 0.0, uu, vv;
     int i, j;
     footpoint_detail_tri3_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++)
+    FOOTPOINT_UNROLL
+    for (j = 0; j < 3; j++) {
+        FOOTPOINT_UNROLL
         for (i = 1; i < 3; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
+    }
     uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
     vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     return footpoint_detail_normal_gap(u, v, d, uu, vv, size, least, xi + eta, gap);

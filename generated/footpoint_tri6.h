@@ -60,6 +60,13 @@
 #define FOOTPOINT_EACH
 #endif
 #endif
+#ifndef FOOTPOINT_UNROLL /* before short loops in what loops over arrays call: these are vectorised if nothing in them loops */
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__CUDACC__)
+#define FOOTPOINT_UNROLL _Pragma("GCC unroll 32")
+#else
+#define FOOTPOINT_UNROLL
+#endif
+#endif
 #ifndef FOOTPOINT_RESTRICT
 #if defined(__GNUC__) || defined(_MSC_VER) || defined(__CUDACC__)
 #define FOOTPOINT_RESTRICT __restrict
@@ -185,9 +192,11 @@ FOOTPOINT_PART void footpoint_detail_weighted(const double *const *x, int nodes,
                                               double d[3])
 {
     int j, k;
+    FOOTPOINT_UNROLL
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[nodes][j] - x[0][j];
+        FOOTPOINT_UNROLL
         for (k = 1; k < nodes; k++) {
             u[j] += pu[k] * (x[k][j] - x[0][j]);
             v[j] += pv[k] * (x[k][j] - x[0][j]);
@@ -229,9 +238,12 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_gap(const double *const 
     double u[3], v[3], d[3], size = 0.0, uu, vv;
     int i, j;
     footpoint_detail_tri6_surface(x, xi, eta, u, v, d);
-    for (j = 0; j < 3; j++)
+    FOOTPOINT_UNROLL
+    for (j = 0; j < 3; j++) {
+        FOOTPOINT_UNROLL
         for (i = 1; i < 6; i++)
             size += (x[i][j] - x[0][j]) * (x[i][j] - x[0][j]);
+    }
     uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2] + size;
     vv = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + size;
     return footpoint_detail_normal_gap(u, v, d, uu, vv, size, least, xi + eta, gap);
@@ -484,11 +496,13 @@ FOOTPOINT_PART double footpoint_detail_curve_begin(const double *a, const double
     return 4.0 * qq;
 }
 
-/* Newton's steps of all edges to where their slopes are 0, Gauss and Newton's where the distance is not convex. */
+/* Newton's steps of all edges to where their slopes are 0, Gauss and Newton's where the distance is not convex: five, and
+ * more until none makes the square of a distance less but by rounding. */
 FOOTPOINT_PART void footpoint_detail_curve_steps(int n, double c[5][8], double at[8])
 {
-    int i, k;
-    for (i = 0; i < 5; i++)
+    double less[8];
+    int i, k, left = 1;
+    for (i = 0; i < 50 && left; i++) {
         for (k = 0; k < 2 * n; k++) {
             const double t = at[k];
             const double slope = c[0][k] + t * (c[1][k] + t * (c[2][k] + t * c[3][k]));
@@ -496,7 +510,12 @@ FOOTPOINT_PART void footpoint_detail_curve_steps(int n, double c[5][8], double a
             const double gauss = 0.1 * (c[4][k] + 2.0 * t * (2.0 / 3.0 * c[2][k] + t * c[3][k]));
             const double most = bend > gauss ? bend : gauss;
             at[k] = footpoint_detail_clamped(t - slope / (most > 2.2250738585072014e-308 ? most : 2.2250738585072014e-308));
+            less[k] = slope * (t - at[k]);
         }
+        left = i < 4;
+        for (k = 0; !left && k < 2 * n; k++)
+            left = less[k] > 4e-16 * c[4][k];
+    }
 }
 
 /* The nearer of the two places of edge k: *t; returns the square of the distance there. */

@@ -1,6 +1,7 @@
 /* What a caller pays on faces of six, eight and nine nodes, one search at a time: bare (NAME_at), checked (NAME), closest
  * points (NAME_closest) beside the library's iteration that CalculiX calls (attach_2d), which is certain, and along a direction
- * (PREFIX_along) beside Newton in three unknowns until it stands.  Interleaved in one run; prints lines
+ * (PREFIX_along) beside Newton in three unknowns until it stands; checked over arrays (NAME_checked_n) beside NAME.
+ * Interleaved in one run; prints lines
  *     call,ns,ratio     ns: least a search; ratio: that of the rival / this one's; of NAME, over NAME_at
  * The headers are compiled with this file's flags; tests/long/calls.sh runs it. */
 #include "../../generated/footpoint_quad8.h"
@@ -21,6 +22,8 @@ void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, d
 enum { CASES = 1000, ROUNDS = 200, STEPS = 50 };
 
 static double x[CASES][10][3], beside[CASES][3], direction[CASES][3], loc[CASES][2], dist[CASES];
+static double column[30][CASES], xi[CASES], eta[CASES];
+static const double *columns[30];
 static int region[CASES], status[CASES];
 
 /* Nodes 0 to 8 of a square and a triangle's six. */
@@ -43,6 +46,10 @@ static void draw_faces(int nodes)
             x[i][nodes][j] = nodes == 6 && j < 2 ? 0.3 + 0.25 * at : at;
             beside[i][j] = x[i][nodes][j] + (i % 2 && j < 2 ? draw_flat(&stream, -1, 1) : 0);
             direction[i][j] = (j == 2) + draw_flat(&stream, -0.3, 0.3);
+        }
+        for (int c = 0; c <= 3 * nodes + 2; c++) {
+            column[c][i] = x[i][c / 3][c % 3];
+            columns[c] = column[c];
         }
     }
 }
@@ -121,6 +128,10 @@ static int newton_along(int nodes, void shape(double, double, double *), double 
             status[i] = newton_along(nodes, footpoint_##kind##_shape, x[i], direction[i], at);                         \
             dist[i] = at[2];                                                                                           \
         })                                                                                                             \
+    }                                                                                                                  \
+    static void kind##_checked_n(void)                                                                                 \
+    {                                                                                                                  \
+        footpoint_##kind##_##name##_checked_n(CASES, columns, xi, eta, dist, status);                                  \
     }
 CALLS(6, tri6, accurate)
 CALLS(8, quad8, sharp)
@@ -135,12 +146,13 @@ static double seconds(void)
 
 #define ROWS(nodes, kind)                                                                                              \
     {                                                                                                                  \
-        nodes, {#kind "_at", #kind, #kind "_attach_2d", #kind "_closest", #kind "_newton_along", #kind "_along"},      \
+        nodes, {#kind "_at",           #kind,          #kind "_attach_2d", #kind "_closest",                           \
+                #kind "_newton_along", #kind "_along", #kind "_checked_n"},                                            \
         {                                                                                                              \
-            kind##_at, kind, kind##_attach, kind##_closest, kind##_newton, kind##_along                                \
+            kind##_at, kind, kind##_attach, kind##_closest, kind##_newton, kind##_along, kind##_checked_n              \
         }                                                                                                              \
     }
-enum { CALL_COUNT = 6 };
+enum { CALL_COUNT = 7 };
 static const struct rows {
     int nodes;
     const char *name[CALL_COUNT];
@@ -164,9 +176,12 @@ int main(void)
             }
         for (int c = 0; c < CALL_COUNT; c++)
             if (kinds[k].nodes != 9 || c != 2) {
-                const double before = least[c ? c - 1 : 0], ratio = c == 1 ? least[c] / before : before / least[c];
+                const double before = least[c == 6 ? 1
+                                            : c    ? c - 1
+                                                   : 0],
+                             ratio = c == 1 ? least[c] / before : before / least[c];
                 printf("%s,%.1f,", kinds[k].name[c], 1e9 * least[c] / CASES);
-                if (c % 2 && (c != 3 || kinds[k].nodes != 9))
+                if ((c % 2 || c == 6) && (c != 3 || kinds[k].nodes != 9))
                     printf("%.2f", ratio);
                 puts("");
             }

@@ -44,9 +44,9 @@ typedef int along(double (*x)[3], const double *xs, const double *p, double loc[
 #define FUNCTIONS(F)                                                                                                   \
     F(6, tri6_accurate)                                                                                                \
     F(6, tri6_coarse)                                                                                                  \
-    F(8, quad8_sharp)                                                                                                  \
+    F(8, quad8_full)                                                                                                   \
     F(8, quad8_coarse)                                                                                                 \
-    F(9, quad9_sharp)                                                                                                  \
+    F(9, quad9_full)                                                                                                   \
     F(9, quad9_coarse)
 FUNCTIONS(CLOSEST)
 ALONG(6, tri6)
@@ -59,8 +59,8 @@ static const struct kind {
     closest *exact, *coarse;
     along *along;
 } kinds[] = {{"tri6", 6, 3, closest_tri6_accurate, closest_tri6_coarse, along_tri6},
-             {"quad8", 8, 4, closest_quad8_sharp, closest_quad8_coarse, along_quad8},
-             {"quad9", 9, 4, closest_quad9_sharp, closest_quad9_coarse, along_quad9}};
+             {"quad8", 8, 4, closest_quad8_full, closest_quad8_coarse, along_quad8},
+             {"quad9", 9, 4, closest_quad9_full, closest_quad9_coarse, along_quad9}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static long samples(void)

@@ -26,10 +26,12 @@ for isa in $isas; do
     awk -F, '/_at,|_n,/ && $1 !~ /^(newton|full|four)|closest|checked/ && $3 < 1 { bad = 1 } END { exit bad || NR < 46 }' "$work/calls.csv"
     report $((! $?)) "$isa: bare searches are quicker than Newton"
     # Faces of six, eight and nine nodes.
-    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -march=$isa -o "$work/curved" tests/bench/bench_curved_main.c tests/hard/draw.c \
+    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -fno-math-errno -march=$isa $wide -o "$work/curved" tests/bench/bench_curved_main.c tests/hard/draw.c \
         "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm && "$work/curved" > "$work/curved.csv"
     report $((! $?)) "$isa: curved faces run"
     sed 's/^/# /' "$work/curved.csv"
     awk -F, '/_along,/ && !/newton/ { n++; bad = bad || $3 < 1 } END { exit bad || n != 3 }' "$work/curved.csv"
     report $((! $?)) "$isa: along a direction through curved faces"
+    awk -F, '/_checked_n,/ { n++; bad = bad || $3 < 2 } END { exit bad || n != 3 }' "$work/curved.csv"
+    report $((! $?)) "$isa: checked searches over arrays of curved faces"
 done

@@ -53,6 +53,22 @@ for file in evolve/genomes/*.gen; do
     done
 done
 
+# Checked ones, as they are committed: the least and the most accurate of each kind of segment.
+compiler=gcc
+for kind in tri3 quad4 tri6 quad8 quad9 bezier gregory; do
+    header=$PWD/generated/footpoint_$kind.h
+    for function in $(grep -o "footpoint_${kind}_[a-z0-9]*_checked_n" "$header" | sort -u | sed 's/_checked_n$//' |
+        while read -r name; do grep -n "int $name(" "$header" | sed "s/:.*/ $name/"; done | sort -n | sed 's/.* //; 1p; $!d'); do
+        {
+            echo "#include \"$header\""
+            echo 'void use(size_t n, const double *const *x, double *xi, double *eta, double *gap, int *status);'
+            echo 'void use(size_t n, const double *const *x, double *xi, double *eta, double *gap, int *status)'
+            echo "{ ${function}_checked_n(n, x, xi, eta, gap, status); }"
+        } > "$work/use.c"
+        packed "${function}_checked_n" 100 ymm -fno-math-errno -fno-trapping-math -mavx2 -mprefer-vector-width=256
+    done
+done
+
 compilers='gcc clang'
 # scalar NAME LEAST FLAGS: genome g of $work/g.gen, with inputs x y z and output r, vectorises as double and float
 scalar() {

@@ -193,7 +193,7 @@ static void search_roots(struct roots *r, const struct box *x, const real c[2][9
         r->unclear = true;
         return;
     }
-    if (extent(r->face, x) < 1e-9L) {
+    if (extent(r->face, x) < 1e-12L) {
         double at[2];
         point_of(r->face, x->a + x->wide / 2, x->b + x->high / 2, at);
         for (int i = 0; i < r->count; i++) {

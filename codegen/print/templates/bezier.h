@@ -7,21 +7,28 @@ FOOTPOINT_FN void footpoint_detail_bezier_surface(const REAL *const *x, REAL xi,
 {
     REAL a[4][2][3];
     int c, m, j;
-    for (c = 0; c < 4; c++)
+    FOOTPOINT_UNROLL
+    for (c = 0; c < 4; c++) {
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const REAL *const y = x[m ? 3 - c : c ^ 1], *const n = x[4 + c];
             const REAL along =
                 (y[0] - x[c][0]) * n[0] + (y[1] - x[c][1]) * n[1] + (y[2] - x[c][2]) * n[2];
+            FOOTPOINT_UNROLL
             for (j = 0; j < 3; j++)
                 a[c][m][j] = (y[j] - x[c][j] - along * n[j]) / 3.0;
         }
+    }
+    FOOTPOINT_UNROLL
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[8][j] - x[0][j];
     }
+    FOOTPOINT_UNROLL
     for (c = 0; c < 4; c++) {
         const REAL z[2] = {c == 1 || c == 2 ? 0.5 : -0.5, c > 1 ? 0.5 : -0.5};
         REAL g[2], h[2], gd[2], hd[2];
+        FOOTPOINT_UNROLL
         for (m = 0; m < 2; m++) {
             const REAL p = 0.5 + z[m] * (m ? eta : xi), r = 1.0 - p;
             g[m] = 3.0 * p * p * r;
@@ -29,6 +36,7 @@ FOOTPOINT_FN void footpoint_detail_bezier_surface(const REAL *const *x, REAL xi,
             gd[m] = 3.0 * z[m] * p * (2.0 * r - p);
             hd[m] = 6.0 * z[m] * p * r;
         }
+        FOOTPOINT_UNROLL
         for (j = 0; j < 3; j++) {
             const REAL y = x[c][j] - x[0][j];
             d[j] -= y * h[0] * h[1] + a[c][0][j] * g[0] * h[1] + a[c][1][j] * h[0] * g[1];

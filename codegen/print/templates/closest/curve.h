@@ -46,11 +46,13 @@ FOOTPOINT_PART REAL footpoint_detail_curve_begin(const REAL *a, const REAL *m, c
     return 4.0 * qq;
 }
 
-/* Newton's steps of all edges to where their slopes are 0, Gauss and Newton's where the distance is not convex. */
+/* Newton's steps of all edges to where their slopes are 0, Gauss and Newton's where the distance is not convex: five, and
+ * more until none makes the square of a distance less but by rounding. */
 FOOTPOINT_PART void footpoint_detail_curve_steps(int n, REAL c[5][8], REAL at[8])
 {
-    int i, k;
-    for (i = 0; i < 5; i++)
+    REAL less[8];
+    int i, k, left = 1;
+    for (i = 0; i < 50 && left; i++) {
         for (k = 0; k < 2 * n; k++) {
             const REAL t = at[k];
             const REAL slope = c[0][k] + t * (c[1][k] + t * (c[2][k] + t * c[3][k]));
@@ -58,7 +60,12 @@ FOOTPOINT_PART void footpoint_detail_curve_steps(int n, REAL c[5][8], REAL at[8]
             const REAL gauss = 0.1 * (c[4][k] + 2.0 * t * (2.0 / 3.0 * c[2][k] + t * c[3][k]));
             const REAL most = bend > gauss ? bend : gauss;
             at[k] = footpoint_detail_clamped(t - slope / (most > REAL_MIN ? most : REAL_MIN));
+            less[k] = slope * (t - at[k]);
         }
+        left = i < 4;
+        for (k = 0; !left && k < 2 * n; k++)
+            left = less[k] > REAL_MARGIN * c[4][k];
+    }
 }
 
 /* The nearer of the two places of edge k: *t; returns the square of the distance there. */
