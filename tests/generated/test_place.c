@@ -21,7 +21,7 @@
 #include <cmocka.h>
 
 enum { SAMPLES = 100, SAMPLES_LONG = 100000, ROWS = 40, C = MOST_COORDINATES, PACKED = C * (C + 1) / 2 };
-#define STEP 1e-12      /* of differences: third derivatives by 1e-24 and rounding by 1e22 are far below NEAR */
+#define STEP 1e-14      /* of differences: far below where the greatest third derivatives, 1e19, tell */
 #define CONDITIONED 1e4 /* of Hessian and metric: derivatives have so many digits less than the coordinates */
 #define NEAR 1e-9       /* relative error below that */
 #define IDENTITY 1e-11  /* what adds up to zero, of the sum of magnitudes */
