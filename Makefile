@@ -158,7 +158,7 @@ DOUBLES := $(if $(METHODS),$(shell awk '/^ . precision: double/ { print FILENAME
 all: codegen runtime evolve calibrate-program bench-program ## build the tools and the runtime library
 codegen: $(BIN)/footpoint-codegen
 evolve: $(BIN)/footpoint-evolve $(BIN)/footpoint-pga $(BIN)/footpoint-perceptron
-runtime: $(LIB).a $(LIB)_ccx.a $(LIB).so $(MODULE)
+runtime: $(LIB).a $(LIB)_ccx.a $(LIB).so $(MODULE) ## build the runtime library alone
 calibrate-program: $(BIN)/footpoint-calibrate
 bench-program: $(BIN)/footpoint-bench
 

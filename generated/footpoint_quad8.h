@@ -2305,7 +2305,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad8_along_step(const double
 }
 
 /* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless
- * the last of five steps from the middle is so short that the next one would be of the size of rounding errors. */
+ * the last of up to five steps from the middle is so short that the next one would be of the size of rounding errors. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad8_along(const double *const *x, const double p[3],
                                                                double at[3], int *status)
 {
@@ -2313,7 +2313,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_quad8_along(const double *con
     double moved = 1.0;
     int k;
     footpoint_detail_square_start(0, at);
-    for (k = 0; k < 5; k++)
+    for (k = 0; k < 5 && footpoint_detail_above(moved, 4e-16) >> 63; k++)
         flaw = footpoint_detail_quad8_along_step(x, p, 4.0, at, &moved);
     *status = footpoint_detail_square_beyond(at[0], at[1]) > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
     return flaw | footpoint_detail_above(moved, 4e-16) |

@@ -24,7 +24,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along_step(const REAL *const *x, 
 }
 
 /* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless
- * the last of five steps from the middle is so short that the next one would be of the size of rounding errors. */
+ * the last of up to five steps from the middle is so short that the next one would be of the size of rounding errors. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
 {
@@ -32,7 +32,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
     REAL moved = 1.0;
     int k;
     footpoint_detail_SHAPE_start(0, at);
-    for (k = 0; k < 5; k++)
+    for (k = 0; k < 5 && footpoint_detail_above(moved, REAL_MARGIN) >> REAL_TOP; k++)
         flaw = footpoint_detail_KIND_along_step(x, p, 4.0, at, &moved);
     *status = footpoint_detail_SHAPE_beyond(at[0], at[1]) > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
     return flaw | footpoint_detail_above(moved, REAL_MARGIN) |
