@@ -312,7 +312,7 @@ build-tests: $(ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o) all $(TESTS)
 # The longest first, so that processors are busy to the end.
 LONGEST := statuses evolve header hard checkpoint bench counts languages
 LONGEST := $(BIN)/tests/test_headers $(LONGEST:%=tests/cli/%.sh)
-in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh))
+in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh))
 run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 
 # The tests take the bench's methods that have been built before, or those that compile soonest.
@@ -322,10 +322,8 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
-# Those that compare times.
-TIMED := $(patsubst %,tests/long/%.sh,calls derivatives gregory handwritten impact pairs replace_times scaling)
 check-long: build-tests ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
-	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(filter-out $(TIMED),$(wildcard tests/long/*.sh)) --alone $(TIMED)
+	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(wildcard tests/long/*.sh) --alone $(wildcard tests/timed/*.sh)
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))

@@ -9,7 +9,7 @@
  *                         triangles', one at a time or in a loop over the same arrays; off: of closest points and
  *                         along a direction, worst error of the distance over the longest edge; bare: ns over that of the same search unchecked,
  *                         of _over_n over that of one call each
- * The header and Newton are compiled with this file's flags; tests/long/calls.sh runs it. */
+ * The header and Newton are compiled with this file's flags; tests/timed/calls.sh runs it. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../runtime/footpoint.h"
 #include "../hard/draw.h"

@@ -3,7 +3,7 @@
  * (PREFIX_along) beside Newton in three unknowns until it stands; checked over arrays (NAME_checked_n) beside NAME.
  * Interleaved in one run; prints lines
  *     call,ns,ratio     ns: least a search; ratio: that of the rival / this one's; of NAME, over NAME_at
- * The headers are compiled with this file's flags; tests/long/calls.sh runs it. */
+ * The headers are compiled with this file's flags; tests/timed/calls.sh runs it. */
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_tri6.h"

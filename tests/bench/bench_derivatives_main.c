@@ -3,7 +3,7 @@
  * prints lines
  *     call,ns,ratio,off   ns: least a pair; ratio: forward differentiation's ns / this one's; off: worst difference of
  *                         the derivatives from the header's behind Newton's accuracy, over the greatest of the pair
- * tests/long/derivatives.sh runs it. */
+ * tests/timed/derivatives.sh runs it. */
 #include "../../generated/footpoint_quad4.h"
 #include "../../generated/footpoint_quad4_derivatives.h"
 #include "../../runtime/footpoint.h"

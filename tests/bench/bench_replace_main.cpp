@@ -3,7 +3,7 @@
 // objects, lists, messages).  Four-node segments, as tests/hard/draw.h draws ordinary ones, gap 0.2 of the shortest edge at
 // most; one call at a time, interleaved in one run.  Prints lines
 //     code,theirs,ours,ratio,off_theirs,off_ours    ns a call; theirs over ours; worst error of xi, eta over the cases
-// The adapters in Fortran are measured by the calls of the library that they make.  tests/long/replace_times.sh runs it.
+// The adapters in Fortran are measured by the calls of the library that they make.  tests/timed/replace_times.sh runs it.
 #include "../../runtime/footpoint.h"
 #include "../rivals/four_triangles.h"
 extern "C" {

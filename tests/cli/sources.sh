@@ -38,7 +38,7 @@ expect 'paragraphs' 0 "$(sed 's/^[Tt]ypes:.*/Types: deb deb-src/' "$work/etc/sou
     cat "$work/copy/sources.list.d/house.sources"
 expect 'and nothing else' 0 'disc.list
 house.sources' '' ls "$work/copy/sources.list.d"
-grep -nE '(https?|ftp)://[a-z0-9.-]*\.[a-z]' tests/long/*.sh tests/calculix/* Makefile .ci/run | grep -vE '\.invalid' > "$work/log"
+grep -nE '(https?|ftp)://[a-z0-9.-]*\.[a-z]' tests/long/*.sh tests/timed/*.sh tests/calculix/* Makefile .ci/run | grep -vE '\.invalid' > "$work/log"
 [ ! -s "$work/log" ]; good=$?
 [ $good = 0 ] || sed 's/^/# /' "$work/log"
 report $((!good)) 'no script names a host'

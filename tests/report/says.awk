@@ -35,5 +35,5 @@ END {
     print "."
     if (match_ && rival)
         printf "At an error of %.0e, the truncated iteration <code>%s</code> takes %.1f ns one at a time and %.2f ns over arrays, %s %.1f and %.2f.\n", mean[rival], rival, ns[rival, "scalar"], ns[rival, "batch"], short(match_), ns[match_, "scalar"], ns[match_, "batch"]
-    print "These are times of bare searches: what a checked call takes is measured by tests/long/calls.sh.</p>"
+    print "These are times of bare searches: what a checked call takes is measured by tests/timed/calls.sh.</p>"
 }

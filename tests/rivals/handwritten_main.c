@@ -1,6 +1,6 @@
 /* Speed of the emitted functions against the same formulas written by hand (handwritten.h), and against the genomes'
  * values computed one by one as they stand (as_written.h, which as_written_main.c makes): CSV, one line for each method
- * and mode, for tests/long/handwritten.sh.
+ * and mode, for tests/timed/handwritten.sh.
  *
  * All three are compiled alike, and inlined alike into a function of one search, "scalar", and into a loop over columns
  * of coordinates, "batch".  They take turns, ROUNDS times, and a ratio is the median over the rounds of another one's

@@ -80,7 +80,7 @@ check 'options by themselves' "$(cat "$work/wrong")"
 
 # Rooms and recipes name folders by themselves; these are files that users type.
 quoted $documents | tr ' ' '\n' | sed 's/[,;:]$//' |
-    grep -E '^(tests/(cli|long|example|expressions|scenes|meshes|paper|hard)|evolve/(scenes|frames|genomes)|generated)/[A-Za-z0-9_./-]+$' |
+    grep -E '^(tests/(cli|tree|long|timed|example|expressions|scenes|meshes|paper|hard)|evolve/(scenes|frames|genomes)|generated)/[A-Za-z0-9_./-]+$' |
     grep -vE '(NAME|mine)' | sort -u | while read -r path; do
     [ -e "$path" ] || [ -e "$path.c" ] || echo "$path"
 done > "$work/wrong"
