@@ -8,15 +8,13 @@
 #define BLOCKS_H
 
 #include "../../runtime/footpoint_face.h"
+#include "space.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double YOUNG = 1000.0, POISSON = 0.3; /* MPa */
-
-typedef double vec[3];
 
 static const char *const kind_name[FOOTPOINT_FACES] = {"tri3", "tri6", "quad4", "quad8", "quad9"};
 enum { MOST_FACE = 9, MOST_SOLID = 27, MOST_POINTS = 27 };
@@ -39,16 +37,6 @@ struct model {
     int *slave; /* nodes below the upper block */
     double lambda, mu;
 };
-
-static void *room_for(void *old, size_t n, size_t size)
-{
-    void *const p = realloc(old, n * size + 1);
-    if (!p) {
-        fputs("press: out of memory\n", stderr);
-        exit(3);
-    }
-    return p;
-}
 
 /* ---- linear equations ---- */
 
@@ -312,21 +300,6 @@ static void free_model(struct model *m)
 }
 
 /* ---- elements ---- */
-
-static double invert(double J[3][3], double inverse[3][3])
-{
-    double det = 0.0;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const int p = (j + 1) % 3, q = (j + 2) % 3, r = (i + 1) % 3, s = (i + 2) % 3;
-            inverse[i][j] = J[p][r] * J[q][s] - J[p][s] * J[q][r];
-        }
-    for (int j = 0; j < 3; j++)
-        det += J[0][j] * inverse[j][0];
-    for (int i = 0; i < 9; i++)
-        inverse[i / 3][i % 3] /= det;
-    return det;
-}
 
 /* Of two nodes: what a force on the one changes by when the other moves. */
 static void add_tangent(const struct model *m, double *K, int a, int b, double tangent[3][3])

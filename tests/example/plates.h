@@ -7,15 +7,14 @@
 #ifndef PLATES_H
 #define PLATES_H
 
+#include "space.h"
+
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double YOUNG = 1000.0, POISSON = 0.4, DENSITY = 0.95e-3; /* MPa, g/mm^3: polyethylene */
 static const double COURANT = 0.5; /* time step / the longest stable one of an element alone */
-
-typedef double vec[3];
 
 struct element {
     double b[8][3], g[4][8];  /* dN/dX at the centre; hourglass shapes, blind to linear motion */
@@ -31,16 +30,6 @@ struct model {
     double lambda, mu, dt; /* Lame's constants, stable time step */
     double penalty;        /* N/mm */
 };
-
-static void *room_for(void *old, size_t n, size_t size)
-{
-    void *const p = realloc(old, n * size + 1);
-    if (!p) {
-        fputs("impact: out of memory\n", stderr);
-        exit(3);
-    }
-    return p;
-}
 
 /* ---- mesh ---- */
 
@@ -139,21 +128,6 @@ static void write_inp(const struct model *m)
 
 static const double CORNER[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                     {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-
-static double invert(double J[3][3], double inverse[3][3])
-{
-    double det = 0.0;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const int p = (j + 1) % 3, q = (j + 2) % 3, r = (i + 1) % 3, s = (i + 2) % 3;
-            inverse[i][j] = J[p][r] * J[q][s] - J[p][s] * J[q][r];
-        }
-    for (int j = 0; j < 3; j++)
-        det += J[0][j] * inverse[j][0];
-    for (int i = 0; i < 9; i++)
-        inverse[i / 3][i % 3] /= det;
-    return det;
-}
 
 /* Gradients at the centre, hourglass shapes h less their linear part, and the element's share in masses and dt. */
 static void prepare_element(struct model *m, int e)
