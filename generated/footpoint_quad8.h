@@ -201,7 +201,6 @@ FOOTPOINT_PART void footpoint_detail_weighted(const double *const *x, int nodes,
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[nodes][j] - x[0][j];
-        FOOTPOINT_UNROLL
         for (k = 1; k < nodes; k++) {
             u[j] += pu[k] * (x[k][j] - x[0][j]);
             v[j] += pv[k] * (x[k][j] - x[0][j]);
@@ -219,14 +218,12 @@ FOOTPOINT_FN void footpoint_detail_quad8_surface(const double *const *x, double 
 {
     double p[8], pu[8], pv[8];
     int k;
-    FOOTPOINT_UNROLL
     for (k = 1; k < 4; k++) {
         const double a = k < 3 ? 1.0 : -1.0, b = k > 1 ? 1.0 : -1.0;
         p[k] = 0.25 * (1.0 + a * xi) * (1.0 + b * eta) * (a * xi + b * eta - 1.0);
         pu[k] = 0.25 * a * (1.0 + b * eta) * (2.0 * a * xi + b * eta);
         pv[k] = 0.25 * b * (1.0 + a * xi) * (a * xi + 2.0 * b * eta);
     }
-    FOOTPOINT_UNROLL
     for (k = 4; k < 8; k += 2) {
         const double b = k > 4 ? 1.0 : -1.0, a = -b;
         p[k] = 0.5 * (1.0 - xi * xi) * (1.0 + b * eta);

@@ -201,7 +201,6 @@ FOOTPOINT_PART void footpoint_detail_weighted(const double *const *x, int nodes,
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[nodes][j] - x[0][j];
-        FOOTPOINT_UNROLL
         for (k = 1; k < nodes; k++) {
             u[j] += pu[k] * (x[k][j] - x[0][j]);
             v[j] += pv[k] * (x[k][j] - x[0][j]);
@@ -224,7 +223,6 @@ FOOTPOINT_FN void footpoint_detail_quad9_surface(const double *const *x, double 
     const double dg[3] = {eta - 0.5, -2.0 * eta, eta + 0.5};
     double p[9], pu[9], pv[9];
     int k;
-    FOOTPOINT_UNROLL
     for (k = 1; k < 9; k++) {
         p[k] = f[column[k]] * g[row[k]];
         pu[k] = df[column[k]] * g[row[k]];

@@ -6,14 +6,12 @@ FOOTPOINT_FN void footpoint_detail_quad8_surface(const REAL *const *x, REAL xi, 
 {
     REAL p[8], pu[8], pv[8];
     int k;
-    FOOTPOINT_UNROLL
     for (k = 1; k < 4; k++) {
         const REAL a = k < 3 ? 1.0 : -1.0, b = k > 1 ? 1.0 : -1.0;
         p[k] = 0.25 * (1.0 + a * xi) * (1.0 + b * eta) * (a * xi + b * eta - 1.0);
         pu[k] = 0.25 * a * (1.0 + b * eta) * (2.0 * a * xi + b * eta);
         pv[k] = 0.25 * b * (1.0 + a * xi) * (a * xi + 2.0 * b * eta);
     }
-    FOOTPOINT_UNROLL
     for (k = 4; k < 8; k += 2) {
         const REAL b = k > 4 ? 1.0 : -1.0, a = -b;
         p[k] = 0.5 * (1.0 - xi * xi) * (1.0 + b * eta);

@@ -11,7 +11,6 @@ FOOTPOINT_FN void footpoint_detail_quad9_surface(const REAL *const *x, REAL xi, 
     const REAL dg[3] = {eta - 0.5, -2.0 * eta, eta + 0.5};
     REAL p[9], pu[9], pv[9];
     int k;
-    FOOTPOINT_UNROLL
     for (k = 1; k < 9; k++) {
         p[k] = f[column[k]] * g[row[k]];
         pu[k] = df[column[k]] * g[row[k]];

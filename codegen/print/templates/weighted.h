@@ -11,7 +11,6 @@ FOOTPOINT_PART void footpoint_detail_weighted(const REAL *const *x, int nodes, c
     for (j = 0; j < 3; j++) {
         u[j] = v[j] = 0.0;
         d[j] = x[nodes][j] - x[0][j];
-        FOOTPOINT_UNROLL
         for (k = 1; k < nodes; k++) {
             u[j] += pu[k] * (x[k][j] - x[0][j]);
             v[j] += pv[k] * (x[k][j] - x[0][j]);
