@@ -94,7 +94,7 @@ static void point(const struct exact_face *f, const quadruple *x, quadruple xi, 
     }
 }
 
-static quadruple dot(const quadruple a[3], const quadruple b[3])
+quadruple exact_dot(const quadruple a[3], const quadruple b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -108,13 +108,18 @@ static quadruple root_of(quadruple x)
     return root;
 }
 
-static void normal_of(const quadruple a[3], const quadruple b[3], quadruple n[3])
+void exact_unit(quadruple v[3])
+{
+    const quadruple length = root_of(exact_dot(v, v));
+    for (int i = 0; i < 3; i++)
+        v[i] /= length;
+}
+
+void exact_normal(const quadruple a[3], const quadruple b[3], quadruple n[3])
 {
     for (int i = 0; i < 3; i++)
         n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-    const quadruple length = root_of(dot(n, n));
-    for (int i = 0; i < 3; i++)
-        n[i] /= length;
+    exact_unit(n);
 }
 
 void exact_point(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta, quadruple r[3],
@@ -124,11 +129,10 @@ void exact_point(const struct exact_face *f, const quadruple *x, quadruple xi, q
     point(f, x, xi, eta, 0, 0, r);
     point(f, x, xi, eta, 1, 0, a);
     point(f, x, xi, eta, 0, 1, b);
-    normal_of(a, b, normal);
+    exact_normal(a, b, normal);
 }
 
-/* Quotient of the eigenvalues of a symmetric matrix, the larger by the smaller. */
-static double condition_of(quadruple h11, quadruple h12, quadruple h22)
+double exact_condition(quadruple h11, quadruple h12, quadruple h22)
 {
     const double mean = (double)(h11 + h22) / 2, difference = (double)(h11 - h22) / 2;
     const double away = hypot(difference, (double)h12), large = fabs(mean) + away;
@@ -150,13 +154,15 @@ bool exact_foot_near(const struct exact_face *f, const quadruple *x, quadruple x
         point(f, x, xi, eta, 0, 2, bb);
         for (int i = 0; i < 3; i++)
             d[i] = x[3 * f->nodes + i] - r[i];
-        const quadruple h11 = dot(a, a) - dot(d, aa), h12 = dot(a, b) - dot(d, ab), h22 = dot(b, b) - dot(d, bb);
-        const quadruple det = h11 * h22 - h12 * h12, f1 = dot(a, d), f2 = dot(b, d);
+        const quadruple h11 = exact_dot(a, a) - exact_dot(d, aa), h12 = exact_dot(a, b) - exact_dot(d, ab),
+                        h22 = exact_dot(b, b) - exact_dot(d, bb);
+        const quadruple det = h11 * h22 - h12 * h12, f1 = exact_dot(a, d), f2 = exact_dot(b, d);
         const quadruple u = (h22 * f1 - h12 * f2) / det, v = (h11 * f2 - h12 * f1) / det;
         xi += u;
         eta += v;
         last = magnitude(u) + magnitude(v);
-        foot->condition = fmax(condition_of(h11, h12, h22), condition_of(dot(a, a), dot(a, b), dot(b, b)));
+        foot->condition =
+            fmax(exact_condition(h11, h12, h22), exact_condition(exact_dot(a, a), exact_dot(a, b), exact_dot(b, b)));
     }
     if (!(last <= 1e-27))
         return false;
@@ -165,7 +171,7 @@ bool exact_foot_near(const struct exact_face *f, const quadruple *x, quadruple x
     exact_point(f, x, xi, eta, r, foot->normal);
     for (int i = 0; i < 3; i++)
         d[i] = x[3 * f->nodes + i] - r[i];
-    foot->gap = dot(d, foot->normal);
+    foot->gap = exact_dot(d, foot->normal);
     for (int k = 0; k < f->nodes; k++)
         foot->phi[k] = shape(f, k, xi, eta, 0, 0);
     return true;

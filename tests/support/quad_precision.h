@@ -10,6 +10,17 @@ __extension__ typedef __float128 quadruple;
 
 enum { MOST_NODES = 9, MOST_COORDINATES = 3 * (MOST_NODES + 1) };
 
+quadruple exact_dot(const quadruple a[3], const quadruple b[3]);
+
+/** Makes a vector of length 1. */
+void exact_unit(quadruple v[3]);
+
+/** The unit vector along a x b. */
+void exact_normal(const quadruple a[3], const quadruple b[3], quadruple n[3]);
+
+/** Quotient of the eigenvalues of a symmetric matrix, the larger by the smaller. */
+double exact_condition(quadruple h11, quadruple h12, quadruple h22);
+
 struct exact_face {
     int nodes;
     const double (*place)[2];                /* (xi, eta) of the nodes; not owned */

@@ -1,0 +1,22 @@
+/* Bezier and Gregory patches in quadruple precision, by their control points: the reference of derivatives.  Points are by
+ * Casteljau's algorithm, tangents by differences of points, foot points by Newton's iteration. */
+#ifndef FOOTPOINT_QUAD_PATCH_H
+#define FOOTPOINT_QUAD_PATCH_H
+
+#include "quad_precision.h"
+
+enum { PATCH_COORDINATES = 27 }; /* of corners A, B, C, D, normals there, which are made unit, slave node */
+
+struct patch_foot {
+    quadruple xi, eta, gap, r[3], r_xi[3], r_eta[3], normal[3];
+    double condition; /* of the Hessian of half the square of the distance, and of the metric */
+};
+
+/** The point and its tangents; Bezier patches have no twins. */
+void patch_point(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta, struct patch_foot *at);
+
+/** The foot point near (xi, eta).  False: Newton's iteration ends nowhere. */
+bool patch_foot_near(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta,
+                     struct patch_foot *foot);
+
+#endif
