@@ -93,6 +93,7 @@ include_dirs = $(filter -I%,$(1))
 # Vectorising a checked loop needs leave to compare without traps; no result changes.
 CFLAGS_batch_lanes := -fno-math-errno -fno-trapping-math
 $(foreach kind,tri3 tri6 quad4 quad8 quad9,$(eval CFLAGS_face_$(kind) := $(CFLAGS_batch_lanes)))
+$(foreach kind,bezier gregory,$(eval CFLAGS_patch_$(kind) := $(CFLAGS_batch_lanes)))
 # Costs of operations are those of optimised code, in any configuration.
 CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 
@@ -147,8 +148,8 @@ SHIPPED := bezier blocks-quad4 bricks-quad4 gregory paper-gregory paper-quad4 pa
 FRAMES  := affine bezier gregory guarded parallelogram plane quad8 quad9 similarity similarity_gregory steps tri3 tri6
 header_of = generated/footpoint_$(subst -,_,$(1)).h
 GENERATED := $(foreach scene,$(SHIPPED),$(call header_of,$(scene)))
-# Derivatives at a foot point, by kind of face.
-FACES   := quad4 quad8 quad9 tri3 tri6
+# Derivatives at a foot point, by kind of face and patch.
+FACES   := bezier gregory quad4 quad8 quad9 tri3 tri6
 DERIVATIVES := $(FACES:%=generated/footpoint_%_derivatives.h)
 # Those in double, and one's own where SCENE names it, are what the bench and its tests call.
 OWN     := $(filter-out $(SHIPPED),$(basename $(notdir $(SCENE))))
@@ -383,7 +384,7 @@ MANDIR     ?= $(PREFIX)/share/man
 DATADIR    := $(BINDIR)/../share/footpoint
 
 VERSION := $(shell sed -n 's/^.define FOOTPOINT_VERSION "\(.*\)"/\1/p' codegen/genome/base.h)
-LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h runtime/footpoint_face.h
+LIBRARY := runtime/footpoint.h runtime/footpoint_batch.h runtime/footpoint_face.h runtime/footpoint_patch.h
 HEADERS := $(GENERATED) $(DERIVATIVES) $(sort $(wildcard runtime/geometry/footpoint-*.h)) runtime/package/footpoint.f90
 PROGRAMS := $(addprefix $(BIN)/footpoint-,codegen calibrate evolve pga perceptron bench)
 PAGES_1 := $(addprefix evolve/man/footpoint-,evolve.1 pga.1 perceptron.1) \

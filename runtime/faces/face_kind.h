@@ -3,6 +3,7 @@
 #ifndef FOOTPOINT_FACE_KIND_H
 #define FOOTPOINT_FACE_KIND_H
 
+#include "blocks.h"
 #include "face_table.h"
 
 #define X3 x[0], x[1], x[2]
@@ -10,42 +11,6 @@
 #define X6 X4, x[4], x[5]
 #define X8 X6, x[6], x[7]
 #define X9 X8, x[8]
-
-#if defined(__GNUC__) && defined(__x86_64__)
-#define HAVE_X86 1
-#ifdef __clang__
-#define AVX512 __attribute__((flatten, target("avx512f,avx512dq,avx512vl,fma")))
-#else
-#define AVX512 __attribute__((flatten, target("avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512")))
-#endif
-#define AVX2 __attribute__((flatten, target("avx2,fma")))
-#endif
-
-/* A block of pairs by the machine's own instructions, as batch/batch_lanes.c has them. */
-#define BLOCK_OF(kind, tier, set, attributes)                                                                          \
-    attributes static void block_##set(const double *const *columns, double *xi, double *eta, double *gap,             \
-                                       int *status)                                                                    \
-    {                                                                                                                  \
-        footpoint_##kind##_##tier##_checked_n(FACE_BLOCK, columns, xi, eta, gap, status);                              \
-    }
-#ifdef HAVE_X86
-#define BLOCKS_OF(kind, tier)                                                                                          \
-    BLOCK_OF(kind, tier, plain, )                                                                                      \
-    BLOCK_OF(kind, tier, avx2, AVX2)                                                                                   \
-    BLOCK_OF(kind, tier, avx512, AVX512)                                                                               \
-    static void block(const double *const *columns, double *xi, double *eta, double *gap, int *status)                 \
-    {                                                                                                                  \
-        if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))                                  \
-            block_avx512(columns, xi, eta, gap, status);                                                               \
-        else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))                                      \
-            block_avx2(columns, xi, eta, gap, status);                                                                 \
-        else                                                                                                           \
-            block_plain(columns, xi, eta, gap, status);                                                                \
-    }
-#else
-#define BLOCKS_OF(kind, tier) BLOCK_OF(kind, tier, plain, )
-#define block block_plain
-#endif
 
 #define KIND(kind, tier, count)                                                                                        \
     static int locate(const double *const *x, const double *s, double *loc, double *gap)                               \
@@ -77,6 +42,7 @@
         return footpoint_##kind##_hessian(X##count, s, loc, gap, d_xi, d_eta, d_gap, d_normal, second);                \
     }                                                                                                                  \
     BLOCKS_OF(kind, tier)                                                                                              \
-    const struct face footpoint_face_##kind = {count, locate, closest, nearest, place, differentiate, hessian, block};
+    const struct face footpoint_face_##kind = {                                                                        \
+        {count, 0, locate, block}, closest, nearest, place, differentiate, hessian};
 
 #endif

@@ -2,13 +2,10 @@
 #ifndef FOOTPOINT_FACE_TABLE_H
 #define FOOTPOINT_FACE_TABLE_H
 
-#include <stddef.h>
-
-enum { FACE_BLOCK = 32, FACE_MOST_NODES = 9 };
+#include "pairs.h"
 
 struct face {
-    int nodes;
-    int (*locate)(const double *const *x, const double *s, double *loc, double *gap);
+    struct pairs_kind pairs;
     int (*closest)(const double *const *x, const double *s, double *loc, double *distance, int *region);
     /* Of n faces, the nodes of which x has one face after the other. */
     int (*nearest)(size_t n, const double *const *x, const double *s, double *loc, double *distance, int *region,
@@ -19,8 +16,6 @@ struct face {
                          double *r_eta, double *normal, double *gap, double *d_xi, double *d_eta, double *d_gap);
     int (*hessian)(const double *const *x, const double *s, const double *loc, double *gap, double *d_xi, double *d_eta,
                    double *d_gap, double *d_normal, double *hessian);
-    /* FACE_BLOCK pairs; coordinate i of node k, the slave node being the last, in column 3 k + i. */
-    void (*block)(const double *const *columns, double *xi, double *eta, double *gap, int *status);
 };
 
 /* Not for callers of the library. */

@@ -1,5 +1,5 @@
-! footpoint for Fortran 2003: the functions of footpoint.h and footpoint_face.h under the same names, which see for what
-! they do; of those on faces no argument may be left out.
+! footpoint for Fortran 2003: the functions of footpoint.h, footpoint_face.h and footpoint_patch.h under the same names, which see for what
+! they do; of those on faces and patches no argument may be left out.
 !
 !     use footpoint
 !     status = footpoint_locate(xA, xB, xC, xD, xS, loc, gap)
@@ -31,6 +31,10 @@ module footpoint
   integer(c_int), parameter :: FOOTPOINT_QUAD4 = 2
   integer(c_int), parameter :: FOOTPOINT_QUAD8 = 3
   integer(c_int), parameter :: FOOTPOINT_QUAD9 = 4
+
+  ! Kinds of patches.
+  integer(c_int), parameter :: FOOTPOINT_BEZIER = 0
+  integer(c_int), parameter :: FOOTPOINT_GREGORY = 1
 
   type, bind(C) :: footpoint_derivatives
     real(c_double) :: phi(4), r_xi(3), r_eta(3), normal(3), gap, d_xi(15), d_eta(15), d_gap(15)
@@ -238,6 +242,45 @@ module footpoint
       integer(c_int), value :: face
       real(c_double), intent(in) :: x(3, *), loc(2)
       real(c_double), intent(inout) :: gap, d_xi(*), d_eta(*), d_gap(*), d_normal(*), hessian(*)
+      integer(c_int) :: status
+    end function
+
+    ! x: corners, unit normals there, slave node.
+    function footpoint_patch_locate(patch, x, loc, gap) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: patch
+      real(c_double), intent(in) :: x(3, 9)
+      real(c_double), intent(inout) :: loc(2), gap
+      integer(c_int) :: status
+    end function
+
+    function footpoint_patch_locate_pairs(patch, n, xyz, normals, nodes, seg, slave, loc, gap, status) bind(C) &
+        result(failed)
+      import :: c_int, c_size_t, c_double
+      integer(c_int), value :: patch
+      integer(c_size_t), value :: n, nodes
+      real(c_double), intent(in) :: xyz(3, *), normals(3, *)
+      integer(c_int), intent(in) :: seg(4, *), slave(*)
+      real(c_double), intent(inout) :: loc(2, *), gap(*)
+      integer(c_int), intent(inout) :: status(*)
+      integer(c_size_t) :: failed
+    end function
+
+    function footpoint_patch_place(patch, x, loc, r, r_xi, r_eta, normal, gap) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: patch
+      real(c_double), intent(in) :: x(3, 9), loc(2)
+      real(c_double), intent(inout) :: r(3), r_xi(3), r_eta(3), normal(3), gap
+      integer(c_int) :: status
+    end function
+
+    function footpoint_patch_differentiate(patch, x, loc, r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, &
+        d_eta_n, d_gap_n) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: patch
+      real(c_double), intent(in) :: x(3, 9), loc(2)
+      real(c_double), intent(inout) :: r(3), r_xi(3), r_eta(3), normal(3), gap
+      real(c_double), intent(inout) :: d_xi(3, 5), d_eta(3, 5), d_gap(3, 5), d_xi_n(3, 4), d_eta_n(3, 4), d_gap_n(3, 4)
       integer(c_int) :: status
     end function
   end interface

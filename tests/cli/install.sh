@@ -19,7 +19,7 @@ installed=$work/moved include=$work/moved/include lib=$work/moved/lib
 find "$work/stage" ! -type d > "$work/log"; [ ! -s "$work/log" ]; report $((! $?)) 'nothing outside PREFIX'
 find "$include" -name '*.h' | sed 's|.*/||' | grep -v '^footpoint[-_.]' > "$work/log"
 [ ! -s "$work/log" ]; report $((! $?)) 'headers have our name'
-find "$include" -name '*.h' | grep -vxF -e "$include/footpoint_batch.h" -e "$include/footpoint_face.h" | sed 's|.*/||' | grep '_' | grep -vxF "$(ls generated)" \
+find "$include" -name '*.h' | grep -vxF -e "$include/footpoint_batch.h" -e "$include/footpoint_face.h" -e "$include/footpoint_patch.h" | sed 's|.*/||' | grep '_' | grep -vxF "$(ls generated)" \
     > "$work/log" # they stand beside footpoint.h, generated ones have a folder of their own
 [ ! -s "$work/log" ]; report $((! $?)) 'and those of the library none that a generated one could have'
 ! grep -rlIF -e "$work" -e "$PWD" "$installed" > "$work/log"; report $((! $?)) 'no file knows where it was made'
@@ -94,13 +94,13 @@ else
 fi
 
 # ---- Fortran ----
-functions_of "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h > "$work/declared"
+functions_of "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h "$installed"/include/footpoint_patch.h > "$work/declared"
 module=$include/footpoint/footpoint.f90
 sed -n 's/^ *function \(footpoint_[a-z0-9_]*\)(.*/\1/p' "$module" | sort > "$work/module"
 logged 'the Fortran module has every function' diff "$work/declared" "$work/module"
 sed -n 's/^#define \(FOOTPOINT_[A-Z_]*\) (*\(-*[0-9][0-9]*\).*/\1 \2/p' \
     "$include/footpoint.h" > "$work/declared"
-sed -n 's/.*parameter :: \(FOOTPOINT_[A-Z_]*\) = \(-*[0-9]*\)$/\1 \2/p' "$module" > "$work/module"
+sed -n '/Kinds of faces/q; s/.*parameter :: \(FOOTPOINT_[A-Z_]*\) = \(-*[0-9]*\)$/\1 \2/p' "$module" > "$work/module"
 logged 'and every status' diff "$work/declared" "$work/module"
 if command -v gfortran > /dev/null; then
     cat > "$work/use.f90" <<'F'
@@ -162,7 +162,7 @@ for program in evolve codegen bench calibrate pga perceptron; do
     [ $good = 0 ] || sed "s/^/# not in footpoint-$program.1: /" "$work/log"
     report $((!good)) "the page of footpoint-$program has every option of its --help"
 done
-functions_of "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h | while read -r function; do
+functions_of "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h "$installed"/include/footpoint_patch.h | while read -r function; do
     grep -qx "\.F[no] $function" "$installed/share/man/man3/footpoint.3" || echo "$function"
 done > "$work/log"
 [ ! -s "$work/log" ]; good=$?

@@ -1,0 +1,42 @@
+/* Blocks of pairs by the machine's own instructions, as batch/batch_lanes.c has them: BLOCKS_OF(quad8, full) makes
+ * block(), out of footpoint_quad8_full_checked_n. */
+#ifndef FOOTPOINT_FACE_BLOCKS_H
+#define FOOTPOINT_FACE_BLOCKS_H
+
+#include "pairs.h"
+
+#define BLOCK_OF(kind, tier, set, attributes)                                                                          \
+    attributes static void block_##set(const double *const *columns, double *xi, double *eta, double *gap,             \
+                                       int *status)                                                                    \
+    {                                                                                                                  \
+        footpoint_##kind##_##tier##_checked_n(PAIRS_BLOCK, columns, xi, eta, gap, status);                             \
+    }
+
+#if defined(__GNUC__) && defined(__x86_64__)
+#ifdef __clang__
+#define AVX512 __attribute__((flatten, target("avx512f,avx512dq,avx512vl,fma")))
+#else
+#define AVX512 __attribute__((flatten, target("avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512")))
+#endif
+#define AVX2 __attribute__((flatten, target("avx2,fma")))
+
+/* Machines with neither do one pair at a time. */
+#define BLOCKS_OF(kind, tier)                                                                                          \
+    BLOCK_OF(kind, tier, avx2, AVX2)                                                                                   \
+    BLOCK_OF(kind, tier, avx512, AVX512)                                                                               \
+    static void block(const double *const *columns, double *xi, double *eta, double *gap, int *status)                 \
+    {                                                                                                                  \
+        if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))                                  \
+            block_avx512(columns, xi, eta, gap, status);                                                               \
+        else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))                                      \
+            block_avx2(columns, xi, eta, gap, status);                                                                 \
+        else                                                                                                           \
+            for (int i = 0; i < PAIRS_BLOCK; i++)                                                                      \
+                status[i] = FOOTPOINT_ERR_UNPROVED;                                                                    \
+    }
+#else
+#define BLOCKS_OF(kind, tier) BLOCK_OF(kind, tier, plain, )
+#define block block_plain
+#endif
+
+#endif

@@ -1,0 +1,35 @@
+/* Many pairs of a slave node and a face or patch, out of coordinates and connectivity. */
+#ifndef FOOTPOINT_PAIRS_H
+#define FOOTPOINT_PAIRS_H
+
+#include "../footpoint.h"
+
+enum { PAIRS_BLOCK = 32, PAIRS_MOST_VECTORS = 10 }; /* the slave node among them */
+
+/* What is searched: nodes, and for patches as many unit normals there. */
+struct pairs_kind {
+    int nodes, normals;
+    int (*locate)(const double *const *x, const double *s, double *loc, double *gap);
+    /* PAIRS_BLOCK pairs; coordinate i of vector k, the slave node being the last, in column 3 k + i. */
+    void (*block)(const double *const *columns, double *xi, double *eta, double *gap, int *status);
+};
+
+struct pairs {
+    size_t n;
+    const double *xyz, *normals; /* by node index */
+    size_t nodes;
+    const int *seg, *slave;
+};
+
+/* Not for callers of the library. */
+#ifdef __GNUC__
+#pragma GCC visibility push(hidden)
+#endif
+/* As footpoint_face_locate_pairs; kind NULL: there is none. */
+size_t footpoint_pairs_locate(const struct pairs_kind *kind, const struct pairs *p, double *loc, double *gap,
+                              int *status);
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
+
+#endif
