@@ -1,6 +1,6 @@
-# The examples to copy, in C.  Impact: it compiles alone, keeps momentum to rounding and energy nearly, and both
+# The examples to copy.  Impact: it compiles alone, keeps momentum to rounding and energy nearly, and both
 # searches agree.  Slide: contact with Gregory patches makes forces smoother, and is never lost.  Press: Newton's residuals
-# fall quadratically, on every kind of face, without friction and with it.
+# fall quadratically, on every kind of face, without friction and with it, and in Fortran it is the same.
 . tests/cli/expect.inc
 CC=${CC:-gcc}
 strict='-std=c11 -D_DEFAULT_SOURCE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
@@ -82,6 +82,20 @@ for kind in $kinds; do
         report $((! $?)) 'and it is drawn with the force of friction'
     done
 done
+if [ -e "$BIN/footpoint.mod" ]; then
+    gfortran -std=f2018 -Wall -Wextra -Wno-compare-reals -Werror -O1 -J"$work" -I"$BIN" tests/example/blocks.f90 tests/example/press.f90 \
+        "$BIN/libfootpoint.a" -o "$work/press_f" -lm > "$work/log" 2>&1
+    good=$?
+    [ $good = 0 ] || sed 's/^/# /' "$work/log"
+    report $((!good)) 'press compiles in Fortran'
+    for kind in quad4 quad8; do
+        "$work/press" $kind 0.3 | awk 'NR > 2 { print $1, $2, $3, $4, $5, $6 }' > "$work/table"
+        expect "and is the same on $kind" 0 "$(cat "$work/table")" '' \
+            sh -c "'$work/press_f' $kind 0.3 | awk 'NR > 2 { print \$1, \$2, \$3, \$4, \$5, \$6 }'"
+    done
+else
+    report 1 'skipped: no gfortran'
+fi
 expect 'usage of press' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1' \
     "$work/press" quad5
 expect 'and of its friction' 2 '' 'usage: press [KIND [FRICTION]]       KIND: tri3, tri6, quad4, quad8, quad9; 0 <= FRICTION <= 1' \
