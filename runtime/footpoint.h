@@ -163,7 +163,8 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
 
 /** Force and consistent tangent of a contact element along the normal, for any kind of face: pressure = multiplier -
  *  stiffness gap where that is > 0, else 0, force = pressure d gap / dx.  With multiplier = 0 the penalty forces (10), (11)
- *  along the segment's own normal; otherwise those of an augmented Lagrangian, whose next multiplier is `pressure`.
+ *  along the segment's own normal, and, at the exact foot point, those of footpoint_force_balanced, whose tangent it so
+ *  is, too; otherwise those of an augmented Lagrangian, whose next multiplier is `pressure`.
  *  @param[in]  nodes       of the face, 3 to 9; coordinate 3 k + i is component i of node k, the slave node last
  *  @param[in]  gap, d_gap, hessian  as footpoint_KIND_hessian of generated/ gives them
  *  @param[in]  stiffness   >= 0, force per mesh length

@@ -133,6 +133,47 @@ static void tangents_are_derivatives(void **state)
     assert_true(open > 5 && slid > 5 && stuck > 5);
 }
 
+/* Balanced forces at the foot point, in the order of coordinates. */
+static void balanced_forces(const struct exact_face *f, const double *x, double *force)
+{
+    quadruple y[C];
+    struct exact_foot foot;
+    for (int i = 0; i < 15; i++)
+        y[i] = x[i];
+    assert_true(exact_foot_near(f, y, 0.2, 0.1, &foot));
+    const double loc[2] = {(double)foot.xi, (double)foot.eta};
+    assert_int_equal(
+        footpoint_force_balanced(x, x + 3, x + 6, x + 9, x + 12, loc, STIFFNESS, force + 12, (double(*)[3])force),
+        FOOTPOINT_OK);
+}
+
+/* Forces along xS - r are those along the normal, at foot points, and so are their derivatives. */
+static void balanced_forces_have_the_same_tangent(void **state)
+{
+    const struct exact_face f = exact_face_of(4);
+    uint64_t stream = 11;
+    (void)state;
+    for (int sample = 0; sample < SAMPLES; sample++) {
+        static struct contact e;
+        double force[15], away[2][15];
+        memset(&e, 0, sizeof e);
+        draw(&stream, &f, -0.15, &e);
+        assemble(FOOTPOINT_QUAD4, &f, &e);
+        balanced_forces(&f, e.x, force);
+        for (int c = 0; c < 15; c++) {
+            assert_true(fabs(force[c] - e.normal[c]) <= 1e-12 * STIFFNESS);
+            for (int side = 0; side < 2; side++) {
+                double x[15];
+                memcpy(x, e.x, sizeof x);
+                x[c] += side ? -STEP : STEP;
+                balanced_forces(&f, x, away[side]);
+            }
+            for (int r = 0; r < 15; r++)
+                assert_true(fabs(packed_at(&e, r, c) - (away[1][r] - away[0][r]) / (2 * STEP)) <= 1e-5 * STIFFNESS);
+        }
+    }
+}
+
 static double length(const double f[3])
 {
     return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
@@ -205,6 +246,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tangents_are_derivatives),
+        cmocka_unit_test(balanced_forces_have_the_same_tangent),
         cmocka_unit_test(newton_is_quadratic),
         cmocka_unit_test(arguments_are_checked),
     };
