@@ -3,8 +3,8 @@
 #ifndef FOOTPOINT_FACE_KIND_H
 #define FOOTPOINT_FACE_KIND_H
 
-#include "blocks.h"
 #include "face_table.h"
+#include "pair_blocks.h"
 
 #define X3 x[0], x[1], x[2]
 #define X4 X3, x[3]

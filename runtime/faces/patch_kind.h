@@ -3,7 +3,7 @@
 #ifndef FOOTPOINT_PATCH_KIND_H
 #define FOOTPOINT_PATCH_KIND_H
 
-#include "blocks.h"
+#include "pair_blocks.h"
 #include "patch_table.h"
 
 #define X8 x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]

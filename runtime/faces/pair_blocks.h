@@ -1,7 +1,7 @@
 /* Blocks of pairs by the machine's own instructions, as batch/batch_lanes.c has them: BLOCKS_OF(quad8, full) makes
  * block(), out of footpoint_quad8_full_checked_n. */
-#ifndef FOOTPOINT_FACE_BLOCKS_H
-#define FOOTPOINT_FACE_BLOCKS_H
+#ifndef FOOTPOINT_PAIR_BLOCKS_H
+#define FOOTPOINT_PAIR_BLOCKS_H
 
 #include "pairs.h"
 
