@@ -18,7 +18,8 @@ packed() {
     report $((!good)) "$case_name, $compiler $*"
 }
 
-operations() { codegen --count "$1" | awk -F, -v g="$2" '$1 == g { print $2 + $3 + $4 }'; }
+# operations FILE: a line "NAME OPERATIONS" for each genome
+operations() { codegen --count "$1" | awk -F, 'NR > 1 { print $1, $2 + $3 + $4 }'; }
 
 # loop_flags HEADER FUNCTION: what the header says that its loop needs, beyond -O3
 loop_flags() {
@@ -29,8 +30,8 @@ for file in evolve/genomes/*.gen; do
     scene=$(basename "$file" .gen | tr - _)
     codegen "$file" --allow-poles --precision double -o "$work/$scene.h"
     codegen "$file" --allow-poles --precision float --prefix "${scene}_f" -o "$work/${scene}_f.h"
-    for genome in $(sed -n 's/^genome //p' "$file"); do
-        least=$(operations "$file" "$genome")
+    operations "$file" > "$work/operations"
+    while read -r genome least; do
         for type in double float; do
             suffix=
             [ $type = double ] || suffix=_f
@@ -50,7 +51,7 @@ for file in evolve/genomes/*.gen; do
                 [ $type = float ] || packed "$scene $genome $type" "$least" ymm $flags -mavx2 -mprefer-vector-width=256
             done
         done
-    done
+    done < "$work/operations"
 done
 
 # Checked ones, as they are committed: the least and the most accurate of each kind of segment.
