@@ -6,13 +6,14 @@ command -v objdump > /dev/null || { report 1 'skipped: no objdump'; exit 0; }
 case $(uname -m) in x86_64) ;; *) report 1 'skipped: not x86-64'; exit 0 ;; esac
 warnings='-Wall -Wextra -Wpedantic -Wshadow -Werror'
 
-# packed NAME LEAST REGISTER FLAGS: $work/use.c has at least LEAST packed operations on REGISTER
+# packed NAME LEAST REGISTER FLAGS: $work/use.c has at least LEAST packed operations on REGISTER, of which a compiler may
+# spare one in a hundred (equal ones)
 packed() {
     case_name=$1 least=$2 register=$3
     shift 3
     $compiler -std=c99 -O3 -ffp-contract=off $warnings "$@" -I"$work" -c "$work/use.c" -o "$work/use.o" > "$work/log" 2>&1
     found=$(objdump -d "$work/use.o" | grep -cE "v?(mul|div|add|sub|min|max|sqrt)p[ds] .*%$register")
-    [ "$found" -ge "$least" ]
+    [ $((100 * found)) -ge $((99 * least)) ]
     good=$?
     [ $good = 0 ] || { sed 's/^/# /' "$work/log"; echo "# $found packed operations, not $least"; }
     report $((!good)) "$case_name, $compiler $*"
