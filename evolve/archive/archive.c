@@ -10,7 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double worth = 0.99; /* what is not better by one in a hundred changes no header */
+static const double worth = 0.99;       /* what is not better by one in a hundred changes no header, */
+static const double worth_judged = 0.9; /* nor a program that is not by one in ten: its worst error on other samples is
+                                           uncertain by more than a small gain in the mean */
 
 const char *const origin_name[ORIGINS] = {"start file", "seed", "seeded island", "random island"};
 
@@ -433,7 +435,7 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     if (court.judge && fits)
         court.champion = &c->tree;
     const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
-    double least = worth * merit(plan, budget, error, c->cost);
+    double least = (court.judge ? worth_judged : worth) * merit(plan, budget, error, c->cost);
     const struct member *best = NULL;
     for (size_t k = 0; k <= f->limit; k++) {
         const struct member *m = &f->member[k];
