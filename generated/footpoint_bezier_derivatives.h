@@ -216,7 +216,10 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *          error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or, of
  *          derivatives, a Hessian of the distance that is singular.
  * NAME_n:  the same for n pairs; x[3 k + i] is the column of coordinate i of vector k, element j of pair i goes to
- *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing. */
+ *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing.
+ * FOOTPOINT_BEZIER_GRADIENTS_OF(footpoint_bezier_accurate), at file scope, behind the header of that search, defines the two
+ *          with the search before them, footpoint_bezier_accurate_gradients and ..._gradients_n, where loc, xi and eta are
+ *          what it finds; and alike for each function here and each search.  Statuses are those of both. */
 
 /* footpoint_bezier_place
  *   operations:     175 mul, 1 div, 137 add, 1 sqrt, 0 compare; 95 temporaries
@@ -353,6 +356,72 @@ FOOTPOINT_LOOP void footpoint_bezier_place_n(size_t n, const double *const x[27]
             status[i] = footpoint_detail_place_again(
                 footpoint_detail_footpoint_bezier_place, y, 4, 9, xi[i], eta[i], row, n, 5, shape);
         }
+}
+
+#define FOOTPOINT_BEZIER_PLACE_OF(search) \
+FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3], \
+                                const double nA[3], const double nB[3], const double nC[3], const double nD[3], \
+                                const double xS[3], double loc[2], double r[3], double r_xi[3], double r_eta[3], \
+                                double normal[3], double gap[1]) \
+{ \
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
+    double *const row[5] = {r, r_xi, r_eta, normal, gap}; \
+    double xi, eta; \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta); \
+    flaw |= footpoint_detail_footpoint_bezier_place(x, xi, eta, row, 1, 0); \
+    if (flaw >> 63) { \
+        double distance; \
+        const int status = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
+        if (status != FOOTPOINT_OK) \
+            return status; \
+        const int shape[10] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1}; \
+        return footpoint_detail_place_again( \
+                footpoint_detail_footpoint_bezier_place, x, 4, 9, loc[0], loc[1], row, 1, 5, shape); \
+    } \
+    loc[0] = xi; \
+    loc[1] = eta; \
+    return FOOTPOINT_OK; \
+} \
+FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
+                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
+                                     double *FOOTPOINT_RESTRICT r, \
+                                     double *FOOTPOINT_RESTRICT r_xi, \
+                                     double *FOOTPOINT_RESTRICT r_eta, \
+                                     double *FOOTPOINT_RESTRICT normal, \
+                                     double *FOOTPOINT_RESTRICT gap, \
+                                     int *FOOTPOINT_RESTRICT status) \
+{ \
+    const int shape[10] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1}; \
+    size_t i; \
+    FOOTPOINT_EACH \
+    for (i = 0; i < n; i++) { \
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]}, \
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}}; \
+        const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
+        double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
+        double at[2]; \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &at[0], &at[1]); \
+        flaw |= footpoint_detail_footpoint_bezier_place(y, at[0], at[1], row, n, 1); \
+        xi[i] = at[0]; \
+        eta[i] = at[1]; \
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
+    } \
+    for (i = 0; i < n; i++) \
+        if (status[i] != FOOTPOINT_OK) { \
+            const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]}, \
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}}; \
+            const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
+            double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
+            double at[2] = {xi[i], eta[i]}, distance; \
+            status[i] = search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], at, &distance); \
+            xi[i] = at[0]; \
+            eta[i] = at[1]; \
+            if (status[i] == FOOTPOINT_OK) \
+                status[i] = footpoint_detail_place_again( \
+                footpoint_detail_footpoint_bezier_place, y, 4, 9, xi[i], eta[i], row, n, 5, shape); \
+        } \
 }
 
 /* footpoint_bezier_gradients
@@ -741,6 +810,79 @@ FOOTPOINT_LOOP void footpoint_bezier_gradients_n(size_t n, const double *const x
             status[i] = footpoint_detail_place_again(
                 footpoint_detail_footpoint_bezier_gradients, y, 4, 9, xi[i], eta[i], row, n, 11, shape);
         }
+}
+
+#define FOOTPOINT_BEZIER_GRADIENTS_OF(search) \
+FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], const double xC[3], const double xD[3], \
+                                    const double nA[3], const double nB[3], const double nC[3], const double nD[3], \
+                                    const double xS[3], double loc[2], double r[3], double r_xi[3], double r_eta[3], \
+                                    double normal[3], double gap[1], double d_xi[15], double d_eta[15], \
+                                    double d_gap[15], double d_xi_n[12], double d_eta_n[12], double d_gap_n[12]) \
+{ \
+    const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
+    double *const row[11] = {r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, d_eta_n, d_gap_n}; \
+    double xi, eta; \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta); \
+    flaw |= footpoint_detail_footpoint_bezier_gradients(x, xi, eta, row, 1, 0); \
+    if (flaw >> 63) { \
+        double distance; \
+        const int status = search(xA, xB, xC, xD, nA, nB, nC, nD, xS, loc, &distance); \
+        if (status != FOOTPOINT_OK) \
+            return status; \
+        const int shape[22] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0, 12, 0, 12, 0, 12, 1}; \
+        return footpoint_detail_place_again( \
+                footpoint_detail_footpoint_bezier_gradients, x, 4, 9, loc[0], loc[1], row, 1, 11, shape); \
+    } \
+    loc[0] = xi; \
+    loc[1] = eta; \
+    return FOOTPOINT_OK; \
+} \
+FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
+                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
+                                         double *FOOTPOINT_RESTRICT r, \
+                                         double *FOOTPOINT_RESTRICT r_xi, \
+                                         double *FOOTPOINT_RESTRICT r_eta, \
+                                         double *FOOTPOINT_RESTRICT normal, \
+                                         double *FOOTPOINT_RESTRICT gap, \
+                                         double *FOOTPOINT_RESTRICT d_xi, \
+                                         double *FOOTPOINT_RESTRICT d_eta, \
+                                         double *FOOTPOINT_RESTRICT d_gap, \
+                                         double *FOOTPOINT_RESTRICT d_xi_n, \
+                                         double *FOOTPOINT_RESTRICT d_eta_n, \
+                                         double *FOOTPOINT_RESTRICT d_gap_n, \
+                                         int *FOOTPOINT_RESTRICT status) \
+{ \
+    const int shape[22] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0, 12, 0, 12, 0, 12, 1}; \
+    size_t i; \
+    FOOTPOINT_EACH \
+    for (i = 0; i < n; i++) { \
+        const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]}, \
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}}; \
+        const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
+        double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i}; \
+        double at[2]; \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &at[0], &at[1]); \
+        flaw |= footpoint_detail_footpoint_bezier_gradients(y, at[0], at[1], row, n, 1); \
+        xi[i] = at[0]; \
+        eta[i] = at[1]; \
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
+    } \
+    for (i = 0; i < n; i++) \
+        if (status[i] != FOOTPOINT_OK) { \
+            const double p[9][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}, {x[12][i], x[13][i], x[14][i]}, {x[15][i], x[16][i], x[17][i]}, \
+            {x[18][i], x[19][i], x[20][i]}, {x[21][i], x[22][i], x[23][i]}, {x[24][i], x[25][i], x[26][i]}}; \
+            const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
+            double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i}; \
+            double at[2] = {xi[i], eta[i]}, distance; \
+            status[i] = search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], at, &distance); \
+            xi[i] = at[0]; \
+            eta[i] = at[1]; \
+            if (status[i] == FOOTPOINT_OK) \
+                status[i] = footpoint_detail_place_again( \
+                footpoint_detail_footpoint_bezier_gradients, y, 4, 9, xi[i], eta[i], row, n, 11, shape); \
+        } \
 }
 
 #endif

@@ -216,7 +216,10 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *          error.  Returns FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE or FOOTPOINT_ERR_DEGENERATE: no normal there, or, of
  *          derivatives, a Hessian of the distance that is singular.
  * NAME_n:  the same for n pairs; x[3 k + i] is the column of coordinate i of vector k, element j of pair i goes to
- *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing. */
+ *          row[j * n + i]; rows overlap nothing else, none is NULL; where a status is an error they say nothing.
+ * FOOTPOINT_TRI3_GRADIENTS_OF(footpoint_tri3_accurate), at file scope, behind the header of that search, defines the two
+ *          with the search before them, footpoint_tri3_accurate_gradients and ..._gradients_n, where loc, xi and eta are
+ *          what it finds; and alike for each function here and each search.  Statuses are those of both. */
 
 /* footpoint_tri3_place
  *   operations:     29 mul, 1 div, 29 add, 1 sqrt, 0 compare; 16 temporaries
@@ -319,6 +322,69 @@ FOOTPOINT_LOOP void footpoint_tri3_place_n(size_t n, const double *const x[12],
             status[i] = footpoint_detail_place_again(
                 footpoint_detail_footpoint_tri3_place, y, 3, 4, xi[i], eta[i], row, n, 5, shape);
         }
+}
+
+#define FOOTPOINT_TRI3_PLACE_OF(search) \
+FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const double xC[3], const double xS[3], \
+                                double loc[2], double phi[3], double r_xi[3], double r_eta[3], double normal[3], \
+                                double gap[1]) \
+{ \
+    const double *const x[4] = {xA, xB, xC, xS}; \
+    double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
+    double xi, eta; \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, &xi, &eta); \
+    flaw |= footpoint_detail_footpoint_tri3_place(x, xi, eta, row, 1, 0); \
+    if (flaw >> 63) { \
+        double distance; \
+        const int status = search(xA, xB, xC, xS, loc, &distance); \
+        if (status != FOOTPOINT_OK) \
+            return status; \
+        const int shape[10] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1}; \
+        return footpoint_detail_place_again( \
+                footpoint_detail_footpoint_tri3_place, x, 3, 4, loc[0], loc[1], row, 1, 5, shape); \
+    } \
+    loc[0] = xi; \
+    loc[1] = eta; \
+    return FOOTPOINT_OK; \
+} \
+FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
+                                     double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
+                                     double *FOOTPOINT_RESTRICT phi, \
+                                     double *FOOTPOINT_RESTRICT r_xi, \
+                                     double *FOOTPOINT_RESTRICT r_eta, \
+                                     double *FOOTPOINT_RESTRICT normal, \
+                                     double *FOOTPOINT_RESTRICT gap, \
+                                     int *FOOTPOINT_RESTRICT status) \
+{ \
+    const int shape[10] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1}; \
+    size_t i; \
+    FOOTPOINT_EACH \
+    for (i = 0; i < n; i++) { \
+        const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}}; \
+        const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
+        double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
+        double at[2]; \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], &at[0], &at[1]); \
+        flaw |= footpoint_detail_footpoint_tri3_place(y, at[0], at[1], row, n, 1); \
+        xi[i] = at[0]; \
+        eta[i] = at[1]; \
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
+    } \
+    for (i = 0; i < n; i++) \
+        if (status[i] != FOOTPOINT_OK) { \
+            const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}}; \
+            const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
+            double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
+            double at[2] = {xi[i], eta[i]}, distance; \
+            status[i] = search(p[0], p[1], p[2], p[3], at, &distance); \
+            xi[i] = at[0]; \
+            eta[i] = at[1]; \
+            if (status[i] == FOOTPOINT_OK) \
+                status[i] = footpoint_detail_place_again( \
+                footpoint_detail_footpoint_tri3_place, y, 3, 4, xi[i], eta[i], row, n, 5, shape); \
+        } \
 }
 
 /* footpoint_tri3_gradients
@@ -477,6 +543,72 @@ FOOTPOINT_LOOP void footpoint_tri3_gradients_n(size_t n, const double *const x[1
             status[i] = footpoint_detail_place_again(
                 footpoint_detail_footpoint_tri3_gradients, y, 3, 4, xi[i], eta[i], row, n, 8, shape);
         }
+}
+
+#define FOOTPOINT_TRI3_GRADIENTS_OF(search) \
+FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], const double xC[3], const double xS[3], \
+                                    double loc[2], double phi[3], double r_xi[3], double r_eta[3], double normal[3], \
+                                    double gap[1], double d_xi[12], double d_eta[12], double d_gap[12]) \
+{ \
+    const double *const x[4] = {xA, xB, xC, xS}; \
+    double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
+    double xi, eta; \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, &xi, &eta); \
+    flaw |= footpoint_detail_footpoint_tri3_gradients(x, xi, eta, row, 1, 0); \
+    if (flaw >> 63) { \
+        double distance; \
+        const int status = search(xA, xB, xC, xS, loc, &distance); \
+        if (status != FOOTPOINT_OK) \
+            return status; \
+        const int shape[16] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1, 12, -1, 12, -1, 12, 0}; \
+        return footpoint_detail_place_again( \
+                footpoint_detail_footpoint_tri3_gradients, x, 3, 4, loc[0], loc[1], row, 1, 8, shape); \
+    } \
+    loc[0] = xi; \
+    loc[1] = eta; \
+    return FOOTPOINT_OK; \
+} \
+FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
+                                         double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
+                                         double *FOOTPOINT_RESTRICT phi, \
+                                         double *FOOTPOINT_RESTRICT r_xi, \
+                                         double *FOOTPOINT_RESTRICT r_eta, \
+                                         double *FOOTPOINT_RESTRICT normal, \
+                                         double *FOOTPOINT_RESTRICT gap, \
+                                         double *FOOTPOINT_RESTRICT d_xi, \
+                                         double *FOOTPOINT_RESTRICT d_eta, \
+                                         double *FOOTPOINT_RESTRICT d_gap, \
+                                         int *FOOTPOINT_RESTRICT status) \
+{ \
+    const int shape[16] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1, 12, -1, 12, -1, 12, 0}; \
+    size_t i; \
+    FOOTPOINT_EACH \
+    for (i = 0; i < n; i++) { \
+        const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}}; \
+        const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
+        double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
+        double at[2]; \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], &at[0], &at[1]); \
+        flaw |= footpoint_detail_footpoint_tri3_gradients(y, at[0], at[1], row, n, 1); \
+        xi[i] = at[0]; \
+        eta[i] = at[1]; \
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
+    } \
+    for (i = 0; i < n; i++) \
+        if (status[i] != FOOTPOINT_OK) { \
+            const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}}; \
+            const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
+            double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
+            double at[2] = {xi[i], eta[i]}, distance; \
+            status[i] = search(p[0], p[1], p[2], p[3], at, &distance); \
+            xi[i] = at[0]; \
+            eta[i] = at[1]; \
+            if (status[i] == FOOTPOINT_OK) \
+                status[i] = footpoint_detail_place_again( \
+                footpoint_detail_footpoint_tri3_gradients, y, 3, 4, xi[i], eta[i], row, n, 8, shape); \
+        } \
 }
 
 /* footpoint_tri3_hessian
@@ -747,6 +879,70 @@ FOOTPOINT_LOOP void footpoint_tri3_hessian_n(size_t n, const double *const x[12]
             status[i] = footpoint_detail_place_again(
                 footpoint_detail_footpoint_tri3_hessian, y, 3, 4, xi[i], eta[i], row, n, 6, shape);
         }
+}
+
+#define FOOTPOINT_TRI3_HESSIAN_OF(search) \
+FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const double xC[3], const double xS[3], \
+                                  double loc[2], double gap[1], double d_xi[12], double d_eta[12], double d_gap[12], \
+                                  double d_normal[36], double hessian[78]) \
+{ \
+    const double *const x[4] = {xA, xB, xC, xS}; \
+    double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
+    double xi, eta; \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, &xi, &eta); \
+    flaw |= footpoint_detail_footpoint_tri3_hessian(x, xi, eta, row, 1, 0); \
+    if (flaw >> 63) { \
+        double distance; \
+        const int status = search(xA, xB, xC, xS, loc, &distance); \
+        if (status != FOOTPOINT_OK) \
+            return status; \
+        const int shape[12] = {1, 1, 12, -1, 12, -1, 12, 0, 36, -1, 78, -1}; \
+        return footpoint_detail_place_again( \
+                footpoint_detail_footpoint_tri3_hessian, x, 3, 4, loc[0], loc[1], row, 1, 6, shape); \
+    } \
+    loc[0] = xi; \
+    loc[1] = eta; \
+    return FOOTPOINT_OK; \
+} \
+FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
+                                       double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
+                                       double *FOOTPOINT_RESTRICT gap, \
+                                       double *FOOTPOINT_RESTRICT d_xi, \
+                                       double *FOOTPOINT_RESTRICT d_eta, \
+                                       double *FOOTPOINT_RESTRICT d_gap, \
+                                       double *FOOTPOINT_RESTRICT d_normal, \
+                                       double *FOOTPOINT_RESTRICT hessian, \
+                                       int *FOOTPOINT_RESTRICT status) \
+{ \
+    const int shape[12] = {1, 1, 12, -1, 12, -1, 12, 0, 36, -1, 78, -1}; \
+    size_t i; \
+    FOOTPOINT_EACH \
+    for (i = 0; i < n; i++) { \
+        const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}}; \
+        const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
+        double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
+        double at[2]; \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], &at[0], &at[1]); \
+        flaw |= footpoint_detail_footpoint_tri3_hessian(y, at[0], at[1], row, n, 1); \
+        xi[i] = at[0]; \
+        eta[i] = at[1]; \
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(flaw >> 63); \
+    } \
+    for (i = 0; i < n; i++) \
+        if (status[i] != FOOTPOINT_OK) { \
+            const double p[4][3] = {{x[0][i], x[1][i], x[2][i]}, {x[3][i], x[4][i], x[5][i]}, {x[6][i], x[7][i], x[8][i]}, \
+            {x[9][i], x[10][i], x[11][i]}}; \
+            const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
+            double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
+            double at[2] = {xi[i], eta[i]}, distance; \
+            status[i] = search(p[0], p[1], p[2], p[3], at, &distance); \
+            xi[i] = at[0]; \
+            eta[i] = at[1]; \
+            if (status[i] == FOOTPOINT_OK) \
+                status[i] = footpoint_detail_place_again( \
+                footpoint_detail_footpoint_tri3_hessian, y, 3, 4, xi[i], eta[i], row, n, 6, shape); \
+        } \
 }
 
 #endif

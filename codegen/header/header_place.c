@@ -1,6 +1,7 @@
 /* Text of functions at a place of a face: nodes, slave node and (xi, eta) to rows of values.  For a genome NAME
  *   NAME:    one pair, with a status; where the quick way does not tell, once more in another unit of length;
- *   NAME_n:  many pairs, from columns of coordinates.
+ *   NAME_n:  many pairs, from columns of coordinates;
+ *   FOOTPOINT_KIND_GENOME_OF(search): a macro that defines the two joined with a search, search_GENOME and search_GENOME_n.
  * The row `require` is not written: its elements are > 0 where there is an answer. */
 #include "header_place.h"
 
@@ -10,6 +11,7 @@
 #include "../program/degree.h"
 #include "header_lines.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -157,28 +159,41 @@ static void print_again(const struct unit *u, const struct function *f, const st
             strlen(u->file->segment->nodes), segment_vectors(u->file->segment) + 1, place, r->n);
 }
 
-static void print_one(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+/* Joined with a search: what goes before the same of NAME alone. */
+static void print_one(const struct unit *u, const struct function *f, const struct rows *r, bool joined, FILE *out)
 {
     const size_t vectors = segment_vectors(u->file->segment) + 1;
-    char *head = new_format("FOOTPOINT_FN int %s", f->name), *names = lines_vectors(u);
+    const enum precision precision = u->options.precision;
+    char *name = joined ? new_format("search##_%s", f->genome->name) : new_text(f->name, strlen(f->name));
+    char *head = new_format("FOOTPOINT_FN int %s", name), *names = lines_vectors(u);
     struct memory *m = memory_open();
-    fputs("const REAL loc[2]", m->stream);
+    fputs(joined ? "REAL loc[2]" : "const REAL loc[2]", m->stream);
     for (size_t i = 0; i < r->n; i++)
         fprintf(m->stream, ",REAL %.*s[%zu]", (int)r->row[i].length, r->row[i].name, r->row[i].size);
     char *last = memory_close(m);
-    fputc('\n', out);
     lines_print_head(u, head, last, out);
     fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n", lines_real(u), vectors, names);
     print_rows(u, r, "    ", "", out);
-    fprintf(out, "    if (footpoint_detail_%s(x, loc[0], loc[1], row, 1, 0) >> ", f->name);
-    c_print("REAL_TOP) {\n", u->options.precision, out);
+    if (joined) {
+        c_print("    REAL xi, eta;\n    REAL_BITS flaw = ", precision, out);
+        fprintf(out, "footpoint_detail_##search(%s, &xi, &eta);\n", names);
+        fprintf(out, "    flaw |= footpoint_detail_%s(x, xi, eta, row, 1, 0);\n", f->name);
+        c_print("    if (flaw >> REAL_TOP) {\n        REAL distance;\n", precision, out);
+        fprintf(out, "        const int status = search(%s, loc, &distance);\n", names);
+        fprintf(out, "        if (status != FOOTPOINT_OK)\n            return status;\n");
+    } else {
+        fprintf(out, "    if (footpoint_detail_%s(x, loc[0], loc[1], row, 1, 0) >> ", f->name);
+        c_print("REAL_TOP) {\n", precision, out);
+    }
     print_shape(r, "        ", out);
     fputs("        return ", out);
     print_again(u, f, r, "x", "loc[0], loc[1], row, 1", out);
-    fputs("    }\n    return FOOTPOINT_OK;\n}\n", out);
+    fputs(joined ? "    }\n    loc[0] = xi;\n    loc[1] = eta;\n" : "    }\n", out);
+    fputs("    return FOOTPOINT_OK;\n}\n", out);
     free(last);
     free(names);
     free(head);
+    free(name);
 }
 
 /* The vectors of pair i. */
@@ -193,13 +208,15 @@ static void print_pair(const struct unit *u, const char *indent, FILE *out)
 }
 
 /* What is not good beyond doubt is done once more behind the loop. */
-static void print_loop(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+static void print_loop(const struct unit *u, const struct function *f, const struct rows *r, bool joined, FILE *out)
 {
-    const char *real = lines_real(u);
+    const char *real = lines_real(u), *before = joined ? "" : "const ", *star = joined ? "*FOOTPOINT_RESTRICT " : "*";
+    char *name = joined ? new_format("search##_%s", f->genome->name) : new_text(f->name, strlen(f->name));
+    char *vectors = lines_rows(u, "p");
     fputc('\n', out);
-    const int column = fprintf(out, "FOOTPOINT_LOOP void %s_n(", f->name);
-    fprintf(out, "size_t n, const %s *const x[%zu],\n%*sconst %s *xi, const %s *eta,\n", real,
-            3 * segment_vectors(u->file->segment) + 3, column, "", real, real);
+    const int column = fprintf(out, "FOOTPOINT_LOOP void %s_n(", name);
+    fprintf(out, "size_t n, const %s *const x[%zu],\n%*s", real, 3 * segment_vectors(u->file->segment) + 3, column, "");
+    fprintf(out, "%s%s %sxi, %s%s %seta,\n", before, real, star, before, real, star);
     for (size_t i = 0; i < r->n; i++)
         fprintf(out, "%*s%s *FOOTPOINT_RESTRICT %.*s,\n", column, "", real, (int)r->row[i].length, r->row[i].name);
     fprintf(out, "%*sint *FOOTPOINT_RESTRICT status)\n{\n", column, "");
@@ -207,7 +224,16 @@ static void print_loop(const struct unit *u, const struct function *f, const str
     fputs("    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n", out);
     print_pair(u, "        ", out);
     print_rows(u, r, "        ", " + i", out);
-    fprintf(out,
+    if (joined) {
+        c_print("        REAL at[2];\n        REAL_BITS flaw = ", u->options.precision, out);
+        fprintf(out, "footpoint_detail_##search(%s, &at[0], &at[1]);\n", vectors);
+        fprintf(out, "        flaw |= footpoint_detail_%s(y, at[0], at[1], row, n, 1);\n", f->name);
+        fputs("        xi[i] = at[0];\n        eta[i] = at[1];\n        status[i] = FOOTPOINT_ERR_DEGENERATE * "
+              "(int)(flaw >> ",
+              out);
+    } else
+        fprintf(
+            out,
             "        status[i] = FOOTPOINT_ERR_DEGENERATE *\n            (int)(footpoint_detail_%s(y, xi[i], eta[i], "
             "row, n, 1) >> ",
             f->name);
@@ -215,19 +241,59 @@ static void print_loop(const struct unit *u, const struct function *f, const str
             u->options.precision, out);
     print_pair(u, "            ", out);
     print_rows(u, r, "            ", " + i", out);
+    if (joined) {
+        c_print("            REAL at[2] = {xi[i], eta[i]}, distance;\n", u->options.precision, out);
+        fprintf(out, "            status[i] = search(%s, at, &distance);\n", vectors);
+        fputs(
+            "            xi[i] = at[0];\n            eta[i] = at[1];\n            if (status[i] == FOOTPOINT_OK)\n    ",
+            out);
+    }
     fputs("            status[i] = ", out);
     print_again(u, f, r, "y", "xi[i], eta[i], row, n", out);
     fputs("        }\n}\n", out);
+    free(vectors);
+    free(name);
+}
+
+/* "QUAD4"; caller frees. */
+static char *capitals(const char *word)
+{
+    char *text = new_text(word, strlen(word));
+    for (char *c = text; *c; c++)
+        *c = (char)toupper((unsigned char)*c);
+    return text;
+}
+
+/* The same with the search before it, as the text of a macro. */
+static void print_joined(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
+{
+    char *kind = capitals(u->file->segment->name), *genome = capitals(f->genome->name);
+    struct memory *m = memory_open();
+    print_one(u, f, r, true, m->stream);
+    print_loop(u, f, r, true, m->stream);
+    char *text = memory_close(m);
+    fprintf(out, "\n#define FOOTPOINT_%s_%s_OF(search)", kind, genome);
+    for (const char *t = text, *end; *t; t = end + 1) {
+        end = strchr(t, '\n');
+        if (end > t)
+            fprintf(out, " \\\n%.*s", (int)(end - t), t);
+    }
+    fputc('\n', out);
+    free(text);
+    free(genome);
+    free(kind);
 }
 
 void place_print_helpers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
-    char *vectors = lines_vectors(u);
-    const struct placeholder own[] = {{"VECTORS", vectors}, {NULL, NULL}};
+    const char *kind = u->file->segment->name;
+    char *vectors = lines_vectors(u), *upper = capitals(kind);
+    const struct placeholder own[] = {{"VECTORS", vectors}, {"UPPER", upper}, {"KIND", kind}, {NULL, NULL}};
     templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
     templates_print("FOOTPOINT_DETAIL_PLACE", (const char *const[]){"place", NULL}, precision, NULL, out);
     templates_print(NULL, (const char *const[]){"contract_place", NULL}, precision, own, out);
+    free(upper);
     free(vectors);
 }
 
@@ -235,6 +301,8 @@ void place_print(const struct unit *u, const struct function *f, FILE *out)
 {
     const struct rows r = find_rows(u, f);
     print_place(u, f, &r, out);
-    print_one(u, f, &r, out);
-    print_loop(u, f, &r, out);
+    fputc('\n', out);
+    print_one(u, f, &r, false, out);
+    print_loop(u, f, &r, false, out);
+    print_joined(u, f, &r, out);
 }

@@ -72,6 +72,23 @@ static void second(void)
     }
 }
 
+FOOTPOINT_QUAD4_GRADIENTS_OF(footpoint_quad4_accurate)
+FOOTPOINT_QUAD4_HESSIAN_OF(footpoint_quad4_accurate)
+
+static void gradients_joined(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_quad4_accurate_gradients(NODES(i), loc[i], NULL, NULL, NULL, NULL, &got[i].gap, got[i].xi,
+                                                       got[i].eta, got[i].by_gap);
+}
+
+static void second_joined(void)
+{
+    for (int i = 0; i < CASES; i++)
+        status[i] = footpoint_quad4_accurate_hessian(NODES(i), loc[i], &got[i].gap, got[i].xi, got[i].eta,
+                                                     got[i].by_gap, NULL, hessian[i]);
+}
+
 static void differentiate(void)
 {
     for (int i = 0; i < CASES; i++) {
@@ -120,6 +137,12 @@ static void arrays(void)
                                 status);
 }
 
+static void arrays_joined(void)
+{
+    footpoint_quad4_accurate_gradients_n(CASES, columns, xi, eta, rows[0], rows[1], rows[2], rows[3], gap, by_xi,
+                                         by_eta, by_gap, status);
+}
+
 static void arrays_alone(void)
 {
     footpoint_quad4_gradients_n(CASES, columns, xi, eta, rows[0], rows[1], rows[2], rows[3], gap, by_xi, by_eta, by_gap,
@@ -135,10 +158,13 @@ static const struct call {
              {"accurate, implicit by hand", implicit, 1},
              {"accurate, footpoint_differentiate", differentiate, 0},
              {"accurate_at, gradients", gradients, 1},
+             {"accurate_gradients", gradients_joined, 1},
              {"accurate_at, hessian", second, 1},
+             {"accurate_hessian", second_joined, 1},
              {"accurate_at", search_at, 0},
              {"accurate", search_checked, 0},
              {"accurate_n, gradients_n", arrays, 0},
+             {"accurate_gradients_n", arrays_joined, 0},
              {"gradients_n", arrays_alone, 0}};
 enum { CALLS = sizeof calls / sizeof *calls };
 
