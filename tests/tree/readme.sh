@@ -96,7 +96,8 @@ check 'links and pictures' "$(cat "$work/wrong")"
 cat runtime/*.h runtime/*/*.h generated/*.h > "$work/declared"
 { quoted $documents; cat $documents | awk '/^```/ { on = !on; next } on'; } | grep -oE '\<footpoint_[a-z0-9_]+\>' | sort -u |
     grep -vE '^footpoint_(example|mine|plates|ccx)' | while read -r name; do
-    grep -q "\\<$name\\>" "$work/declared" || [ -e "generated/$name.h" ] || [ -e "runtime/$name.h" ] || echo "$name"
+    joined=$(echo "$name" | sed -E 's/_(place|gradients|hessian)(_n)?$//') # a search that FOOTPOINT_KIND_..._OF joins
+    grep -q -e "\\<$name\\>" -e "\\<$joined\\>(" "$work/declared" || [ -e "generated/$name.h" ] || [ -e "runtime/$name.h" ] || echo "$name"
 done > "$work/wrong"
 check 'functions' "$(cat "$work/wrong")"
 
