@@ -172,6 +172,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
 
 #ifndef FOOTPOINT_DETAIL_PLACE
 #define FOOTPOINT_DETAIL_PLACE
+#ifndef FOOTPOINT_UNUSED /* before functions that a macro defines: who asks for one of them may not call the others */
+#if defined(__GNUC__)
+#define FOOTPOINT_UNUSED __attribute__((unused))
+#else
+#define FOOTPOINT_UNUSED
+#endif
+#endif
+
 /* A function at the place (xi,eta): x are the nodes and the slave node, and element i of row k goes to row[k][i * step].
  * The highest bit of what it returns is set if that is no answer; unless `always` nothing is written then, nor to a row
  * that is NULL. */
@@ -454,6 +462,7 @@ FOOTPOINT_LOOP void footpoint_gregory_place_n(size_t n, const double *const x[27
 }
 
 #define FOOTPOINT_GREGORY_PLACE_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3], \
                                 const double nA[3], const double nB[3], const double nC[3], const double nD[3], \
                                 const double xS[3], double loc[2], double r[3], double r_xi[3], double r_eta[3], \
@@ -477,6 +486,7 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                      double *FOOTPOINT_RESTRICT r, \
@@ -1351,6 +1361,7 @@ FOOTPOINT_LOOP void footpoint_gregory_gradients_n(size_t n, const double *const 
 }
 
 #define FOOTPOINT_GREGORY_GRADIENTS_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], const double xC[3], const double xD[3], \
                                     const double nA[3], const double nB[3], const double nC[3], const double nD[3], \
                                     const double xS[3], double loc[2], double r[3], double r_xi[3], double r_eta[3], \
@@ -1375,6 +1386,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                          double *FOOTPOINT_RESTRICT r, \

@@ -172,6 +172,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
 
 #ifndef FOOTPOINT_DETAIL_PLACE
 #define FOOTPOINT_DETAIL_PLACE
+#ifndef FOOTPOINT_UNUSED /* before functions that a macro defines: who asks for one of them may not call the others */
+#if defined(__GNUC__)
+#define FOOTPOINT_UNUSED __attribute__((unused))
+#else
+#define FOOTPOINT_UNUSED
+#endif
+#endif
+
 /* A function at the place (xi,eta): x are the nodes and the slave node, and element i of row k goes to row[k][i * step].
  * The highest bit of what it returns is set if that is no answer; unless `always` nothing is written then, nor to a row
  * that is NULL. */
@@ -363,6 +371,7 @@ FOOTPOINT_LOOP void footpoint_quad9_place_n(size_t n, const double *const x[30],
 }
 
 #define FOOTPOINT_QUAD9_PLACE_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const double xC[3], const double xD[3], \
                                 const double xE[3], const double xF[3], const double xG[3], const double xH[3], \
                                 const double xI[3], const double xS[3], double loc[2], double phi[9], double r_xi[3], \
@@ -386,6 +395,7 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                      double *FOOTPOINT_RESTRICT phi, \
@@ -707,6 +717,7 @@ FOOTPOINT_LOOP void footpoint_quad9_gradients_n(size_t n, const double *const x[
 }
 
 #define FOOTPOINT_QUAD9_GRADIENTS_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], const double xC[3], const double xD[3], \
                                     const double xE[3], const double xF[3], const double xG[3], const double xH[3], \
                                     const double xI[3], const double xS[3], double loc[2], double phi[9], \
@@ -731,6 +742,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                          double *FOOTPOINT_RESTRICT phi, \
@@ -1744,6 +1756,7 @@ FOOTPOINT_LOOP void footpoint_quad9_hessian_n(size_t n, const double *const x[30
 }
 
 #define FOOTPOINT_QUAD9_HESSIAN_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const double xC[3], const double xD[3], \
                                   const double xE[3], const double xF[3], const double xG[3], const double xH[3], \
                                   const double xI[3], const double xS[3], double loc[2], double gap[1], \
@@ -1768,6 +1781,7 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[30], \
                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                        double *FOOTPOINT_RESTRICT gap, \

@@ -172,6 +172,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_normal_gap(const double u[3],
 
 #ifndef FOOTPOINT_DETAIL_PLACE
 #define FOOTPOINT_DETAIL_PLACE
+#ifndef FOOTPOINT_UNUSED /* before functions that a macro defines: who asks for one of them may not call the others */
+#if defined(__GNUC__)
+#define FOOTPOINT_UNUSED __attribute__((unused))
+#else
+#define FOOTPOINT_UNUSED
+#endif
+#endif
+
 /* A function at the place (xi,eta): x are the nodes and the slave node, and element i of row k goes to row[k][i * step].
  * The highest bit of what it returns is set if that is no answer; unless `always` nothing is written then, nor to a row
  * that is NULL. */
@@ -325,6 +333,7 @@ FOOTPOINT_LOOP void footpoint_tri3_place_n(size_t n, const double *const x[12],
 }
 
 #define FOOTPOINT_TRI3_PLACE_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const double xC[3], const double xS[3], \
                                 double loc[2], double phi[3], double r_xi[3], double r_eta[3], double normal[3], \
                                 double gap[1]) \
@@ -347,6 +356,7 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
                                      double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                      double *FOOTPOINT_RESTRICT phi, \
@@ -546,6 +556,7 @@ FOOTPOINT_LOOP void footpoint_tri3_gradients_n(size_t n, const double *const x[1
 }
 
 #define FOOTPOINT_TRI3_GRADIENTS_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], const double xC[3], const double xS[3], \
                                     double loc[2], double phi[3], double r_xi[3], double r_eta[3], double normal[3], \
                                     double gap[1], double d_xi[12], double d_eta[12], double d_gap[12]) \
@@ -568,6 +579,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
                                          double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                          double *FOOTPOINT_RESTRICT phi, \
@@ -882,6 +894,7 @@ FOOTPOINT_LOOP void footpoint_tri3_hessian_n(size_t n, const double *const x[12]
 }
 
 #define FOOTPOINT_TRI3_HESSIAN_OF(search) \
+FOOTPOINT_UNUSED \
 FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const double xC[3], const double xS[3], \
                                   double loc[2], double gap[1], double d_xi[12], double d_eta[12], double d_gap[12], \
                                   double d_normal[36], double hessian[78]) \
@@ -904,6 +917,7 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     loc[1] = eta; \
     return FOOTPOINT_OK; \
 } \
+FOOTPOINT_UNUSED \
 FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
                                        double *FOOTPOINT_RESTRICT xi, double *FOOTPOINT_RESTRICT eta, \
                                        double *FOOTPOINT_RESTRICT gap, \

@@ -1,6 +1,7 @@
 /* Formatted, collected and broken text; see text.h. */
 #include "text.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,6 +16,14 @@ char *new_format(const char *format, ...)
     va_end(arguments);
     va_end(again);
     return text;
+}
+
+char *new_capitals(const char *text)
+{
+    char *copy = new_text(text, strlen(text));
+    for (char *c = copy; *c; c++)
+        *c = (char)toupper((unsigned char)*c);
+    return copy;
 }
 
 char *new_joined(const char *a, const char *b, const char *c)

@@ -7,6 +7,9 @@
 /** Formatted text. Caller frees. */
 char *new_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/** In capital letters. Caller frees. */
+char *new_capitals(const char *text);
+
 /** a, b and c, one after another. Caller frees. */
 char *new_joined(const char *a, const char *b, const char *c);
 

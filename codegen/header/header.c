@@ -13,15 +13,12 @@
 #include "header_place.h"
 #include "header_segment.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
 static void print_guard(const char *prefix, FILE *out)
 {
-    char *guard = new_text(prefix, strlen(prefix));
-    for (char *c = guard; *c; c++)
-        *c = (char)toupper((unsigned char)*c);
+    char *guard = new_capitals(prefix);
     fprintf(out, "#ifndef %s_H\n#define %s_H\n", guard, guard);
     free(guard);
 }

@@ -11,7 +11,6 @@
 #include "../program/degree.h"
 #include "header_lines.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -213,7 +212,7 @@ static void print_loop(const struct unit *u, const struct function *f, const str
     const char *real = lines_real(u), *before = joined ? "" : "const ", *star = joined ? "*FOOTPOINT_RESTRICT " : "*";
     char *name = joined ? new_format("search##_%s", f->genome->name) : new_text(f->name, strlen(f->name));
     char *vectors = lines_rows(u, "p");
-    fputc('\n', out);
+    fputs(joined ? "\nFOOTPOINT_UNUSED\n" : "\n", out);
     const int column = fprintf(out, "FOOTPOINT_LOOP void %s_n(", name);
     fprintf(out, "size_t n, const %s *const x[%zu],\n%*s", real, 3 * segment_vectors(u->file->segment) + 3, column, "");
     fprintf(out, "%s%s %sxi, %s%s %seta,\n", before, real, star, before, real, star);
@@ -255,20 +254,12 @@ static void print_loop(const struct unit *u, const struct function *f, const str
     free(name);
 }
 
-/* "QUAD4"; caller frees. */
-static char *capitals(const char *word)
-{
-    char *text = new_text(word, strlen(word));
-    for (char *c = text; *c; c++)
-        *c = (char)toupper((unsigned char)*c);
-    return text;
-}
-
 /* The same with the search before it, as the text of a macro. */
 static void print_joined(const struct unit *u, const struct function *f, const struct rows *r, FILE *out)
 {
-    char *kind = capitals(u->file->segment->name), *genome = capitals(f->genome->name);
+    char *kind = new_capitals(u->file->segment->name), *genome = new_capitals(f->genome->name);
     struct memory *m = memory_open();
+    fputs("FOOTPOINT_UNUSED\n", m->stream);
     print_one(u, f, r, true, m->stream);
     print_loop(u, f, r, true, m->stream);
     char *text = memory_close(m);
@@ -288,7 +279,7 @@ void place_print_helpers(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
     const char *kind = u->file->segment->name;
-    char *vectors = lines_vectors(u), *upper = capitals(kind);
+    char *vectors = lines_vectors(u), *upper = new_capitals(kind);
     const struct placeholder own[] = {{"VECTORS", vectors}, {"UPPER", upper}, {"KIND", kind}, {NULL, NULL}};
     templates_print("FOOTPOINT_DETAIL_SCALE", (const char *const[]){"scale", NULL}, precision, NULL, out);
     templates_print("FOOTPOINT_DETAIL_PLACE", (const char *const[]){"place", NULL}, precision, NULL, out);

@@ -12,7 +12,6 @@
 #include "../genome/text.h"
 #include "../program/degree.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,14 +19,6 @@
 /* Exponents of 2 that the size may take, half of those that there are; degree of the gap's own products, in double
  * twice as high, as compilers under -ffast-math divide by products of two denominators. */
 enum { EXPONENTS = 512, EXPONENTS_FLOAT = 64, LEAST_DEGREE = 8, LEAST_DEGREE_FLOAT = 4, LEAST_REACH = 3 };
-
-static char *capitals(const char *text)
-{
-    char *copy = new_text(text, strlen(text));
-    for (char *c = copy; *c; c++)
-        *c = (char)toupper((unsigned char)*c);
-    return copy;
-}
 
 /* Degree of a function's steepest value; coordinates that are relative to the segment have none. */
 static bool steepest(const struct function *f, const struct segment_kind *k, int *degree)
@@ -44,7 +35,7 @@ bool sizes_scalable(const struct function *f, const struct segment_kind *k)
 
 char *sizes_least_name(const struct unit *u)
 {
-    char *prefix = capitals(u->options.prefix), *name = new_format("%s_LEAST", prefix);
+    char *prefix = new_capitals(u->options.prefix), *name = new_format("%s_LEAST", prefix);
     free(prefix);
     return name;
 }

@@ -122,7 +122,8 @@ void archive_offer(struct archive *a, const struct plan *plan, size_t tier, int 
                    double error, enum origin origin);
 /** Let members of the fronts take the champions' places.  Where the tier has a budget: the lowest error within it, if
  *  that is lower than the champion's or the champion exceeds it.  Otherwise: the lowest fitness by the plan, if it is
- *  lower than the champion's and the error is not higher.  Lower means by one in a hundred: less changes no header.
+ *  lower than the champion's and the error is not higher.  Lower means by one in a hundred, of programs that a judge
+ *  compares by one in ten: less changes no header.
  *  @param[in] o      of the training samples
  *  @param[in] judge  of the validation samples, whose errors programs are chosen by: what fits the training samples
  *                    alone is not taken; NULL: as trees, by the training samples */

@@ -1,5 +1,13 @@
 /* What the functions at a place of a face share. */
 
+#ifndef FOOTPOINT_UNUSED /* before functions that a macro defines: who asks for one of them may not call the others */
+#if defined(__GNUC__)
+#define FOOTPOINT_UNUSED __attribute__((unused))
+#else
+#define FOOTPOINT_UNUSED
+#endif
+#endif
+
 /* A function at the place (xi,eta): x are the nodes and the slave node, and element i of row k goes to row[k][i * step].
  * The highest bit of what it returns is set if that is no answer; unless `always` nothing is written then, nor to a row
  * that is NULL. */
