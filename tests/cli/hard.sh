@@ -10,7 +10,7 @@ expect 'and so do the hard cases' 0 "$worst" '' sed -n 's/^#define BANNER_WORST 
 LIBRARY="$BIN/libfootpoint_ccx.a $BIN/libfootpoint.a"
 hard_build "$work/hard" "${CC:-gcc}" -O2 -ffp-contract=off
 hard_check 'families' "$work/hard" 200
-later 'hard: ten million calls of each certain function, not 20,000'
+later 'hard: a million calls of each certain function, not 20,000'
 hard_check '20,000 calls of each certain function' "$work/hard" --certain 20000
 expect 'a table of all families' 0 36 '' sh -c "'$work/hard' 1 | grep -c ',robust,'"
 expect 'in float, too' 0 63 '' sh -c "'$work/hard' 1 | grep -c ',float'"
