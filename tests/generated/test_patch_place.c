@@ -1,6 +1,6 @@
 /* What footpoint_bezier_derivatives.h and footpoint_gregory_derivatives.h give at a foot point, against differences in
  * quadruple precision of patches made of their control points; what must add up to zero; corners and edges, statuses,
- * rows that are not wanted, sizes, arrays.  60 patches a kind, 1e4 with FOOTPOINT_LONG. */
+ * rows that are not wanted, sizes, arrays.  60 patches a kind, 1e5 with FOOTPOINT_LONG. */
 #include "../../evolve/common/stream.h"
 #include "../../generated/footpoint_bezier_derivatives.h"
 #include "../../generated/footpoint_gregory_derivatives.h"
@@ -18,7 +18,7 @@
 
 #include <cmocka.h>
 
-enum { SAMPLES = 60, SAMPLES_LONG = 10000, ROWS = 24, CORNERS = 12, OTHERS = 15, ALL = PATCH_COORDINATES };
+enum { SAMPLES = 60, SAMPLES_LONG = 100000, ROWS = 24, CORNERS = 12, OTHERS = 15, ALL = PATCH_COORDINATES };
 #define STEP 1e-12      /* of differences */
 #define CONDITIONED 1e4 /* of Hessian and metric: derivatives have so many digits less than the coordinates */
 #define NEAR 1e-9       /* relative error below that */
@@ -104,21 +104,23 @@ static double *derivative(struct given *g, int o, int c)
     return c < CORNERS ? &g->d[o][c] : c < 2 * CORNERS ? &g->d_n[o][c - CORNERS] : &g->d[o][c - CORNERS];
 }
 
-/* Central differences; false if a foot point gets lost. */
+/* Central differences; false if a foot point gets lost.  That on the one side of the known one is nearly as far away as
+ * that on the other. */
 static bool differences(const struct kind *k, quadruple *x, const struct patch_foot *foot, double slope[3][ALL])
 {
     for (int c = 0; c < ALL; c++) {
         const quadruple here = x[c];
         struct patch_foot to[2];
-        for (int side = 0; side < 2; side++) {
-            x[c] = here + (side ? -STEP : STEP);
-            if (!patch_foot_near(k->twins, x, foot->xi, foot->eta, &to[side]))
-                return false;
-        }
+        x[c] = here + STEP;
+        if (!patch_foot_beside(k->twins, x, foot->xi, foot->eta, foot, &to[0]))
+            return false;
+        x[c] = here - STEP;
+        if (!patch_foot_beside(k->twins, x, 2 * foot->xi - to[0].xi, 2 * foot->eta - to[0].eta, foot, &to[1]))
+            return false;
         x[c] = here;
-        slope[0][c] = (double)((to[0].xi - to[1].xi) / (2 * (quadruple)STEP));
-        slope[1][c] = (double)((to[0].eta - to[1].eta) / (2 * (quadruple)STEP));
-        slope[2][c] = (double)((to[0].gap - to[1].gap) / (2 * (quadruple)STEP));
+        slope[0][c] = (double)(to[0].xi - to[1].xi) / (2 * STEP);
+        slope[1][c] = (double)(to[0].eta - to[1].eta) / (2 * STEP);
+        slope[2][c] = (double)(to[0].gap - to[1].gap) / (2 * STEP);
     }
     return true;
 }

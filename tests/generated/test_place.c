@@ -125,31 +125,33 @@ struct slopes {
     double xi[C], eta[C], gap[C], normal[3][C], force[C][C]; /* force: of the derivatives of the gap */
 };
 
-/* Central differences by all coordinates; false if a foot point gets lost. */
-static bool differences(const struct kind *k, const struct exact_face *f, const quadruple *x,
-                        const struct exact_foot *foot, struct slopes *s)
+/* Central differences by all coordinates; false if a foot point gets lost.  That on the one side of the known one is
+ * nearly as far away as that on the other. */
+static bool differences(const struct kind *k, const struct exact_face *f, quadruple *x, const struct exact_foot *foot,
+                        struct slopes *s)
 {
     const int n = coordinates(k);
     for (int c = 0; c < n; c++) {
-        struct exact_foot away[2];
-        quadruple y[C];
-        for (int side = 0; side < 2; side++) {
-            for (int i = 0; i < n; i++)
-                y[i] = x[i] + (i == c ? (side ? -STEP : STEP) : 0);
-            if (!exact_foot_near(f, y, foot->xi, foot->eta, &away[side]))
-                return false;
-        }
-        const quadruple over = 2 * (quadruple)STEP;
-        s->xi[c] = (double)((away[0].xi - away[1].xi) / over);
-        s->eta[c] = (double)((away[0].eta - away[1].eta) / over);
-        s->gap[c] = (double)((away[0].gap - away[1].gap) / over);
+        const quadruple here = x[c];
+        struct exact_foot to[2];
+        x[c] = here + STEP;
+        if (!exact_foot_beside(f, x, foot->xi, foot->eta, foot, &to[0]))
+            return false;
+        x[c] = here - STEP;
+        if (!exact_foot_beside(f, x, 2 * foot->xi - to[0].xi, 2 * foot->eta - to[0].eta, foot, &to[1]))
+            return false;
+        x[c] = here;
+        s->xi[c] = (double)(to[0].xi - to[1].xi) / (2 * STEP);
+        s->eta[c] = (double)(to[0].eta - to[1].eta) / (2 * STEP);
+        s->gap[c] = (double)(to[0].gap - to[1].gap) / (2 * STEP);
         for (int i = 0; i < 3; i++)
-            s->normal[i][c] = (double)((away[0].normal[i] - away[1].normal[i]) / over);
+            s->normal[i][c] = (double)(to[0].normal[i] - to[1].normal[i]) / (2 * STEP);
         for (int r = 0; r < n; r++) { /* -phi n, and n of the slave node */
-            quadruple value[2];
-            for (int side = 0; side < 2; side++)
-                value[side] = (r / 3 < k->nodes ? -away[side].phi[r / 3] : 1) * away[side].normal[r % 3];
-            s->force[r][c] = (double)((value[0] - value[1]) / over);
+            const int node = r / 3, i = r % 3;
+            s->force[r][c] =
+                node == k->nodes
+                    ? s->normal[i][c]
+                    : (double)(to[1].phi[node] * to[1].normal[i] - to[0].phi[node] * to[0].normal[i]) / (2 * STEP);
         }
     }
     return true;

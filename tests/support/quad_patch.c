@@ -85,60 +85,77 @@ static void make_net(bool twins, const quadruple *coordinate, struct net *net)
     }
 }
 
-/* Casteljau's algorithm; the four points are overwritten. */
-static void casteljau(point p[4], quadruple t, point r)
+/* Bernstein's polynomials of third degree and their derivatives. */
+static void bernstein(quadruple t, quadruple b[4], quadruple d[4])
 {
-    for (int n = 3; n > 0; n--)
-        for (int i = 0; i < n; i++)
-            combine(1 - t, p[i], t, p[i + 1], p[i]);
-    memcpy(r, p[0], sizeof(point));
+    const quadruple u = 1 - t, tt = t * t, tu = t * u, uu = u * u;
+    const quadruple bernstein[4] = {u * uu, 3 * t * uu, 3 * u * tt, t * tt};
+    const quadruple derivative[4] = {-3 * uu, 3 * (uu - 2 * tu), 3 * (2 * tu - tt), 3 * tt};
+    memcpy(b, bernstein, sizeof bernstein);
+    memcpy(d, derivative, sizeof derivative);
 }
 
-static void evaluate(bool twins, const struct net *net, quadruple xi, quadruple eta, point r)
+/* Adds to v. */
+static void add(quadruple factor, const point x, point v)
+{
+    for (int k = 0; k < 3; k++)
+        v[k] += factor * x[k];
+}
+
+/* (47)-(50): an inner point, near an edge its own alone, and what changes with it: adds that to the tangents. */
+static void blend(const struct net *net, int i, int j, quadruple s, quadruple t, quadruple weight, point p,
+                  struct patch_foot *at)
+{
+    const quadruple u = i == 2 ? 1 - s : s, v = j == 2 ? 1 - t : t, sum = u + v;
+    point away;
+    combine(1, net->p[i][j], -1, net->twin[i - 1][j - 1], away);
+    combine(1, net->twin[i - 1][j - 1], u / sum, away, p);
+    const quadruple slope = weight / (sum * sum);
+    add(i == 2 ? -slope * v : slope * v, away, at->r_xi);
+    add(j == 2 ? slope * u : -slope * u, away, at->r_eta);
+}
+
+/* The point and its tangents: xi and eta are from -1 to 1, Bernstein's arguments from 0 to 1. */
+static void evaluate(bool twins, const struct net *net, quadruple xi, quadruple eta, struct patch_foot *at)
 {
     const quadruple s = (1 + xi) / 2, t = (1 + eta) / 2;
-    point p[4][4], row[4];
-    memcpy(p, net->p, sizeof p);
-    for (int i = 0; i < 2 && twins; i++) /* (47)-(50): near an edge its own points count alone */
-        for (int j = 0; j < 2; j++) {
-            const quadruple u = i ? 1 - s : s, v = j ? 1 - t : t;
-            combine(u / (u + v), net->p[i + 1][j + 1], v / (u + v), net->twin[i][j], p[i + 1][j + 1]);
-        }
-    for (int i = 0; i < 4; i++)
-        casteljau(p[i], t, row[i]);
-    casteljau(row, s, r);
-}
-
-/* A central difference of fourth order. */
-static void slope(bool twins, const struct net *net, quadruple xi, quadruple eta, bool by_eta, point d)
-{
-    const quadruple h = 1e-7;
-    point at[4];
-    for (int i = 0; i < 4; i++) {
-        const quadruple step = (i < 2 ? i - 2 : i - 1) * h;
-        evaluate(twins, net, by_eta ? xi : xi + step, by_eta ? eta + step : eta, at[i]);
-    }
-    for (int k = 0; k < 3; k++)
-        d[k] = (8 * (at[2][k] - at[1][k]) - (at[3][k] - at[0][k])) / (12 * h);
-}
-
-static void tangents(bool twins, const struct net *net, quadruple xi, quadruple eta, struct patch_foot *at)
-{
+    quadruple b_s[4], d_s[4], b_t[4], d_t[4];
+    bernstein(s, b_s, d_s);
+    bernstein(t, b_t, d_t);
     at->xi = xi;
     at->eta = eta;
-    evaluate(twins, net, xi, eta, at->r);
-    slope(twins, net, xi, eta, false, at->r_xi);
-    slope(twins, net, xi, eta, true, at->r_eta);
-    exact_normal(at->r_xi, at->r_eta, at->normal);
+    for (int k = 0; k < 3; k++)
+        at->r[k] = at->r_xi[k] = at->r_eta[k] = 0;
+    for (int i = 0; i < 4; i++) {
+        point along = {0}, slope = {0};
+        for (int j = 0; j < 4; j++) {
+            point p;
+            if (twins && i % 3 && j % 3)
+                blend(net, i, j, s, t, b_s[i] * b_t[j], p, at);
+            else
+                memcpy(p, net->p[i][j], sizeof p);
+            add(b_t[j], p, along);
+            add(d_t[j], p, slope);
+        }
+        add(b_s[i], along, at->r);
+        add(d_s[i], along, at->r_xi);
+        add(b_s[i], slope, at->r_eta);
+    }
+    for (int k = 0; k < 3; k++) {
+        at->r_xi[k] /= 2;
+        at->r_eta[k] /= 2;
+    }
 }
 
 void patch_point(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta, struct patch_foot *at)
 {
     struct net net;
     make_net(twins, x, &net);
-    tangents(twins, &net, xi, eta, at);
+    evaluate(twins, &net, xi, eta, at);
+    exact_normal(at->r_xi, at->r_eta, at->normal);
 }
 
+/* The slopes of half the square of the distance. */
 static void stationary(const quadruple *slave, const struct patch_foot *at, quadruple f[2])
 {
     point d;
@@ -147,40 +164,61 @@ static void stationary(const quadruple *slave, const struct patch_foot *at, quad
     f[1] = -exact_dot(at->r_eta, d);
 }
 
-bool patch_foot_near(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta,
-                     struct patch_foot *foot)
+/* Steps until one is as short as `shortest`, each with the inverse of the Hessian that `foot` has, or by differences of the
+ * slopes if `newton`. */
+static bool descend(bool twins, const quadruple *x, bool newton, double shortest, struct patch_foot *foot)
 {
     enum { STEPS = 40 };
     const quadruple h = 1e-9, *const slave = x + PATCH_COORDINATES - 3;
     struct net net;
     double last = 1;
     make_net(twins, x, &net);
-    for (int step = 0; step < STEPS && last > 1e-24; step++) {
-        struct patch_foot at, right, above;
-        quadruple f[2], by_xi[2], by_eta[2];
-        tangents(twins, &net, xi, eta, &at);
-        tangents(twins, &net, xi + h, eta, &right);
-        tangents(twins, &net, xi, eta + h, &above);
-        stationary(slave, &at, f);
-        stationary(slave, &right, by_xi);
-        stationary(slave, &above, by_eta);
-        const quadruple h11 = (by_xi[0] - f[0]) / h, h12 = (by_eta[0] - f[0]) / h;
-        const quadruple h21 = (by_xi[1] - f[1]) / h, h22 = (by_eta[1] - f[1]) / h, det = h11 * h22 - h12 * h21;
-        const quadruple u = (h12 * f[1] - h22 * f[0]) / det, v = (h21 * f[0] - h11 * f[1]) / det;
-        xi += u;
-        eta += v;
+    for (int step = 0; step < STEPS && last > shortest; step++) {
+        quadruple f[2];
+        evaluate(twins, &net, foot->xi, foot->eta, foot);
+        stationary(slave, foot, f);
+        if (newton) {
+            struct patch_foot right, above;
+            quadruple by_xi[2], by_eta[2];
+            evaluate(twins, &net, foot->xi + h, foot->eta, &right);
+            evaluate(twins, &net, foot->xi, foot->eta + h, &above);
+            stationary(slave, &right, by_xi);
+            stationary(slave, &above, by_eta);
+            const quadruple h11 = (by_xi[0] - f[0]) / h, h22 = (by_eta[1] - f[1]) / h;
+            const quadruple h12 = (by_eta[0] - f[0] + by_xi[1] - f[1]) / (2 * h);
+            exact_inverse(h11, h12, h22, foot->inverse);
+            foot->condition =
+                fmax(exact_condition(h11, h12, h22),
+                     exact_condition(exact_dot(foot->r_xi, foot->r_xi), exact_dot(foot->r_xi, foot->r_eta),
+                                     exact_dot(foot->r_eta, foot->r_eta)));
+        }
+        const quadruple u = foot->inverse[0] * f[0] + foot->inverse[1] * f[1];
+        const quadruple v = foot->inverse[1] * f[0] + foot->inverse[2] * f[1];
+        foot->xi -= u;
+        foot->eta -= v;
         last = fabs((double)u) + fabs((double)v);
-        foot->condition = fmax(
-            exact_condition(h11, h12, h22),
-            exact_condition(exact_dot(at.r_xi, at.r_xi), exact_dot(at.r_xi, at.r_eta), exact_dot(at.r_eta, at.r_eta)));
     }
-    if (!(last <= 1e-24))
-        return false;
-    const double condition = foot->condition;
+    evaluate(twins, &net, foot->xi, foot->eta, foot);
+    exact_normal(foot->r_xi, foot->r_eta, foot->normal);
     point d;
-    tangents(twins, &net, xi, eta, foot);
-    foot->condition = condition;
     combine(1, slave, -1, foot->r, d);
     foot->gap = exact_dot(d, foot->normal);
-    return true;
+    return last <= shortest;
+}
+
+bool patch_foot_near(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta,
+                     struct patch_foot *foot)
+{
+    foot->xi = xi;
+    foot->eta = eta;
+    return descend(twins, x, true, 1e-24, foot);
+}
+
+bool patch_foot_beside(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta,
+                       const struct patch_foot *known, struct patch_foot *foot)
+{
+    *foot = *known;
+    foot->xi = xi;
+    foot->eta = eta;
+    return descend(twins, x, false, 1e-19, foot);
 }

@@ -1,5 +1,5 @@
-/* Bezier and Gregory patches in quadruple precision, by their control points: the reference of derivatives.  Points are by
- * Casteljau's algorithm, tangents by differences of points, foot points by Newton's iteration. */
+/* Bezier and Gregory patches in quadruple precision, by their control points: the reference of derivatives.  Points and
+ * tangents are sums over Bernstein's polynomials, foot points by Newton's iteration with differences of the slopes. */
 #ifndef FOOTPOINT_QUAD_PATCH_H
 #define FOOTPOINT_QUAD_PATCH_H
 
@@ -9,7 +9,8 @@ enum { PATCH_COORDINATES = 27 }; /* of corners A, B, C, D, normals there, which 
 
 struct patch_foot {
     quadruple xi, eta, gap, r[3], r_xi[3], r_eta[3], normal[3];
-    double condition; /* of the Hessian of half the square of the distance, and of the metric */
+    quadruple inverse[3]; /* of the Hessian of half the square of the distance: its elements 11, 12, 22 */
+    double condition;     /* of that Hessian, and of the metric */
 };
 
 /** The point and its tangents; Bezier patches have no twins. */
@@ -18,5 +19,10 @@ void patch_point(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi,
 /** The foot point near (xi, eta).  False: Newton's iteration ends nowhere. */
 bool patch_foot_near(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta,
                      struct patch_foot *foot);
+
+/** The same from (xi, eta), where coordinates differ from those of a known foot point by 1e-12 or less: by steps with the
+ *  Hessian there, each of which leaves about so much of the error. */
+bool patch_foot_beside(bool twins, const quadruple x[PATCH_COORDINATES], quadruple xi, quadruple eta,
+                       const struct patch_foot *known, struct patch_foot *foot);
 
 #endif

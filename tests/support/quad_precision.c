@@ -9,20 +9,22 @@ static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1},
 /* Powers of xi and eta of the monomials; six nodes have the first six, and eight all but the last. */
 static const int power_all[MOST_NODES][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}, {2, 2}};
 
-/* x^power, and its derivatives. */
-static quadruple power_of(quadruple x, int power, int derivative)
+/* 1, x and x^2, or their derivatives. */
+static void powers(quadruple x, int derivative, quadruple y[3])
 {
-    quadruple y = 1;
-    for (int i = 0; i < derivative; i++)
-        y *= power - i;
-    for (int i = derivative; i < power; i++)
-        y *= x;
-    return power < derivative ? 0 : y;
+    y[0] = derivative == 0;
+    y[1] = derivative == 0 ? x : derivative == 1;
+    y[2] = derivative == 0 ? x * x : derivative == 1 ? 2 * x : 2;
 }
 
-static quadruple monomial(int m, quadruple xi, quadruple eta, int by_xi, int by_eta)
+/* The monomials, or their derivatives. */
+static void monomials(quadruple xi, quadruple eta, int by_xi, int by_eta, quadruple value[MOST_NODES])
 {
-    return power_of(xi, power_all[m][0], by_xi) * power_of(eta, power_all[m][1], by_eta);
+    quadruple u[3], v[3];
+    powers(xi, by_xi, u);
+    powers(eta, by_eta, v);
+    for (int m = 0; m < MOST_NODES; m++)
+        value[m] = power_all[m][0] < by_xi || power_all[m][1] < by_eta ? 0 : u[power_all[m][0]] * v[power_all[m][1]];
 }
 
 static double magnitude(quadruple x)
@@ -63,11 +65,10 @@ struct exact_face exact_face_of(int nodes)
 {
     struct exact_face f = {.nodes = nodes, .place = nodes % 3 == 0 && nodes < 9 ? triangle : square};
     quadruple at[MOST_NODES][MOST_NODES] = {{0}}, unit[MOST_NODES][MOST_NODES] = {{0}};
-    for (int k = 0; k < nodes; k++)
-        for (int m = 0; m < nodes; m++) {
-            at[k][m] = monomial(m, f.place[k][0], f.place[k][1], 0, 0);
-            unit[k][m] = k == m;
-        }
+    for (int k = 0; k < nodes; k++) {
+        monomials(f.place[k][0], f.place[k][1], 0, 0, at[k]);
+        unit[k][k] = 1;
+    }
     solve(nodes, at, unit);
     for (int k = 0; k < nodes; k++)
         for (int m = 0; m < nodes; m++)
@@ -75,23 +76,30 @@ struct exact_face exact_face_of(int nodes)
     return f;
 }
 
-static quadruple shape(const struct exact_face *f, int k, quadruple xi, quadruple eta, int by_xi, int by_eta)
+/* A face as a polynomial: of each monomial the factor. */
+struct polynomial {
+    int terms;
+    quadruple factor[MOST_NODES][3];
+};
+
+static struct polynomial expand(const struct exact_face *f, const quadruple *x)
 {
-    quadruple sum = 0;
-    for (int m = 0; m < f->nodes; m++)
-        sum += f->shape[k][m] * monomial(m, xi, eta, by_xi, by_eta);
-    return sum;
+    struct polynomial p = {.terms = f->nodes};
+    for (int k = 0; k < f->nodes; k++)
+        for (int m = 0; m < f->nodes; m++)
+            for (int i = 0; i < 3 && f->shape[k][m] != 0; i++)
+                p.factor[m][i] += f->shape[k][m] * x[3 * k + i];
+    return p;
 }
 
-static void point(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta, int by_xi, int by_eta,
-                  quadruple r[3])
+static void point(const struct polynomial *p, quadruple xi, quadruple eta, int by_xi, int by_eta, quadruple r[3])
 {
+    quadruple weight[MOST_NODES];
+    monomials(xi, eta, by_xi, by_eta, weight);
     r[0] = r[1] = r[2] = 0;
-    for (int k = 0; k < f->nodes; k++) {
-        const quadruple weight = shape(f, k, xi, eta, by_xi, by_eta);
-        for (int i = 0; i < 3; i++)
-            r[i] += weight * x[3 * k + i];
-    }
+    for (int m = 0; m < p->terms; m++)
+        for (int i = 0; i < 3 && weight[m] != 0; i++)
+            r[i] += weight[m] * p->factor[m][i];
 }
 
 quadruple exact_dot(const quadruple a[3], const quadruple b[3])
@@ -125,10 +133,11 @@ void exact_normal(const quadruple a[3], const quadruple b[3], quadruple n[3])
 void exact_point(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta, quadruple r[3],
                  quadruple normal[3])
 {
+    const struct polynomial p = expand(f, x);
     quadruple a[3], b[3];
-    point(f, x, xi, eta, 0, 0, r);
-    point(f, x, xi, eta, 1, 0, a);
-    point(f, x, xi, eta, 0, 1, b);
+    point(&p, xi, eta, 0, 0, r);
+    point(&p, xi, eta, 1, 0, a);
+    point(&p, xi, eta, 0, 1, b);
     exact_normal(a, b, normal);
 }
 
@@ -139,40 +148,96 @@ double exact_condition(quadruple h11, quadruple h12, quadruple h22)
     return large / fabs((double)(h11 * h22 - h12 * h12) / large);
 }
 
+/* Of a point of the face: the way to the slave node, the tangents, and the slopes of half the square of the distance. */
+struct place {
+    quadruple d[3], a[3], b[3], slope[2];
+};
+
+static struct place place_at(const struct polynomial *p, const quadruple *slave, quadruple xi, quadruple eta)
+{
+    struct place at;
+    point(p, xi, eta, 0, 0, at.d);
+    point(p, xi, eta, 1, 0, at.a);
+    point(p, xi, eta, 0, 1, at.b);
+    for (int i = 0; i < 3; i++)
+        at.d[i] = slave[i] - at.d[i];
+    at.slope[0] = -exact_dot(at.a, at.d);
+    at.slope[1] = -exact_dot(at.b, at.d);
+    return at;
+}
+
+/* A step to where the slopes are 0, by the inverse of the Hessian in `foot`; its length. */
+static double step_down(struct exact_foot *foot, const quadruple slope[2])
+{
+    const quadruple u = foot->inverse[0] * slope[0] + foot->inverse[1] * slope[1];
+    const quadruple v = foot->inverse[1] * slope[0] + foot->inverse[2] * slope[1];
+    foot->xi -= u;
+    foot->eta -= v;
+    return magnitude(u) + magnitude(v);
+}
+
+static void finish(const struct exact_face *f, const struct polynomial *p, const quadruple *slave,
+                   struct exact_foot *foot)
+{
+    const struct place at = place_at(p, slave, foot->xi, foot->eta);
+    quadruple weight[MOST_NODES];
+    exact_normal(at.a, at.b, foot->normal);
+    foot->gap = exact_dot(at.d, foot->normal);
+    monomials(foot->xi, foot->eta, 0, 0, weight);
+    for (int k = 0; k < f->nodes; k++) {
+        foot->phi[k] = 0;
+        for (int m = 0; m < f->nodes; m++)
+            if (f->shape[k][m] != 0)
+                foot->phi[k] += f->shape[k][m] * weight[m];
+    }
+}
+
+void exact_inverse(quadruple h11, quadruple h12, quadruple h22, quadruple inverse[3])
+{
+    const quadruple det = h11 * h22 - h12 * h12;
+    inverse[0] = h22 / det;
+    inverse[1] = -h12 / det;
+    inverse[2] = h11 / det;
+}
+
 bool exact_foot_near(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta,
                      struct exact_foot *foot)
 {
     enum { STEPS = 60 };
-    quadruple r[3], a[3], b[3], aa[3], ab[3], bb[3], d[3];
+    const struct polynomial p = expand(f, x);
+    const quadruple *const slave = x + 3 * f->nodes;
     double last = 1;
-    for (int step = 0; step < STEPS && last > 1e-27; step++) {
-        point(f, x, xi, eta, 0, 0, r);
-        point(f, x, xi, eta, 1, 0, a);
-        point(f, x, xi, eta, 0, 1, b);
-        point(f, x, xi, eta, 2, 0, aa);
-        point(f, x, xi, eta, 1, 1, ab);
-        point(f, x, xi, eta, 0, 2, bb);
-        for (int i = 0; i < 3; i++)
-            d[i] = x[3 * f->nodes + i] - r[i];
-        const quadruple h11 = exact_dot(a, a) - exact_dot(d, aa), h12 = exact_dot(a, b) - exact_dot(d, ab),
-                        h22 = exact_dot(b, b) - exact_dot(d, bb);
-        const quadruple det = h11 * h22 - h12 * h12, f1 = exact_dot(a, d), f2 = exact_dot(b, d);
-        const quadruple u = (h22 * f1 - h12 * f2) / det, v = (h11 * f2 - h12 * f1) / det;
-        xi += u;
-        eta += v;
-        last = magnitude(u) + magnitude(v);
-        foot->condition =
-            fmax(exact_condition(h11, h12, h22), exact_condition(exact_dot(a, a), exact_dot(a, b), exact_dot(b, b)));
-    }
-    if (!(last <= 1e-27))
-        return false;
     foot->xi = xi;
     foot->eta = eta;
-    exact_point(f, x, xi, eta, r, foot->normal);
-    for (int i = 0; i < 3; i++)
-        d[i] = x[3 * f->nodes + i] - r[i];
-    foot->gap = exact_dot(d, foot->normal);
-    for (int k = 0; k < f->nodes; k++)
-        foot->phi[k] = shape(f, k, xi, eta, 0, 0);
-    return true;
+    for (int step = 0; step < STEPS && last > 1e-27; step++) {
+        const struct place at = place_at(&p, slave, foot->xi, foot->eta);
+        quadruple aa[3], ab[3], bb[3];
+        point(&p, foot->xi, foot->eta, 2, 0, aa);
+        point(&p, foot->xi, foot->eta, 1, 1, ab);
+        point(&p, foot->xi, foot->eta, 0, 2, bb);
+        const quadruple g11 = exact_dot(at.a, at.a), g12 = exact_dot(at.a, at.b), g22 = exact_dot(at.b, at.b);
+        const quadruple h11 = g11 - exact_dot(at.d, aa), h12 = g12 - exact_dot(at.d, ab);
+        const quadruple h22 = g22 - exact_dot(at.d, bb);
+        exact_inverse(h11, h12, h22, foot->inverse);
+        foot->condition = fmax(exact_condition(h11, h12, h22), exact_condition(g11, g12, g22));
+        last = step_down(foot, at.slope);
+    }
+    finish(f, &p, slave, foot);
+    return last <= 1e-27;
+}
+
+bool exact_foot_beside(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta,
+                       const struct exact_foot *known, struct exact_foot *foot)
+{
+    enum { STEPS = 10 };
+    const struct polynomial p = expand(f, x);
+    const quadruple *const slave = x + 3 * f->nodes;
+    double last = 1;
+    *foot = *known;
+    foot->xi = xi;
+    foot->eta = eta;
+    for (int step = 0; step < STEPS && last > 1e-19; step++)
+        last = step_down(foot, place_at(&p, slave, foot->xi, foot->eta).slope);
+    finish(f, &p, slave, foot);
+    return last <= 1e-19;
 }

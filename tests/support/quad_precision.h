@@ -21,6 +21,9 @@ void exact_normal(const quadruple a[3], const quadruple b[3], quadruple n[3]);
 /** Quotient of the eigenvalues of a symmetric matrix, the larger by the smaller. */
 double exact_condition(quadruple h11, quadruple h12, quadruple h22);
 
+/** The inverse of a symmetric matrix: its elements 11, 12, 22. */
+void exact_inverse(quadruple h11, quadruple h12, quadruple h22, quadruple inverse[3]);
+
 struct exact_face {
     int nodes;
     const double (*place)[2];                /* (xi, eta) of the nodes; not owned */
@@ -30,7 +33,8 @@ struct exact_face {
 /** What a foot point has: its place, the gap, the normal, and the shape functions there. */
 struct exact_foot {
     quadruple xi, eta, gap, normal[3], phi[MOST_NODES];
-    double condition; /* of the Hessian of half the square of the distance, and of the metric */
+    quadruple inverse[3]; /* of the Hessian of half the square of the distance: its elements 11, 12, 22 */
+    double condition;     /* of that Hessian, and of the metric */
 };
 
 /** The face of so many nodes: 3, 4, 6, 8 or 9. */
@@ -43,5 +47,10 @@ void exact_point(const struct exact_face *f, const quadruple *x, quadruple xi, q
 /** The foot point near (xi, eta); x are the nodes and the slave node behind them.  False: Newton's iteration ends nowhere. */
 bool exact_foot_near(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta,
                      struct exact_foot *foot);
+
+/** The same from (xi, eta), where coordinates differ from those of a known foot point by 1e-12 or less: by steps with the
+ *  Hessian there, each of which leaves about so much of the error. */
+bool exact_foot_beside(const struct exact_face *f, const quadruple *x, quadruple xi, quadruple eta,
+                       const struct exact_foot *known, struct exact_foot *foot);
 
 #endif
