@@ -323,7 +323,8 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
-check-long: build-tests ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
+check-long: ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
+	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
 	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(wildcard tests/long/*.sh) --alone $(wildcard tests/timed/*.sh)
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=

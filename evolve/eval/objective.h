@@ -45,7 +45,8 @@ double objective_error_in_tails(struct objective *o, const struct tree *t, size_
                                 double bound);
 /** 99 % and largest error of a program. */
 struct tails objective_tails(struct objective *o, const struct tree *t, size_t target);
-/** True if no error of a program, mean, 99 % or largest, of xi or of eta, is larger than another program's. */
+/** True if no error of a program, mean, 99 % or largest, of xi or of eta, is larger than another program's, in none of
+ *  several parts of the samples. */
 bool objective_no_worse(struct objective *o, const struct tree *t, const struct tree *than, size_t target);
 
 /** Genes times samples evaluated so far; of programs, lines times samples. */
