@@ -227,6 +227,8 @@ static void set_operation(struct forms *w, size_t i)
     case OP_MAX:
         choose(w, i, a, b, op->kind == OP_MAX ? 1 : -1);
         break;
+    default:
+        forget(w, i);
     }
 }
 

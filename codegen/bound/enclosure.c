@@ -1,9 +1,22 @@
 /* Enclosures of a program's values; see enclosure.h. */
 #include "enclosure.h"
 
+#include "../program/evaluate.h"
 #include "affine.h"
 
 enum { ROUNDS = 2 };
+
+/* Between its values at the ends, which C has with some error. */
+struct interval function_range(enum op_kind kind, struct interval x)
+{
+    const struct unary *f = op_unary(kind);
+    if (!f->rising || (x.lo < 0 && !f->negative))
+        return interval_whole();
+    struct interval y = {point_operation(kind, x.lo, 0), point_operation(kind, x.hi, 0)};
+    for (int i = 0; i < f->error; i += 2)
+        y = (struct interval){below(y.lo), above(y.hi)};
+    return (struct interval){f->root > 0 && x.lo >= 0 ? greater(0, y.lo) : y.lo, y.hi};
+}
 
 static struct interval range_of(const struct forms *w, const struct op *op, const struct interval *box)
 {
@@ -27,14 +40,14 @@ static struct interval range_of(const struct forms *w, const struct op *op, cons
     case OP_DIV:
     case OP_PDIV:
         return interval_divide(*a, *b);
-    case OP_SQRT:
-        return interval_root(*a);
     case OP_ABS:
         return interval_absolute(*a);
     case OP_MIN:
         return interval_minimum(*a, *b);
     case OP_MAX:
         return interval_maximum(*a, *b);
+    default:
+        return function_range(op->kind, *a);
     }
     return interval_whole();
 }

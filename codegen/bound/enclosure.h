@@ -4,6 +4,9 @@
 
 #include "forms.h"
 
+/** Values of a function of one number, OP_UNARY + k, over an interval: the whole line unless the function rises. */
+struct interval function_range(enum op_kind kind, struct interval x);
+
 /** Evaluate over a box (by variable).  False: it has no point of the region. */
 bool forms_evaluate(struct forms *w, const struct interval *box);
 

@@ -152,14 +152,6 @@ static inline struct interval interval_divide(struct interval x, struct interval
     return interval_multiply(x, (struct interval){isinf(y.hi) ? 0 : below(p), isinf(y.lo) ? 0 : above(q)});
 }
 
-/** The whole line where x has negative numbers: there is no root. */
-static inline struct interval interval_root(struct interval x)
-{
-    if (x.lo < 0)
-        return interval_whole();
-    return (struct interval){greater(0, below(sqrt(x.lo))), above(sqrt(x.hi))};
-}
-
 static inline struct interval interval_minimum(struct interval x, struct interval y)
 {
     return (struct interval){lesser(x.lo, y.lo), lesser(x.hi, y.hi)};

@@ -12,6 +12,7 @@
 #include "rounding.h"
 
 #include "../program/evaluate.h"
+#include "enclosure.h"
 
 #include <stdlib.h>
 
@@ -61,6 +62,27 @@ void rounding_free(struct rounding *e)
     free(e->nonnegative);
     free(e->by);
     free(e);
+}
+
+/* All values that an operation takes on the way from exact to computed ones. */
+static struct interval inflated(const struct rounding *e, int i)
+{
+    const struct interval x = e->forms->range[i];
+    return e->error[i] > 0 ? (struct interval){below(x.lo - e->error[i]), above(x.hi + e->error[i])} : x;
+}
+
+/* 1/n of an n-th root, 0 of what is none. */
+static double function_power(const struct op *op)
+{
+    const int root = op_unary(op->kind)->root;
+    return root ? 1.0 / root : 0;
+}
+
+/* Derivative of an n-th root of a, which is that root / (n a); of other functions nothing is known. */
+static struct interval function_slope(const struct op *op, struct interval a)
+{
+    const struct interval power = interval_point(function_power(op));
+    return power.lo > 0 ? interval_divide(interval_multiply(function_range(op->kind, a), power), a) : interval_whole();
 }
 
 /* ---- forwards ---- */
@@ -122,6 +144,14 @@ static double root_error(const struct rounding *e, const struct op *op, double m
     return error * (1 + 0x1p-48) + UNIT * (most + error);
 }
 
+/* By the mean value theorem. */
+static double function_error(const struct rounding *e, const struct op *op, double most)
+{
+    const double ea = e->error[op->a];
+    const double error = ea > 0 ? ea * interval_most(function_slope(op, inflated(e, op->a))) : 0;
+    return error + op_unary(op->kind)->error * UNIT * (most + error) + LEAST;
+}
+
 /* The operand that is chosen, where the other one lies certainly beyond. */
 static double choice_error(const struct rounding *e, const struct op *op, double sign)
 {
@@ -160,8 +190,9 @@ static double error_of(const struct rounding *e, size_t i)
         return choice_error(e, op, -1);
     case OP_MAX:
         return choice_error(e, op, 1);
+    default:
+        return function_error(e, op, most);
     }
-    return INFINITY;
 }
 
 /* Relative bound of a product, quotient or root, infinite for others. */
@@ -205,11 +236,9 @@ static bool is_nonnegative(const struct rounding *e, size_t i)
         return a && b;
     case OP_MAX:
         return a || b;
-    case OP_NEG:
-    case OP_SUB:
-        break;
+    default:
+        return false;
     }
-    return false;
 }
 
 /* NaN, anything below 0, and what may overflow, is no bound. */
@@ -230,13 +259,6 @@ static void propagate(struct rounding *e, size_t i)
 }
 
 /* ---- backwards ---- */
-
-/* All values that an operation takes on the way from exact to computed ones. */
-static struct interval inflated(const struct rounding *e, int i)
-{
-    const struct interval x = e->forms->range[i];
-    return e->error[i] > 0 ? (struct interval){below(x.lo - e->error[i]), above(x.hi + e->error[i])} : x;
-}
 
 /* What rounding the operation itself adds: up to share |value| + constant. */
 static double own_share(const struct rounding *e, int i, double *constant)
@@ -260,14 +282,14 @@ static double own_share(const struct rounding *e, int i, double *constant)
     case OP_PDIV:
         exact = is_power_of_two(e, op->b);
         break;
-    case OP_SQRT:
-        return UNIT;
     case OP_INPUT:
     case OP_NEG:
-    case OP_ABS:
     case OP_MIN:
     case OP_MAX:
         return 0;
+    default:
+        *constant = op_unary(op->kind)->error > 0 ? LEAST : 0;
+        return op_unary(op->kind)->error * UNIT;
     }
     *constant = LEAST;
     return exact ? 0 : UNIT;
@@ -314,6 +336,8 @@ static void find_slopes(const struct rounding *e, int i, struct interval slope[2
         slope[1] = (struct interval){second ? 1 : 0, first ? 0 : 1};
         break;
     }
+    default:
+        slope[0] = function_slope(op, a);
     }
 }
 
@@ -322,16 +346,13 @@ static double find_power(const struct op *op, int k)
 {
     switch (op->kind) {
     case OP_NEG:
-    case OP_ABS:
     case OP_MUL:
         return 1;
     case OP_DIV:
     case OP_PDIV:
         return k ? -1 : 1;
-    case OP_SQRT:
-        return 0.5;
     default:
-        return 0;
+        return op->kind < OP_UNARY ? 0 : function_power(op);
     }
 }
 

@@ -129,8 +129,9 @@ static void explain_graph(FILE *out, const char *pass, const struct dag *g)
         ops.mul -= node->kind == NODE_PRODUCT;
         ops.add += node->kind == NODE_SUM ? (long)node->edges - 1 : 0;
         ops.div += node->kind == NODE_INVERSE || node->kind == NODE_PDIV;
-        ops.sqrt += node->kind == NODE_SQRT;
-        ops.compare += node->kind >= NODE_PDIV && node->kind != NODE_SQRT;
+        ops.compare += node_chooses(node);
+        if (node->kind >= NODE_UNARY)
+            unary_count(&ops, node->kind - NODE_UNARY, 1);
     }
     fprintf(out, "  %-26s %5ld mul %4ld div %5ld add %4ld sqrt %4ld compare\n", pass, ops.mul, ops.div, ops.add,
             ops.sqrt, ops.compare);

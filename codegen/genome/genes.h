@@ -4,20 +4,48 @@
 #ifndef FOOTPOINT_GENES_H
 #define FOOTPOINT_GENES_H
 
+#include <stdbool.h>
+
 /* G(gene, text, value, slope of a, slope of b) */
+#define CHOICES(G)                                                                                                     \
+    G(PDIV, "%", (b == 0 ? 1 : a / b), (b == 0 ? 0 : s / b), -(b == 0 ? 0 : s / b) * v)                                \
+    G(MIN, "min", (a < b ? a : b), (a < b ? s : 0), (a < b ? 0 : s))                                                   \
+    G(MAX, "max", (a > b ? a : b), (a > b ? s : 0), (a > b ? 0 : s))
 #define GENES_OF_TWO(G)                                                                                                \
     G(ADD, "+", (a + b), s, s)                                                                                         \
     G(SUB, "-", (a - b), s, -s)                                                                                        \
     G(MUL, "*", (a * b), (s * b), (s * a))                                                                             \
     G(DIV, "/", (a / b), (s / b), -(s / b) * v)                                                                        \
-    G(PDIV, "%", (b == 0 ? 1 : a / b), (b == 0 ? 0 : s / b), -(b == 0 ? 0 : s / b) * v)                                \
-    G(MIN, "min", (a < b ? a : b), (a < b ? s : 0), (a < b ? 0 : s))                                                   \
-    G(MAX, "max", (a > b ? a : b), (a > b ? s : 0), (a > b ? 0 : s))
+    CHOICES(G)
 
-/* G(gene, text, value, slope of a) */
+/* Functions of one number: G(gene, text, value, slope of a,
+ *     derivative   as genome text, where a is the operand and s its derivative; NULL: there is none everywhere
+ *     C            its name there; in float an f follows
+ *     Fortran, LaTeX   as patterns, $a0 the operand
+ *     price        what it costs, of a cost model: sqrt or compare
+ *     root         n if f(c a) is c^(1/n) f(a) for each c > 0, else 0
+ *     rising       1 if it never falls
+ *     negative     1 if it is defined below 0
+ *     error        of the function of C: in 2^-53 of the value, at most)
+ * Of these all passes, proofs and bounds are made; graph/functions.c adds its exact values. */
+#define UNARY(G)                                                                                                       \
+    G(SQRT, "sqrt", sqrt(a), (0.5 * s / v), "/ s * 2 sqrt a", "sqrt", "sqrt($a0)", "\\sqrt{$a0}", sqrt, 2, 1, 0, 1)    \
+    G(ABS, "abs", fabs(a), (a < 0 ? -s : s), NULL, "fabs", "abs($a0)", "\\left|$a0\\right|", compare, 1, 0, 1, 0)
+/* G(gene, text, value, slope of a, ...) */
 #define GENES_OF_ONE(G)                                                                                                \
-    G(NEG, "neg", -a, -s)                                                                                              \
-    G(SQRT, "sqrt", sqrt(a), (0.5 * s / v))                                                                            \
-    G(ABS, "abs", fabs(a), (a < 0 ? -s : s))
+    G(NEG, "neg", -a, -s, NULL)                                                                                        \
+    UNARY(G)
+
+#define NUMBER(gene, ...) UNARY_##gene,
+enum { UNARY(NUMBER) UNARIES };
+#undef NUMBER
+
+/** A function of one number, as its line says. */
+struct unary {
+    const char *text, *derivative, *c;
+    int root, error;
+    bool rising, negative;
+};
+extern const struct unary unary_of[UNARIES];
 
 #endif

@@ -16,6 +16,11 @@ static const struct {
 #define OF_ONE(gene, text, ...) {text, 1},
     GENES_OF_TWO(OF_TWO) GENES_OF_ONE(OF_ONE)};
 
+const struct unary unary_of[UNARIES] = {
+#define LINE(gene, text, value, slope, derivative, c, fortran, latex, price, root, rising, negative, error)            \
+    {text, derivative, c, root, error, rising, negative},
+    UNARY(LINE)};
+
 int gene_arity(int gene)
 {
     if (gene < 0 || gene >= GENE_SYMBOL)

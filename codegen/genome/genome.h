@@ -105,6 +105,9 @@ enum gene_operator {
 };
 enum { GENOME_FUNCTIONS = GENE_SYMBOL - GENE_FUNCTION, GENOME_MOST = 1 << 22 };
 
+/** Gene of a function of one number. */
+#define GENE_UNARY(k) (GENE_OPERATORS - UNARIES + (k))
+
 /** Operands of a gene: 2, 1 or 0. */
 int gene_arity(int gene);
 /** Text of an operator gene: "+", "min", ... */

@@ -88,15 +88,19 @@ static void divide_slopes(struct text *t, const struct operand *x, const struct 
     put_all(t, y->gene, y->length);
 }
 
-/* x' / (2 sqrt x) */
-static void divide_by_root(const struct derivation *v, struct text *t, const struct operand *x)
+/* The text of a derivative, see genes.h. */
+static void put_derivative(const struct derivation *v, struct text *t, const char *text, const struct operand *x)
 {
-    put(t, GENE_DIV);
-    put_slope(t, x);
-    put(t, GENE_MUL);
-    put(t, -1 - (int)genome_add_constant(v->r->file, "2"));
-    put(t, GENE_SQRT);
-    put_all(t, x->gene, x->length);
+    char word[16];
+    for (size_t n; (n = strcspn(text, " ")) > 0; text += n + (text[n] == ' ')) {
+        snprintf(word, sizeof word, "%.*s", (int)n, text);
+        if (strcmp(word, "s") == 0)
+            put_slope(t, x);
+        else if (strcmp(word, "a") == 0)
+            put_all(t, x->gene, x->length);
+        else
+            put(t, gene_of_name(word) < 0 ? -1 - (int)genome_add_constant(v->r->file, word) : gene_of_name(word));
+    }
 }
 
 /* The derivative of an operation, of which one operand at least has one. */
@@ -118,11 +122,13 @@ static bool derive_operation(const struct derivation *v, int gene, const struct 
         put(t, GENE_NEG);
         put_slope(t, x);
         return true;
-    case GENE_SQRT:
-        divide_by_root(v, t, x);
+    default: {
+        const char *text = gene < GENE_UNARY(0) ? NULL : unary_of[gene - GENE_UNARY(0)].derivative;
+        if (!text)
+            return diag_at(v->r->d, v->r->file->path, v->line, 1, "'%s' has no derivative everywhere", gene_name(gene));
+        put_derivative(v, t, text, x);
         return true;
-    default:
-        return diag_at(v->r->d, v->r->file->path, v->line, 1, "'%s' has no derivative everywhere", gene_name(gene));
+    }
     }
 }
 

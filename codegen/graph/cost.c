@@ -9,6 +9,8 @@
  * one key a line, every key once. */
 #include "cost.h"
 
+#include "../genome/genes.h"
+
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -161,4 +163,28 @@ double operations_cost(const struct operations *ops, const struct cost_model *m)
 {
     return m->mul * (double)ops->mul + m->add * (double)ops->add + m->div * (double)ops->div +
            m->sqrt * (double)ops->sqrt + m->compare * (double)ops->compare;
+}
+
+#define PRICE(gene, text, value, slope, derivative, c, fortran, latex, price, ...)                                     \
+    case UNARY_##gene:                                                                                                 \
+        TAKE(price)                                                                                                    \
+        break;
+
+double unary_cost(const struct cost_model *m, unsigned k)
+{
+    double cost = 0;
+#define TAKE(price) cost = m->price;
+    switch (k) {
+        UNARY(PRICE)
+    }
+#undef TAKE
+    return cost;
+}
+
+void unary_count(struct operations *ops, unsigned k, long n)
+{
+#define TAKE(price) ops->price += n;
+    switch (k) {
+        UNARY(PRICE)
+    }
 }

@@ -23,6 +23,10 @@ struct operations {
 /** Sum of the costs of all operations. */
 double operations_cost(const struct operations *ops, const struct cost_model *m);
 
+/** Cost of function k of one number, and what n of it add to the operations. */
+double unary_cost(const struct cost_model *m, unsigned k);
+void unary_count(struct operations *ops, unsigned k, long n);
+
 /** "throughput", "paper", "latency", or a file that footpoint-calibrate wrote.  False with *d filled otherwise. */
 bool cost_model_find(const char *name, struct cost_model *m, struct diag *d);
 

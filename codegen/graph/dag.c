@@ -385,8 +385,7 @@ bool node_is_difference(const struct dag *g, const struct node *n)
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b)
 {
     struct edge edge[2] = {{a.coef, a.node, 1}, {b.coef, b.node, 1}};
-    const bool two = kind == NODE_PDIV || kind == NODE_MIN || kind == NODE_MAX;
-    const bool commutes = kind == NODE_MIN || kind == NODE_MAX;
+    const bool two = kind < NODE_UNARY, commutes = kind == NODE_MIN || kind == NODE_MAX;
     const struct edges list = {edge, two ? 2 : 1, 2};
     mp_limb_t mark[PRIMES];
     rational outside = ONE;

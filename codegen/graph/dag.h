@@ -16,11 +16,11 @@ enum node_kind {
     NODE_SUM,     /* sum of coef * node; the first coefficient is 1 */
     NODE_PRODUCT, /* product of node^power, power > 0; no coefficients */
     NODE_INVERSE, /* 1 / node */
-    NODE_PDIV,    /* edge 1 is 0 ? 1 : edge 0 / edge 1 */
-    NODE_MIN,
-    NODE_MAX,
-    NODE_SQRT,
-    NODE_ABS
+#define NODE(gene, ...) NODE_##gene,
+    CHOICES(NODE) /* NODE_PDIV: edge 1 is 0 ? 1 : edge 0 / edge 1 */
+    UNARY(NODE)
+#undef NODE
+        NODE_UNARY = NODE_MAX + 1 /* + k: function k of one number */
 };
 
 /** An operand: coef * node^power. */
@@ -92,7 +92,7 @@ struct value dag_product(struct dag *g, rational coef, struct edges *factors);
 struct value dag_times(struct dag *g, struct value a, struct value b);
 /** 1/a; a must not be 0. */
 struct value dag_inverse(struct dag *g, struct value a);
-/** NODE_PDIV, NODE_MIN, NODE_MAX of two values; NODE_SQRT, NODE_ABS of one (b ignored). */
+/** NODE_PDIV, NODE_MIN, NODE_MAX of two values; NODE_UNARY + k of one (b ignored). */
 struct value dag_function(struct dag *g, enum node_kind kind, struct value a, struct value b);
 
 /** A node that is not looked up, with room for its n edges; the caller fills them. */

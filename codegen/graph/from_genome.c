@@ -4,6 +4,8 @@
  * a constant is left as it is. */
 #include "from_genome.h"
 
+#include "unary.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -165,18 +167,16 @@ static bool multiply(struct builder *b, bool divide)
     return true;
 }
 
-static bool exact_root(rational r, rational *root)
+static bool fold_unary(unsigned k, rational c, rational *value)
 {
-    const fmpq *q = rational_value(r);
-    if (!fmpz_is_square(fmpq_numref(q)) || !fmpz_is_square(fmpq_denref(q)))
-        return false;
-    fmpq_t s;
-    fmpq_init(s);
-    fmpz_sqrt(fmpq_numref(s), fmpq_numref(q));
-    fmpz_sqrt(fmpq_denref(s), fmpq_denref(q));
-    *root = rational_intern(s);
-    fmpq_clear(s);
-    return true;
+    fmpq_t q;
+    fmpq_init(q);
+    fmpq_set(q, rational_value(c));
+    const bool exact = unary_exact(k, q, q);
+    if (exact)
+        *value = rational_intern(q);
+    fmpq_clear(q);
+    return exact;
 }
 
 /* A function of constants, or one that its semantics decide: true if *v is set. */
@@ -190,28 +190,24 @@ static bool fold(int gene, struct value x, struct value y, struct value *v)
     else if ((gene == GENE_MIN || gene == GENE_MAX) && (same || constant)) {
         const bool less = fmpq_cmp(rational_value(x.coef), rational_value(y.coef)) < 0;
         *v = less == (gene == GENE_MIN) ? x : y;
-    } else if (gene == GENE_ABS && x.node == 0)
-        *v = dag_constant(rational_abs(x.coef));
-    else
-        return gene == GENE_SQRT && x.node == 0 && exact_root(x.coef, &v->coef);
+    } else
+        return gene >= GENE_UNARY(0) && x.node == 0 && fold_unary((unsigned)(gene - GENE_UNARY(0)), x.coef, &v->coef);
     return true;
 }
 
-/* False for the square root of a negative constant. */
+/* False for a function of a negative constant that has no value there. */
 static bool apply_function(struct builder *b, int gene)
 {
-    static const enum node_kind kind[GENE_OPERATORS] = {[GENE_PDIV] = NODE_PDIV,
-                                                        [GENE_MIN] = NODE_MIN,
-                                                        [GENE_MAX] = NODE_MAX,
-                                                        [GENE_SQRT] = NODE_SQRT,
-                                                        [GENE_ABS] = NODE_ABS};
+#define NODE(gene, ...) [GENE_##gene] = NODE_##gene,
+    static const enum node_kind kind[GENE_OPERATORS] = {CHOICES(NODE) UNARY(NODE)};
+#undef NODE
     struct value x = pop_value(b), y = {ZERO, 0}, v = {ZERO, 0};
     if (gene_arity(gene) == 2)
         y = pop_value(b);
     if (!fold(gene, x, y, &v))
         v = dag_function(b->dag, kind[gene], x, y);
     push_value(b, v);
-    return gene != GENE_SQRT || x.node != 0 || rational_sign(x.coef) >= 0;
+    return gene < GENE_UNARY(0) || unary_of[gene - GENE_UNARY(0)].negative || x.node != 0 || rational_sign(x.coef) >= 0;
 }
 
 static bool build(struct builder *b, const struct genome_expr *e, struct value *v, struct diag *d)
@@ -234,8 +230,8 @@ static bool build(struct builder *b, const struct genome_expr *e, struct value *
             if (!multiply(b, true))
                 return diag_at(d, b->file->path, e->line, 1, "'%s' divides by a value that is always 0", e->name);
         } else if (!apply_function(b, gene))
-            return diag_at(d, b->file->path, e->line, 1,
-                           "'%s' takes the square root of a value that is always negative", e->name);
+            return diag_at(d, b->file->path, e->line, 1, "'%s' takes the %s of a value that is always negative",
+                           e->name, gene_name(gene));
     }
     *v = pop_value(b);
     return true;

@@ -98,10 +98,10 @@ static void print_notes(const struct function *f, FILE *out)
 /* What a compiler needs to vectorise the loop over arrays. */
 static void print_loop(const struct function *f, FILE *out)
 {
-    bool roots = false, chooses = false;
+    const bool roots = f->code.ops.sqrt > 0;
+    bool chooses = false;
     for (size_t i = 0; i < f->program->ops; i++) {
         const enum op_kind kind = f->program->op[i].kind;
-        roots = roots || kind == OP_SQRT;
         chooses = chooses || kind == OP_MIN || kind == OP_MAX || kind == OP_PDIV;
     }
     struct banner_line l = banner_about_function("vectorises", out);

@@ -23,14 +23,13 @@ static char *infix_constant(const fmpq *value, enum level *level)
     return copy;
 }
 
+#define OF_INFIX(gene, text, ...) [OP_##gene] = {text "($a0)", LEVEL_NAME},
 static const struct dialect infix = {.op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},
                                             [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},
                                             [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},
                                             [OP_MUL] = {"$a1*$b3", LEVEL_PRODUCT},
                                             [OP_DIV] = {"$a1/$b3", LEVEL_PRODUCT},
-                                            [OP_SQRT] = {"sqrt($a0)", LEVEL_NAME},
-                                            [OP_ABS] = {"abs($a0)", LEVEL_NAME},
-                                            [OP_MIN] = {"min($a0, $b0)", LEVEL_NAME},
+                                            UNARY(OF_INFIX)[OP_MIN] = {"min($a0, $b0)", LEVEL_NAME},
                                             [OP_MAX] = {"max($a0, $b0)", LEVEL_NAME},
                                             [OP_PDIV] = {"pdiv($a0, $b0)", LEVEL_NAME}},
                                      .open = "(",
@@ -92,15 +91,14 @@ static char *latex_constant(const fmpq *value, enum level *level)
     return text;
 }
 
+#define OF_LATEX(gene, text, value, slope, derivative, c, fortran, latex, ...) [OP_##gene] = {latex, LEVEL_ATOM},
 static const struct dialect latex = {
     .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},
            [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},
            [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},
            [OP_MUL] = {"$a1 \\cdot $b3", LEVEL_PRODUCT},
            [OP_DIV] = {"\\frac{$a0}{$b0}", LEVEL_ATOM},
-           [OP_SQRT] = {"\\sqrt{$a0}", LEVEL_ATOM},
-           [OP_ABS] = {"\\left|$a0\\right|", LEVEL_ATOM},
-           [OP_MIN] = {"\\min\\left($a0, $b0\\right)", LEVEL_ATOM},
+           UNARY(OF_LATEX)[OP_MIN] = {"\\min\\left($a0, $b0\\right)", LEVEL_ATOM},
            [OP_MAX] = {"\\max\\left($a0, $b0\\right)", LEVEL_ATOM},
            [OP_PDIV] = {"\\begin{cases} 1 & $b0 = 0 \\\\ \\frac{$a0}{$b0} & \\text{otherwise} \\end{cases}",
                         LEVEL_SUM}},

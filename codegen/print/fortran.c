@@ -49,6 +49,7 @@ static char *input_text(const struct genome_file *f, size_t k)
     return new_format("%s(%d)", vector, (int)(k % 3) + 1);
 }
 
+#define OF_FORTRAN(gene, text, value, slope, derivative, c, fortran, ...) [OP_##gene] = {fortran, LEVEL_NAME},
 /* merge() takes both values: a protected quotient must not divide by 0 for the one that it drops. */
 #define DIALECT(constant_function)                                                                                     \
     {                                                                                                                  \
@@ -57,9 +58,7 @@ static char *input_text(const struct genome_file *f, size_t k)
                [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},                                                                    \
                [OP_MUL] = {"$a1 * $b3", LEVEL_PRODUCT},                                                                \
                [OP_DIV] = {"$a1 / $b3", LEVEL_PRODUCT},                                                                \
-               [OP_SQRT] = {"sqrt($a0)", LEVEL_NAME},                                                                  \
-               [OP_ABS] = {"abs($a0)", LEVEL_NAME},                                                                    \
-               [OP_MIN] = {"merge($a0, $b0, $a0 < $b0)", LEVEL_NAME},                                                  \
+               UNARY(OF_FORTRAN)[OP_MIN] = {"merge($a0, $b0, $a0 < $b0)", LEVEL_NAME},                                 \
                [OP_MAX] = {"merge($a0, $b0, $a0 > $b0)", LEVEL_NAME},                                                  \
                [OP_PDIV] = {"(merge(1.0_wp, $a0, $b0 == 0.0_wp) / merge(1.0_wp, $b0, $b0 == 0.0_wp))", LEVEL_NAME}},   \
         .open = "(", .close = ")", .constant = constant_function, .input = input_text, .longest = LONGEST              \

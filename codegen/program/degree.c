@@ -36,7 +36,6 @@ static int result(const struct program *p, const struct segment_kind *k, const s
     case OP_INPUT:
         return of_input(k, o->input);
     case OP_NEG:
-    case OP_ABS:
         return a;
     case OP_ADD:
     case OP_SUB:
@@ -47,12 +46,13 @@ static int result(const struct program *p, const struct segment_kind *k, const s
         return a == ANY || b == ANY ? ANY : known((long)a + b);
     case OP_DIV:
         return a == ANY || b == ANY ? a : known((long)a - b);
-    case OP_SQRT:
-        return a == ANY ? ANY : a % 2 ? NONE : a / 2;
     case OP_PDIV:
         return a == b && a != ANY ? 0 : NONE; /* where b is 0 it is a number */
+    default: {
+        const int root = op_unary(o->kind)->root;
+        return root == 0 ? (a == 0 ? 0 : NONE) : a == ANY ? ANY : a % root ? NONE : a / root;
     }
-    return NONE;
+    }
 }
 
 /* By operation, up to number `last`.  Caller frees. */

@@ -15,11 +15,11 @@ struct pattern {
 };
 
 struct dialect {
-    struct pattern op[OP_PDIV + 1]; /* by enum op_kind; none for constants and inputs */
-    struct pattern square;          /* text NULL: as any product */
-    struct pattern second[2];       /* OP_MIN and OP_MAX whose second operand is constant; text NULL: as any */
-    const char *type;               /* of temporaries; NULL: none is written */
-    const char *open, *close;       /* parentheses */
+    struct pattern op[OP_KINDS]; /* by enum op_kind; none for constants and inputs */
+    struct pattern square;       /* text NULL: as any product */
+    struct pattern second[2];    /* OP_MIN and OP_MAX whose second operand is constant; text NULL: as any */
+    const char *type;            /* of temporaries; NULL: none is written */
+    const char *open, *close;    /* parentheses */
     /** Each returns new text, which the printer frees. */
     char *(*constant)(const fmpq *value, enum level *level);
     char *(*input)(const struct genome_file *f, size_t k);

@@ -55,16 +55,16 @@ static char *relative_text(const struct genome_file *f, size_t k)
 
 /* A variable that is a constant is not const, so that gcc's front end does not see through it: it would turn a comparison
  * round, and later passes would not find the one instruction that c < x ? c : x is. */
-#define DIALECT(real, suffix, constant_function, input_function, protected_quotient)                                   \
+#define OF_DOUBLE(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "($a0)", LEVEL_NAME},
+#define OF_FLOAT(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "f($a0)", LEVEL_NAME},
+#define DIALECT(real, unary, constant_function, input_function, protected_quotient)                                    \
     {                                                                                                                  \
         .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},                                                                       \
                [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},                                                                    \
                [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},                                                                    \
                [OP_MUL] = {"$a1 * $b3", LEVEL_PRODUCT},                                                                \
                [OP_DIV] = {"$a1 / $b3", LEVEL_PRODUCT},                                                                \
-               [OP_SQRT] = {"sqrt" suffix "($a0)", LEVEL_NAME},                                                        \
-               [OP_ABS] = {"fabs" suffix "($a0)", LEVEL_NAME},                                                         \
-               [OP_MIN] = {"($a1 < $b1 ? $a1 : $b1)", LEVEL_NAME},                                                     \
+               UNARY(unary)[OP_MIN] = {"($a1 < $b1 ? $a1 : $b1)", LEVEL_NAME},                                         \
                [OP_MAX] = {"($a1 > $b1 ? $a1 : $b1)", LEVEL_NAME},                                                     \
                [OP_PDIV] = {protected_quotient, LEVEL_NAME}},                                                          \
         .second = {{"(!($a1 >= $b1) ? $a1 : $b1)", LEVEL_NAME}, {"(!($a1 <= $b1) ? $a1 : $b1)", LEVEL_NAME}},          \
@@ -74,9 +74,10 @@ static char *relative_text(const struct genome_file *f, size_t k)
 /* In float both choices of a protected quotient are made before it divides: no branch is left. */
 #define FLOAT_QUOTIENT "(($b3 == 0.0f ? 1.0f : $a3) / ($b3 == 0.0f ? 1.0f : $b3))"
 
-const struct dialect c_double = DIALECT("double", "", double_constant, input_text, "($b1 == 0.0 ? 1.0 : $a1 / $b1)");
-const struct dialect c_float = DIALECT("float", "f", float_constant, input_text, FLOAT_QUOTIENT);
-const struct dialect c_relative = DIALECT("float", "f", float_constant, relative_text, FLOAT_QUOTIENT);
+const struct dialect c_double =
+    DIALECT("double", OF_DOUBLE, double_constant, input_text, "($b1 == 0.0 ? 1.0 : $a1 / $b1)");
+const struct dialect c_float = DIALECT("float", OF_FLOAT, float_constant, input_text, FLOAT_QUOTIENT);
+const struct dialect c_relative = DIALECT("float", OF_FLOAT, float_constant, relative_text, FLOAT_QUOTIENT);
 
 /* ---- statements ---- */
 

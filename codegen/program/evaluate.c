@@ -1,6 +1,8 @@
 /* Evaluation of a program at a point; see evaluate.h. */
 #include "evaluate.h"
 
+#include "../graph/unary.h"
+
 #include <math.h>
 #include <mpfr.h>
 #include <stdlib.h>
@@ -87,7 +89,7 @@ void point_constants(const struct program *p, double *value)
             value[i] = point_constant(p, &p->op[i], &error);
 }
 
-static double apply(enum op_kind kind, double a, double b)
+double point_operation(enum op_kind kind, double a, double b)
 {
 #define VALUE(gene, text, value, ...)                                                                                  \
     case OP_##gene:                                                                                                    \
@@ -110,7 +112,7 @@ void point_double(const struct program *p, const double *input, uint64_t *contra
         else if (op->kind == OP_ADD || op->kind == OP_SUB)
             v[i] = sum(p, v, op, op->kind == OP_ADD ? 1 : -1, contract);
         else if (op->kind != OP_CONSTANT)
-            v[i] = apply(op->kind, v[op->a], op->b >= 0 ? v[op->b] : 0);
+            v[i] = point_operation(op->kind, v[op->a], op->b >= 0 ? v[op->b] : 0);
     }
 }
 
@@ -129,10 +131,10 @@ static enum outcome quotient(arb_t x, const arb_t a, const arb_t b, bool protect
     return arb_contains_zero(b) ? BLURRED : GOOD;
 }
 
-static enum outcome root(arb_t x, const arb_t a, long bits)
+static enum outcome function(unsigned k, arb_t x, const arb_t a, long bits)
 {
-    arb_sqrt(x, a, bits);
-    return arb_is_nonnegative(a) ? GOOD : arb_is_negative(a) ? UNDEFINED : BLURRED;
+    unary_ball(k, x, a, bits);
+    return arb_is_finite(x) ? GOOD : arb_is_negative(a) && !unary_of[k].negative ? UNDEFINED : BLURRED;
 }
 
 static enum outcome evaluate(const struct program *p, const struct op *op, const double *input, arb_ptr v, arb_t x,
@@ -161,17 +163,14 @@ static enum outcome evaluate(const struct program *p, const struct op *op, const
     case OP_DIV:
     case OP_PDIV:
         return quotient(x, a, b, op->kind == OP_PDIV, bits);
-    case OP_SQRT:
-        return root(x, a, bits);
-    case OP_ABS:
-        arb_abs(x, a);
-        break;
     case OP_MIN:
         arb_min(x, a, b, bits);
         break;
     case OP_MAX:
         arb_max(x, a, b, bits);
         break;
+    default:
+        return function(op->kind - OP_UNARY, x, a, bits);
     }
     return GOOD;
 }
@@ -197,15 +196,6 @@ static enum outcome evaluate_all(const struct program *p, const double *input, a
 }
 
 /* ---- rationals ---- */
-
-static bool rational_root(fmpq_t x, const fmpq *a)
-{
-    if (fmpq_sgn(a) < 0 || !fmpz_is_square(fmpq_numref(a)) || !fmpz_is_square(fmpq_denref(a)))
-        return false;
-    fmpz_sqrt(fmpq_numref(x), fmpq_numref(a));
-    fmpz_sqrt(fmpq_denref(x), fmpq_denref(a));
-    return true;
-}
 
 static bool evaluate_rational(const struct program *p, const struct op *op, const fmpq *input, const fmpq *v, fmpq *x)
 {
@@ -238,17 +228,15 @@ static bool evaluate_rational(const struct program *p, const struct op *op, cons
         else
             fmpq_one(x);
         break;
-    case OP_SQRT:
-        return rational_root(x, a);
-    case OP_ABS:
-        fmpq_abs(x, a);
-        break;
     case OP_MIN:
         fmpq_set(x, fmpq_cmp(a, b) < 0 ? a : b);
         break;
     case OP_MAX:
         fmpq_set(x, fmpq_cmp(a, b) > 0 ? a : b);
         break;
+    default:
+        if (!unary_exact(op->kind - OP_UNARY, x, a))
+            return false;
     }
     return fmpq_height_bits(x) <= MOST_RATIONAL_BITS;
 }

@@ -8,6 +8,9 @@
 #include <arb.h>
 #include <stdint.h>
 
+/** An operation in double. */
+double point_operation(enum op_kind kind, double a, double b);
+
 /** Values of the operations that are constants; the others are left alone. */
 void point_constants(const struct program *p, double *value);
 

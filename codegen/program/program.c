@@ -26,7 +26,12 @@ struct reader {
     size_t values, value_room, waits, wait_room;
 };
 
-enum { OPEN = -1 }; /* a parenthesis; "sqrt(" and "fabs(" wait as OP_SQRT and OP_ABS */
+enum { OPEN = -1 }; /* a parenthesis; that of a function waits as its operation */
+
+const struct unary *op_unary(enum op_kind kind)
+{
+    return &unary_of[kind - OP_UNARY];
+}
 
 int program_add(struct program *p, enum op_kind kind, int a, int b)
 {
@@ -303,16 +308,28 @@ static bool accept_minus(struct reader *r)
     return r->at[0] == '-' && r->at[1] != '-' && accept(r, "-");
 }
 
+/* The name of a function of one operand and its parenthesis. */
+static bool accept_unary(struct reader *r)
+{
+    const char *start = r->at;
+    for (unsigned k = 0; k < UNARIES; k++) {
+        if (accept(r, unary_of[k].c) && accept(r, "(")) {
+            defer(r, OP_UNARY + (int)k);
+            return true;
+        }
+        r->at = start;
+    }
+    return false;
+}
+
 /* Signs and opening parentheses, then an operand; -1 if there is none. */
 static int read_operand(struct reader *r)
 {
     for (;;) {
         if (accept_minus(r))
             defer(r, OP_NEG);
-        else if (accept(r, "sqrt("))
-            defer(r, OP_SQRT);
-        else if (accept(r, "fabs("))
-            defer(r, OP_ABS);
+        else if (accept_unary(r))
+            continue;
         else if (accept(r, "(")) {
             int op = read_quotient(r);
             if (op < 0)
@@ -490,15 +507,17 @@ bool program_equal(const struct program *p, const struct program *q)
 
 struct operations program_count(const struct program *p)
 {
-    long n[OP_PDIV + 1] = {0};
+    long n[OP_KINDS] = {0};
     for (size_t i = 0; i < p->ops; i++)
         n[p->op[i].kind]++;
-    return (struct operations){.mul = n[OP_MUL],
-                               .div = n[OP_DIV] + n[OP_PDIV],
-                               .add = n[OP_ADD] + n[OP_SUB],
-                               .sqrt = n[OP_SQRT],
-                               .compare = n[OP_MIN] + n[OP_MAX] + n[OP_ABS] + n[OP_PDIV],
-                               .temporaries = (long)(p->statements - p->outputs)};
+    struct operations ops = {.mul = n[OP_MUL],
+                             .div = n[OP_DIV] + n[OP_PDIV],
+                             .add = n[OP_ADD] + n[OP_SUB],
+                             .compare = n[OP_MIN] + n[OP_MAX] + n[OP_PDIV],
+                             .temporaries = (long)(p->statements - p->outputs)};
+    for (unsigned k = 0; k < UNARIES; k++)
+        unary_count(&ops, k, n[OP_UNARY + k]);
+    return ops;
 }
 
 void program_free(struct program *p)

@@ -17,12 +17,14 @@ enum op_kind {
     OP_SUB,      /* a - b */
     OP_MUL,      /* a * b */
     OP_DIV,      /* a / b */
-    OP_SQRT,     /* sqrt(a) */
-    OP_ABS,      /* fabs(a) */
-    OP_MIN,      /* a < b ? a : b */
-    OP_MAX,      /* a > b ? a : b */
-    OP_PDIV      /* b == 0.0 ? 1.0 : a / b */
+#define OP(gene, ...) OP_##gene,
+    CHOICES(OP) /* b == 0.0 ? 1.0 : a / b; a < b ? a : b; a > b ? a : b */
+    UNARY(OP)   /* sqrt(a), fabs(a), ... */
+#undef OP
+    OP_FUNCTION = OP_DIV + 1, /* functions of two, then of one */
+    OP_UNARY = OP_MAX + 1     /* + k: function k of one */
 };
+enum { OP_KINDS = OP_MAX + 1 + UNARIES };
 
 /** One operation; operands are numbers of earlier operations. */
 struct op {
@@ -67,6 +69,9 @@ int program_add(struct program *p, enum op_kind kind, int a, int b);
 int program_add_constant(struct program *p, const fmpq *q, bool quotient);
 /** Appends the statement of the operations from `first` on. */
 void program_add_statement(struct program *p, const char *name, int op, size_t first, long output);
+
+/** What an operation OP_UNARY + k does. */
+const struct unary *op_unary(enum op_kind kind);
 
 /** A constant, with or without a sign. */
 bool program_is_constant(const struct program *p, int op);

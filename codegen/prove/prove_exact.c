@@ -1,6 +1,7 @@
 /* Comparison as rational functions; see prove_exact.h. */
 #include "prove_exact.h"
 
+#include "../graph/unary.h"
 #include "rational_function.h"
 
 #include <limits.h>
@@ -60,7 +61,7 @@ static void set_opaque(struct comparison *c, struct ratio *r, enum op_kind kind,
     o->variable = ratio_set_new_variable(g, r);
 }
 
-/* min and max of constants or of the same, abs of a constant and sqrt of a constant square. */
+/* min and max of constants or of the same, and functions of a constant that are rational. */
 static bool fold(struct ring *g, struct ratio *r, enum op_kind kind, const struct ratio *a, const struct ratio *b)
 {
     bool folds = false;
@@ -72,14 +73,8 @@ static bool fold(struct ring *g, struct ratio *r, enum op_kind kind, const struc
         folds = same || (ratio_get_rational(g, x, a) && ratio_get_rational(g, y, b));
         if (folds)
             ratio_set(r, same || (fmpq_cmp(x, y) < 0) == (kind == OP_MIN) ? a : b);
-    } else if (ratio_get_rational(g, x, a)) {
-        folds = kind == OP_ABS || (fmpz_is_square(fmpq_numref(x)) && fmpz_is_square(fmpq_denref(x)));
-        if (kind == OP_ABS)
-            fmpq_abs(x, x);
-        else if (folds) {
-            fmpz_sqrt(fmpq_numref(x), fmpq_numref(x));
-            fmpz_sqrt(fmpq_denref(x), fmpq_denref(x));
-        }
+    } else {
+        folds = ratio_get_rational(g, x, a) && unary_exact(kind - OP_UNARY, x, x);
         if (folds)
             ratio_set_rational(r, x);
     }
@@ -143,17 +138,16 @@ static void evaluate(struct comparison *c, const struct op *o, struct ratio *r)
     case OP_DIV:
         ratio_multiply(g, r, a, b, true);
         break;
-    case OP_SQRT:
-    case OP_MIN:
-    case OP_MAX:
-        if (!fold(g, r, o->kind, a, b))
-            set_opaque(c, r, o->kind, a, b);
-        break;
-    case OP_ABS:
-        if (fold(g, r, o->kind, a, b))
-            break; /* fall through */
     case OP_PDIV:
         set_scaled_opaque(c, r, o->kind, a, b);
+        break;
+    default:
+        if (fold(g, r, o->kind, a, b))
+            break;
+        if (o->kind == OP_ABS)
+            set_scaled_opaque(c, r, o->kind, a, b);
+        else
+            set_opaque(c, r, o->kind, a, b);
     }
 }
 
@@ -200,7 +194,7 @@ static slong count_variables(const struct comparison *c, const bool *read)
 {
     slong n = 0;
     for (size_t i = 0; i < c->program->ops; i++)
-        n += (i < c->program->inputs && read[i]) + (c->program->op[i].kind >= OP_SQRT) + c->shared[i];
+        n += (i < c->program->inputs && read[i]) + (c->program->op[i].kind >= OP_FUNCTION) + c->shared[i];
     return n;
 }
 
@@ -287,7 +281,7 @@ static bool differ_at_points(const struct program *p, size_t border, const bool 
 static bool has_functions(const struct program *p)
 {
     for (size_t i = 0; i < p->ops; i++)
-        if (p->op[i].kind >= OP_SQRT)
+        if (p->op[i].kind >= OP_FUNCTION)
             return true;
     return false;
 }

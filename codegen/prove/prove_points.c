@@ -12,6 +12,7 @@
 #define _GNU_SOURCE /* tdestroy */
 #include "prove_points.h"
 
+#include "../graph/unary.h"
 #include "random_oracle.h"
 
 #include <flint/fmpq_vec.h>
@@ -74,7 +75,7 @@ static struct bound larger_bound(const struct bound *a, const struct bound *b)
 
 static bool is_function(enum op_kind kind)
 {
-    return kind >= OP_SQRT;
+    return kind >= OP_FUNCTION;
 }
 
 /* log2 of the chance of an error, times 2^(bits - 1); infinite if the bounds leave the range of double. */
@@ -359,15 +360,8 @@ static bool fold(struct field *e, enum op_kind kind, int a, int b, int op)
         if (kind == OP_PDIV) {
             folds = same || is_zero(x, b);
             fmpq_one(p);
-        } else if (get_constant(e, p, a)) {
-            folds = kind == OP_ABS || (fmpz_is_square(fmpq_numref(p)) && fmpz_is_square(fmpq_denref(p)));
-            if (kind == OP_ABS)
-                fmpq_abs(p, p);
-            else if (folds) {
-                fmpz_sqrt(fmpq_numref(p), fmpq_numref(p));
-                fmpz_sqrt(fmpq_denref(p), fmpq_denref(p));
-            }
-        }
+        } else
+            folds = get_constant(e, p, a) && unary_exact(kind - OP_UNARY, p, p);
         if (folds)
             set_constant(e, op, p);
     }

@@ -78,7 +78,7 @@ static double balance_node(struct dag *g, int n, const double *ready, const stru
 
 static double function_time(const struct node *n, const double *ready, const struct cost_model *m)
 {
-    const double step = n->kind == NODE_SQRT                              ? m->sqrt
+    const double step = n->kind >= NODE_UNARY                             ? unary_cost(m, n->kind - NODE_UNARY)
                         : n->kind == NODE_INVERSE || n->kind == NODE_PDIV ? m->div
                                                                           : m->compare;
     double start = 0;

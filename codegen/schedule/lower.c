@@ -275,7 +275,7 @@ static int function_tree(struct lowering *l, int n)
     const int a = operand(l, n, 0);
     if (kind == NODE_PDIV)
         return forest_binary(&l->forest, OP_PDIV, a, operand(l, n, 1));
-    return forest_unary(&l->forest, kind == NODE_SQRT ? OP_SQRT : OP_ABS, a);
+    return forest_unary(&l->forest, OP_UNARY + (kind - NODE_UNARY), a);
 }
 
 /* ---- statements ---- */

@@ -64,7 +64,8 @@ int forest_unary(struct forest *x, enum op_kind kind, int a)
 {
     if (kind == OP_NEG)
         return add(x, (struct tree){kind, a, .level = LEVEL_MINUS, .width = 1 + operand_width(x, a, LEVEL_ATOM)});
-    return add(x, (struct tree){kind, a, .level = LEVEL_NAME, .width = strlen("sqrt()") + x->tree[a].width});
+    const size_t name = strlen(op_unary(kind)->c);
+    return add(x, (struct tree){kind, a, .level = LEVEL_NAME, .width = name + strlen("()") + x->tree[a].width});
 }
 
 int forest_binary(struct forest *x, enum op_kind kind, int a, int b)

@@ -99,10 +99,8 @@ static double find_delay(const struct node *n, size_t i, const struct cost_model
         return c->div;
     case NODE_PDIV:
         return c->compare + c->div;
-    case NODE_SQRT:
-        return c->sqrt;
     default:
-        return c->compare;
+        return n->kind < NODE_UNARY ? c->compare : unary_cost(c, n->kind - NODE_UNARY);
     }
 }
 

@@ -46,7 +46,7 @@ static inline __attribute__((always_inline)) void slope_of(int gene, const doubl
             __VA_ARGS__;                                                                                               \
         }                                                                                                              \
         break;
-#define SLOPE_OF_ONE(gene, text, v, slope_a) SLOPE(gene, sx[k] = slope_a)
+#define SLOPE_OF_ONE(gene, text, v, slope_a, ...) SLOPE(gene, sx[k] = slope_a)
 #define SLOPE_OF_TWO(gene, text, v, slope_a, slope_b) SLOPE(gene, sx[k] = slope_a, sy[k] = slope_b)
     switch (gene) {
         GENES_OF_ONE(SLOPE_OF_ONE)

@@ -111,10 +111,12 @@ static int power_of(int gene, int a, int b)
 {
     if (a == NO_POWER || b == NO_POWER)
         return NO_POWER;
-    if (gene == GENE_SQRT)
-        return a == ANY_POWER || a % 2 != 0 ? ANY_POWER : a / 2;
-    if (gene_arity(gene) == 1)
+    if (gene == GENE_NEG)
         return a;
+    if (gene >= GENE_UNARY(0)) {
+        const int root = unary_of[gene - GENE_UNARY(0)].root;
+        return root == 0 || a == ANY_POWER || a % root != 0 ? ANY_POWER : a / root;
+    }
     if (gene == GENE_MUL || gene == GENE_DIV || gene == GENE_PDIV) {
         const int sum = gene == GENE_MUL ? a + b : a - b;
         return a == ANY_POWER || b == ANY_POWER || sum < -100 || sum > 100 ? ANY_POWER : sum;

@@ -45,7 +45,7 @@ genome 'input x' 'genome g' 'end';                  refused 'no output' 4:1 "gen
 genome 'input x x' 'genome g' 'r = x' 'end';        refused 'input twice' 2:9 "name 'x' is defined already"
 genome 'input x' 'let y = / x - x x' 'genome g' 'r = y' 'end'; refused 'division by nothing' 3:1 "'y' divides by a value that is always 0"
 genome 'input x' 'genome g' 'r = + x sqrt - x + x 2' 'end'; refused 'root of a negative constant' 4:1 \
-    "'r' takes the square root of a value that is always negative"
+    "'r' takes the sqrt of a value that is always negative"
 genome 'input x' 'genome g' 'r = 1.2.3' 'end';      refused 'bad number' 4:5 "'1.2.3' is not a decimal number"
 genome 'input x' 'genome g' 'r = 1e400' 'end';      refused 'huge number' 4:5 "number '1e400' is out of range"
 genome 'speed 3';                                   refused 'unknown keyword' 2:1 "unknown keyword 'speed'"

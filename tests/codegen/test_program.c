@@ -253,7 +253,7 @@ static void test_counts(void **state)
     options.effort = 0;
     for (size_t g = 0; g < f->genomes; g++) {
         struct compiled c;
-        long n[OP_PDIV + 1] = {0};
+        long n[OP_KINDS] = {0};
         assert_true(compile_genome(f, &f->genome[g], &options, &c, &d));
         struct program *p = read_program(f, g, c.text);
         for (size_t i = 0; i < p->ops; i++)
