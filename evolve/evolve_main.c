@@ -4,6 +4,7 @@
 #include "../codegen/genome/console.h"
 #include "common/stop.h"
 #include "eval/kernel_benchmark.h"
+#include "mpi/shared_file.h"
 #include "run/run.h"
 #include "samples/samples_write.h"
 
@@ -25,7 +26,7 @@ static bool evolve(int argc, char **argv, const struct evolve_options *given, co
     char *facts = NULL;
     bool good = resume_read(&resume, team, o.resume, d);
     if (good) {
-        facts = new_text(resume.facts, strlen(resume.facts));
+        facts = new_text(resume.file.facts, strlen(resume.file.facts));
         good = team_agree(team, evolve_options_resume(argc, argv, facts, &o, d), d) &&
                run_evolution(&o, team, &resume, begun, status, d);
     }
@@ -49,6 +50,7 @@ int main(int argc, char **argv)
     struct evolve_options o;
     struct diag d = {.code = EXIT_DONE};
     int status = EXIT_DONE;
+    shared_file_prepare();
     if (MPI_Init(&argc, &argv) != MPI_SUCCESS)
         return EXIT_SYSTEM;
     stop_listen();

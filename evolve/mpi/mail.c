@@ -53,18 +53,6 @@ bool inbound_here(struct inbound *in)
     return here;
 }
 
-void *team_receive(const struct team *t, int from, int tag, size_t *bytes)
-{
-    MPI_Status status;
-    int count;
-    CHECK(MPI_Probe(from, tag, t->comm, &status));
-    CHECK(MPI_Get_count(&status, MPI_BYTE, &count));
-    void *parcel = new_array((size_t)count, 1);
-    CHECK(MPI_Recv(parcel, count, MPI_BYTE, from, tag, t->comm, MPI_STATUS_IGNORE));
-    *bytes = (size_t)count;
-    return parcel;
-}
-
 void gather_start(struct gather *g, int tag, const int *owner, size_t n)
 {
     *g = (struct gather){.active = n > 0, .tag = tag, .owner = owner, .n = n};

@@ -25,8 +25,6 @@ struct inbound {
 void inbound_expect(const struct team *t, struct inbound *in, size_t bytes, int from, int tag);
 /** True once it is there, or if none is expected. */
 bool inbound_here(struct inbound *in);
-/** The next message from a rank, of any length, owned by the caller; waits. */
-void *team_receive(const struct team *t, int from, int tag, size_t *bytes);
 
 /** Blocks 0, 1, ... on their way from the ranks that own them to this one, in that order; a few at a time. */
 enum { GATHER_WINDOW = 32 };

@@ -3,6 +3,7 @@
 #include "mpi_check.h"
 
 #include <limits.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -80,6 +81,17 @@ void team_collect(const struct team *t, double *number, size_t n)
         own[i] = number[i];
     CHECK(MPI_Reduce(own, number, (int)n, MPI_DOUBLE, MPI_SUM, 0, t->comm));
     free(own);
+}
+
+void team_sum(const struct team *t, size_t *number, size_t n)
+{
+    uint64_t *sum = new_array(n, sizeof *sum);
+    for (size_t i = 0; i < n; i++)
+        sum[i] = number[i];
+    CHECK(MPI_Allreduce(MPI_IN_PLACE, sum, (int)n, MPI_UINT64_T, MPI_SUM, t->comm));
+    for (size_t i = 0; i < n; i++)
+        number[i] = (size_t)sum[i];
+    free(sum);
 }
 
 int team_last_tag(const struct team *t)

@@ -31,6 +31,9 @@ int *team_pass(const struct team *t, int from, const int *number, size_t *n);
 /** Collective: number[i], i < n, as rank i mod size has it, on rank 0; the others' arrays stay.  None is -0. */
 void team_collect(const struct team *t, double *number, size_t n);
 
+/** Collective: the sums over the ranks of each of n numbers, on all of them. */
+void team_sum(const struct team *t, size_t *number, size_t n);
+
 /** The largest tag that a message may have.  Not collective. */
 int team_last_tag(const struct team *t);
 

@@ -6,52 +6,64 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
-enum { SIZE_BYTES = 8, SEAL = 65 /* digits and a line feed */ };
+enum { SIZE_BYTES = 8, FIRST_LINE = 96 };
 static const char magic[] = "footpoint-checkpoint ";
 
-static void put(struct checkpoint_writer *w, const void *data, size_t bytes)
+void checkpoint_seal(unsigned char *data, size_t bytes)
 {
-    SHA256Update(&w->sum, data, bytes);
-    fwrite(data, 1, bytes, w->file.stream);
+    char hex[65];
+    sha256_hex(data, bytes, hex);
+    memcpy(data + bytes, hex, CHECKPOINT_SEAL - 1);
+    data[bytes + CHECKPOINT_SEAL - 1] = '\n';
 }
 
-bool checkpoint_begin(struct checkpoint_writer *w, const char *path, const char *facts, size_t sections, struct diag *d)
+/* Of so many bytes, the seal behind them is theirs. */
+static bool sealed(const void *data, size_t bytes)
 {
-    char line[96];
-    if (!outfile_open(&w->file, path, d))
-        return false;
-    SHA256Init(&w->sum);
-    const int n = snprintf(line, sizeof line, "%s%d %zu %zu\n", magic, CHECKPOINT_FORMAT, strlen(facts), sections);
-    put(w, line, (size_t)n);
-    put(w, facts, strlen(facts));
+    const unsigned char *seal = (const unsigned char *)data + bytes;
+    char hex[65];
+    sha256_hex(data, bytes, hex);
+    return memcmp(hex, seal, CHECKPOINT_SEAL - 1) == 0 && seal[CHECKPOINT_SEAL - 1] == '\n';
+}
+
+/* Where each section stands, from the lengths; false where the file would be too long for a number. */
+static bool place_sections(struct checkpoint *c)
+{
+    c->size = c->head_bytes;
+    for (size_t i = 0; i < c->sections; i++) {
+        struct checkpoint_part *part = &c->section[i];
+        if (part->bytes > INT64_MAX - CHECKPOINT_SEAL - c->size)
+            return false;
+        part->place = c->size;
+        c->size += part->bytes + CHECKPOINT_SEAL;
+    }
     return true;
 }
 
-void checkpoint_section(struct checkpoint_writer *w, const void *data, size_t bytes)
+struct checkpoint checkpoint_new(const char *facts, const size_t *bytes, size_t sections)
 {
-    unsigned char size[SIZE_BYTES];
-    for (int i = 0; i < SIZE_BYTES; i++)
-        size[i] = (unsigned char)((uint64_t)bytes >> (8 * i));
-    put(w, size, sizeof size);
-    put(w, data, bytes);
-}
-
-bool checkpoint_commit(struct checkpoint_writer *w, struct diag *d)
-{
-    char hex[SHA256_DIGEST_STRING_LENGTH];
-    SHA256End(&w->sum, hex);
-    fprintf(w->file.stream, "%s\n", hex);
-    return outfile_commit(&w->file, d);
-}
-
-static bool sealed(const char *text, size_t size)
-{
-    char hex[65];
-    if (size <= SEAL || text[size - 1] != '\n')
-        return false;
-    sha256_hex(text, size - SEAL, hex);
-    return memcmp(hex, text + size - SEAL, SEAL - 1) == 0;
+    char line[FIRST_LINE];
+    const size_t text = strlen(facts);
+    const size_t n = (size_t)snprintf(line, sizeof line, "%s%d %zu %zu\n", magic, CHECKPOINT_FORMAT, text, sections);
+    const size_t sealed_bytes = n + text + sections * SIZE_BYTES;
+    struct checkpoint c = {.head = new_array(sealed_bytes + CHECKPOINT_SEAL, 1),
+                           .head_bytes = sealed_bytes + CHECKPOINT_SEAL,
+                           .facts = new_text(facts, text),
+                           .sections = sections,
+                           .section = new_array(sections, sizeof *c.section)};
+    unsigned char *at = (unsigned char *)c.head + n + text;
+    memcpy(c.head, line, n);
+    memcpy(c.head + n, facts, text);
+    for (size_t i = 0; i < sections; i++) {
+        c.section[i].bytes = bytes[i];
+        for (int k = 0; k < SIZE_BYTES; k++)
+            *at++ = (unsigned char)((uint64_t)bytes[i] >> (8 * k));
+    }
+    checkpoint_seal((unsigned char *)c.head, sealed_bytes);
+    place_sections(&c);
+    return c;
 }
 
 /* A number of the first line, and the one character after it. */
@@ -67,62 +79,110 @@ static bool read_number(const char **text, char after, size_t *value)
     return errno == 0 && *rest == after;
 }
 
-static bool read_sections(struct checkpoint *c, const unsigned char *at, const unsigned char *end)
+/* The first line: the length of the facts, and of all of the head, which has `most` bytes at most. */
+static bool read_first(struct checkpoint *c, const char *path, const char *text, size_t most, size_t *facts,
+                       struct diag *d)
 {
-    if (c->sections > (size_t)(end - at) / SIZE_BYTES)
-        return false;
-    c->section = new_array(c->sections, sizeof *c->section);
-    for (size_t i = 0; i < c->sections; i++) {
-        uint64_t bytes = 0;
-        if (end - at < SIZE_BYTES)
-            return false;
-        for (int k = SIZE_BYTES; k-- > 0;)
-            bytes = bytes << 8 | at[k];
-        at += SIZE_BYTES;
-        if (bytes > (uint64_t)(end - at))
-            return false;
-        c->section[i] = (struct checkpoint_part){at, (size_t)bytes};
-        at += bytes;
-    }
-    return at == end;
-}
-
-static bool read_parts(struct checkpoint *c, const char *path, size_t size, struct diag *d)
-{
-    const char *at = c->text + sizeof magic - 1;
-    size_t format, facts;
-    if (size < sizeof magic || memcmp(c->text, magic, sizeof magic - 1) != 0)
+    const char *at = text + sizeof magic - 1;
+    size_t format;
+    if (strncmp(text, magic, sizeof magic - 1) != 0)
         return diag_at(d, path, 0, 0, "no checkpoint");
     if (!read_number(&at, ' ', &format))
         return diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
     if (format != CHECKPOINT_FORMAT)
         return diag_at(d, path, 0, 0, "checkpoint of format %zu; this program reads %d", format, CHECKPOINT_FORMAT);
-    if (!sealed(c->text, size))
+    if (!read_number(&at, ' ', facts) || !read_number(&at, '\n', &c->sections) || *facts > most ||
+        c->sections > most / SIZE_BYTES)
         return diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
-    const char *end = c->text + size - SEAL;
-    if (!read_number(&at, ' ', &facts) || !read_number(&at, '\n', &c->sections) || at > end ||
-        facts > (size_t)(end - at))
-        return diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
-    c->facts = new_text(at, facts);
-    return read_sections(c, (const unsigned char *)at + facts, (const unsigned char *)end) ||
-           diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+    c->head_bytes = (size_t)(at - text) + *facts + c->sections * SIZE_BYTES + CHECKPOINT_SEAL;
+    return c->head_bytes <= most || diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+}
+
+/* The head at c->head, of c->head_bytes. */
+static bool read_head(struct checkpoint *c, size_t facts)
+{
+    const size_t lengths = c->head_bytes - CHECKPOINT_SEAL - c->sections * SIZE_BYTES;
+    const unsigned char *at = (const unsigned char *)c->head + lengths;
+    if (!sealed(c->head, c->head_bytes - CHECKPOINT_SEAL))
+        return false;
+    c->facts = new_text(c->head + lengths - facts, facts);
+    c->section = new_array(c->sections, sizeof *c->section);
+    for (size_t i = 0; i < c->sections; i++, at += SIZE_BYTES) {
+        uint64_t bytes = 0;
+        for (int k = SIZE_BYTES; k-- > 0;)
+            bytes = bytes << 8 | at[k];
+        c->section[i].bytes = (size_t)bytes;
+    }
+    return place_sections(c);
+}
+
+static bool read_file(struct checkpoint *c, const char *path, FILE *f, struct diag *d)
+{
+    char line[FIRST_LINE] = "";
+    size_t facts = 0;
+    struct stat s;
+    if (fstat(fileno(f), &s) != 0)
+        return diag_system(d, path, "cannot read");
+    const size_t size = S_ISREG(s.st_mode) ? (size_t)s.st_size : 0;
+    line[fread(line, 1, sizeof line - 1, f)] = '\0';
+    if (ferror(f))
+        return diag_system(d, path, "cannot read");
+    if (!read_first(c, path, line, size, &facts, d))
+        return false;
+    c->head = new_array(c->head_bytes, 1);
+    rewind(f);
+    if (fread(c->head, 1, c->head_bytes, f) != c->head_bytes && ferror(f))
+        return diag_system(d, path, "cannot read");
+    return (read_head(c, facts) && c->size == size) || diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
 }
 
 bool checkpoint_read(struct checkpoint *c, const char *path, struct diag *d)
 {
-    size_t size;
-    *c = (struct checkpoint){.text = read_text(path, &size, d)};
-    if (!c->text)
+    *c = (struct checkpoint){0};
+    FILE *f = fopen(path, "rb");
+    if (!f)
+        return diag_system(d, path, "cannot open");
+    const bool good = read_file(c, path, f, d);
+    fclose(f);
+    if (!good)
+        checkpoint_free(c);
+    return good;
+}
+
+bool checkpoint_take(struct checkpoint *c, const char *path, const char *head, struct diag *d)
+{
+    size_t facts = 0;
+    *c = (struct checkpoint){0};
+    if (!read_first(c, path, head, SIZE_MAX, &facts, d))
         return false;
-    if (read_parts(c, path, size, d))
-        return true;
-    checkpoint_free(c);
-    return false;
+    c->head = new_text(head, c->head_bytes);
+    return read_head(c, facts) || diag_at(d, path, 0, 0, "checkpoint is cut or damaged");
+}
+
+unsigned char *checkpoint_section(const struct checkpoint *c, const char *path, size_t i, struct diag *d)
+{
+    const struct checkpoint_part *part = &c->section[i];
+    const size_t bytes = part->bytes + CHECKPOINT_SEAL;
+    FILE *f = fopen(path, "rb");
+    if (!f) {
+        diag_system(d, path, "cannot open");
+        return NULL;
+    }
+    unsigned char *data = new_array(bytes + 1, 1);
+    bool good = fseeko(f, (off_t)part->place, SEEK_SET) == 0;
+    good = (good && (fread(data, 1, bytes, f) == bytes || !ferror(f))) || diag_system(d, path, "cannot read");
+    good = good && (sealed(data, part->bytes) || diag_at(d, path, 0, 0, "checkpoint is cut or damaged"));
+    fclose(f);
+    data[part->bytes] = '\0';
+    if (good)
+        return data;
+    free(data);
+    return NULL;
 }
 
 void checkpoint_free(struct checkpoint *c)
 {
-    free(c->text);
+    free(c->head);
     free(c->facts);
     free(c->section);
     *c = (struct checkpoint){0};

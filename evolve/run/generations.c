@@ -1,8 +1,8 @@
-/* The generations of a run; see generations.h.  There is no barrier: an island goes on as soon as the parcel of its own
- * migration is there, and a rank works on whichever of its islands is ready and furthest behind.  Each generation that
- * all islands of a rank have done is a vote in a poll; what a poll decides (a checkpoint, the end) takes place `lag`
- * generations later, which no island can have passed, since none goes on more than that before the polls are counted.
- * So all ranks save, and end, at the same generation, and what the islands find does not depend on time. */
+/* The generations of a run; see generations.h.  An island goes on as soon as the parcel of its own migration is there,
+ * and a rank works on whichever of its islands is ready and furthest behind; ranks meet at checkpoints alone.  Each
+ * generation that all islands of a rank have done is a vote in a poll; what a poll decides (a checkpoint, the end) takes
+ * place `lag` generations later, which no island can have passed, since none goes on more than that before the polls are
+ * counted.  So all ranks save, and end, at the same generation, and what the islands find does not depend on time. */
 #include "generations.h"
 
 #include "../../codegen/genome/console.h"
@@ -22,7 +22,6 @@ enum { POLL_WORK, POLL_SAVE, POLL_STOP, POLL_SUMS = POLL_STOP + STOP_REASONS };
 struct local {
     size_t island, generation;
     struct inbound migrants; /* of the migration after this generation */
-    unsigned char *saved;    /* owned: the state for the checkpoint under way */
     struct log_row *row;     /* owned: of the last generations */
 };
 
@@ -32,6 +31,7 @@ struct loop {
     const struct islands *islands;
     struct outcome *out;
     struct rank0 rank0;
+    struct saving saving;
     struct local *local; /* owned: by island */
     size_t locals;
     size_t base, done, end; /* first generation; done by all islands of this rank; the last */
@@ -52,11 +52,12 @@ static size_t counted(const struct loop *l)
     return l->base + l->poll.counted;
 }
 
-/* No island may be further than this. */
+/* No island may be further than this, nor than a checkpoint that is still to be written. */
 static size_t horizon(const struct loop *l)
 {
-    const size_t last = counted(l) + l->poll.lag;
-    return last < l->end ? last : l->end;
+    const size_t last = counted(l) + l->poll.lag,
+                 end = l->save_at > l->done && l->save_at < l->end ? l->save_at : l->end;
+    return last < end ? last : end;
 }
 
 static size_t furthest_behind(const struct loop *l)
@@ -103,10 +104,6 @@ static void advance(struct loop *l, struct local *b)
     const struct individual *best = island_best(is);
     b->row[b->generation % l->rows] =
         (struct log_row){b->generation, best->tree.length, island_evaluations(is), best->error, island_median(is)};
-    if (b->generation == l->save_at) {
-        b->saved = new_array(island_state_size(is), 1);
-        island_save(is, b->saved);
-    }
     migrate(l, b);
 }
 
@@ -136,18 +133,13 @@ static void send_rows(struct loop *l, size_t generation)
     }
 }
 
-static void send_states(struct loop *l)
+/* All ranks meet here: their islands are at this generation. */
+static void save(struct loop *l, size_t generation)
 {
-    for (size_t i = 0; i < l->locals; i++) {
-        struct local *b = &l->local[i];
-        const size_t bytes = island_state_size(island_of(l, b));
-        if (!b->saved) { /* at the end islands rest */
-            b->saved = new_array(bytes, 1);
-            island_save(island_of(l, b), b->saved);
-        }
-        mail_send(l->call->team, &l->mail, b->saved, bytes, 0, TAG_STATE);
-        b->saved = NULL;
-    }
+    char facts[FACTS];
+    struct diag d;
+    rank0_facts(&l->rank0, generation, facts);
+    rank0_saved(&l->rank0, saving_write(&l->saving, facts, &d), &d);
 }
 
 /* True when the time left may not suffice for the generations to come until all can end, and for the end itself, which
@@ -189,10 +181,8 @@ static void pass(struct loop *l)
     const size_t k = ++l->done;
     if (o->log && k % o->log_every == 0)
         send_rows(l, k);
-    if (o->checkpoint && (k == l->save_at || k == l->end)) {
-        send_states(l);
-        rank0_save(&l->rank0, k);
-    }
+    if (o->checkpoint && (k == l->save_at || k == l->end))
+        save(l, k);
     vote(l);
 }
 
@@ -250,16 +240,18 @@ bool evolve_islands(const struct call *call, const struct problem *p, const stru
                      .problem = p,
                      .islands = islands,
                      .out = out,
-                     .rank0 = {.call = call, .scene = p->scene, .islands = islands, .files = files},
+                     .rank0 = {.call = call, .scene = p->scene, .islands = islands},
+                     .saving = {call->team, islands, call->options->checkpoint, files->start_text, NULL},
                      .base = out->generation,
                      .done = out->generation,
                      .end = end};
     const bool good = rank0_open(&l.rank0, out->generation, d);
     if (!team_agree(call->team, good, d)) {
         run_log_close(&l.rank0.log);
-        free(l.rank0.state_bytes);
         return false;
     }
+    if (call->options->checkpoint)
+        saving_prepare(&l.saving, files->start_bytes);
     l.poll = poll_new(call->team, POLL_SUMS, islands->rings);
     l.rows = l.poll.lag + 1;
     l.started = seconds_now();
@@ -283,6 +275,7 @@ bool evolve_islands(const struct call *call, const struct problem *p, const stru
     out->unsaved = !rank0_close(&l.rank0, l.end);
     mail_free(&l.mail);
     poll_free(&l.poll);
+    free(l.saving.bytes);
     for (size_t i = 0; i < l.locals; i++)
         free(l.local[i].row);
     free(l.local);

@@ -66,32 +66,12 @@ bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct
     return false;
 }
 
-/* The sizes of all islands on rank 0, each as its own rank says; NULL on the others. */
-static size_t *gather_sizes(const struct islands *s, const struct team *t, size_t (*size)(const struct island *))
+void islands_sizes(const struct islands *s, const struct team *t, size_t (*of)(const struct island *), size_t *size)
 {
     const size_t n = islands_count(s);
-    struct mail mail = {0};
-    struct gather g;
     for (size_t i = 0; i < n; i++)
-        if (s->island[i]) {
-            size_t *own = new_array(1, sizeof *own);
-            *own = size(s->island[i]);
-            mail_send(t, &mail, own, sizeof *own, 0, TAG_SIZE);
-        }
-    size_t *all = t->rank == 0 ? new_array(n, sizeof *all) : NULL;
-    gather_start(&g, TAG_SIZE, s->owner, n);
-    for (size_t i = 0; all && i < n; i++) {
-        size_t *one = gather_next(t, &g, NULL, sizeof *one, true);
-        all[i] = *one;
-        free(one);
-    }
-    mail_free(&mail);
-    return all;
-}
-
-size_t *islands_state_sizes(const struct islands *s, const struct team *t)
-{
-    return gather_sizes(s, t, island_state_size);
+        size[i] = s->island[i] ? of(s->island[i]) : 0;
+    team_sum(t, size, n);
 }
 
 static size_t report_bytes(const struct island *is)
@@ -117,7 +97,8 @@ struct reports islands_reports(const struct islands *s, const struct team *t)
     struct reports f = {.islands = t->rank == 0 ? n : 0, .memory = new_array(n, sizeof(int *))};
     struct mail mail = {0};
     struct gather g;
-    size_t *bytes = gather_sizes(s, t, report_bytes);
+    size_t *bytes = new_array(n, sizeof *bytes);
+    islands_sizes(s, t, report_bytes, bytes);
     for (size_t i = 0; i < n; i++)
         if (s->island[i]) {
             int *report = new_array(island_report_size(s->island[i]), sizeof *report);

@@ -6,7 +6,7 @@
 #include "../mpi/mail.h"
 
 /** Tags of messages: blocks for rank 0, and migrants. */
-enum tag { TAG_STATE, TAG_LOG, TAG_SIZE, TAG_REPORT, TAG_MIGRANTS /* + the receiving island: the last */ };
+enum tag { TAG_LOG, TAG_REPORT, TAG_MIGRANTS /* + the receiving island: the last */ };
 
 /** The output that a ring of islands searches. */
 struct ring {
@@ -39,8 +39,8 @@ void islands_share(struct islands *s, int size);
 /** False with *d where MPI has not tags enough for this many islands.  Not collective. */
 bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct diag *d);
 
-/** Collective: the lengths of all islands' states (island_state_size), on rank 0, owned by the caller; else NULL. */
-size_t *islands_state_sizes(const struct islands *s, const struct team *t);
+/** Collective: a size of each island, as the rank that has it says, to size[0..n-1] on all ranks. */
+void islands_sizes(const struct islands *s, const struct team *t, size_t (*of)(const struct island *), size_t *size);
 
 /** A tree that an island reports. */
 struct reported {

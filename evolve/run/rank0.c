@@ -1,5 +1,4 @@
-/* Rank 0's side of a run; see rank0.h.  A checkpoint is begun when the log has all lines up to its generation,
- * so that the two agree after a restart. */
+/* Rank 0's side of a run; see rank0.h. */
 #include "rank0.h"
 
 #include "../../codegen/genome/console.h"
@@ -20,8 +19,6 @@ bool rank0_open(struct rank0 *k, size_t generation, struct diag *d)
     const struct resume *resume = k->call->resume;
     k->logged = generation;
     k->saved = seconds_now();
-    if (o->checkpoint)
-        k->state_bytes = islands_state_sizes(k->islands, k->call->team);
     if (!serves(k))
         return true;
     k->progress =
@@ -70,78 +67,38 @@ static void take_log(struct rank0 *k, size_t generation, bool wait)
     }
 }
 
-static void begin_checkpoint(struct rank0 *k)
-{
-    const struct evolve_options *o = k->call->options;
-    const size_t islands = islands_count(k->islands);
-    struct diag d;
-    struct log_mark mark = {.sha256 = "-"};
-    char facts[FACTS];
-    if (k->log.stream) {
-        complain(k, run_log_sync(&k->log, &d), &k->bad_log, &d);
-        mark = run_log_mark(&k->log);
-    }
-    resume_facts(facts, k->scene->sha256, k->saving, &mark);
-    evolve_options_facts(o, facts, sizeof facts);
-    k->writing = checkpoint_begin(&k->writer, o->checkpoint, facts, RESUME_ISLANDS + islands, &d);
-    if (k->writing)
-        checkpoint_section(&k->writer, k->files->start_text, k->files->start_bytes);
-    else
-        complain(k, false, &k->bad_save, &d);
-    gather_start(&k->states, TAG_STATE, k->islands->owner, islands);
-}
-
-static void take_states(struct rank0 *k, bool wait)
-{
-    struct diag d;
-    while (k->states.active) {
-        const size_t bytes = k->state_bytes[k->states.taken];
-        void *state = gather_next(k->call->team, &k->states, k->state_bytes, 0, wait);
-        if (!state)
-            return;
-        if (k->writing)
-            checkpoint_section(&k->writer, state, bytes);
-        free(state);
-    }
-    if (k->writing)
-        complain(k, checkpoint_commit(&k->writer, &d), &k->bad_save, &d);
-    k->writing = false;
-    k->saving = 0;
-}
-
-static void take_all(struct rank0 *k, size_t generation, bool wait)
-{
-    if (k->saving > 0) {
-        take_log(k, k->saving < generation ? k->saving : generation, wait);
-        if (!k->states.active && k->logged >= k->saving)
-            begin_checkpoint(k);
-        if (k->states.active)
-            take_states(k, wait);
-    }
-    if (k->saving == 0 || k->states.active)
-        take_log(k, generation, wait);
-}
-
 void rank0_poll(struct rank0 *k, size_t generation)
 {
     if (serves(k))
-        take_all(k, generation, false);
+        take_log(k, generation, false);
 }
 
 bool rank0_wishes_save(const struct rank0 *k)
 {
     const struct evolve_options *o = k->call->options;
-    return serves(k) && o->checkpoint && k->saving == 0 && seconds_now() - k->saved >= o->checkpoint_every;
+    return serves(k) && o->checkpoint && seconds_now() - k->saved >= o->checkpoint_every;
 }
 
-void rank0_save(struct rank0 *k, size_t generation)
+void rank0_facts(struct rank0 *k, size_t generation, char facts[FACTS])
 {
+    struct diag d;
+    struct log_mark mark = {.sha256 = "-"};
     if (!serves(k))
         return;
-    while (k->saving > 0)
-        take_all(k, k->saving, true);
-    k->saving = generation;
+    take_log(k, generation, true);
+    if (k->log.stream) {
+        complain(k, run_log_sync(&k->log, &d), &k->bad_log, &d);
+        mark = run_log_mark(&k->log);
+    }
+    resume_facts(facts, k->scene->sha256, generation, &mark);
+    evolve_options_facts(k->call->options, facts, FACTS);
+}
+
+void rank0_saved(struct rank0 *k, bool good, const struct diag *d)
+{
     k->saved = seconds_now();
+    if (serves(k))
+        complain(k, good, &k->bad_save, d);
 }
 
 enum { BEST = 200 };
@@ -182,11 +139,10 @@ bool rank0_close(struct rank0 *k, size_t generation)
 {
     struct diag d;
     if (serves(k)) {
-        take_all(k, generation, true);
+        take_log(k, generation, true);
         progress_break(&k->progress);
         complain(k, run_log_sync(&k->log, &d), &k->bad_log, &d);
         run_log_close(&k->log);
     }
-    free(k->state_bytes);
     return !(k->bad_log || k->bad_save);
 }

@@ -1,5 +1,8 @@
-/* Going on from a checkpoint; see resume.h. */
+/* Checkpoints of a run; see resume.h. */
 #include "resume.h"
+
+#include "../../codegen/genome/outfile.h"
+#include "../mpi/shared_file.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -21,16 +24,91 @@ void resume_facts(char text[FACTS], const char *scene_sha256, size_t generation,
              FOOTPOINT_VERSION, machine(), scene_sha256, generation, mark->bytes, mark->sha256);
 }
 
+void saving_prepare(struct saving *s, size_t start_bytes)
+{
+    s->bytes = new_array(islands_count(s->islands) + RESUME_ISLANDS, sizeof *s->bytes);
+    s->bytes[RESUME_START] = s->team->rank == 0 ? start_bytes : 0;
+    team_sum(s->team, s->bytes, RESUME_ISLANDS);
+    islands_sizes(s->islands, s->team, island_state_size, s->bytes + RESUME_ISLANDS);
+}
+
+static bool write_section(struct shared_file *f, const struct checkpoint *c, size_t i, unsigned char *data,
+                          struct diag *d)
+{
+    const struct checkpoint_part *part = &c->section[i];
+    checkpoint_seal(data, part->bytes);
+    return shared_file_write(f, part->place, data, part->bytes + CHECKPOINT_SEAL, d);
+}
+
+/* The sections of this rank, those of its islands one by one. */
+static bool write_sections(const struct saving *s, const struct checkpoint *c, struct shared_file *f, struct diag *d)
+{
+    size_t most = s->bytes[RESUME_START];
+    for (size_t i = 0; i < islands_count(s->islands); i++)
+        if (s->islands->island[i] && s->bytes[i + RESUME_ISLANDS] > most)
+            most = s->bytes[i + RESUME_ISLANDS];
+    unsigned char *data = new_array(most + CHECKPOINT_SEAL, 1);
+    bool good = true;
+    if (s->team->rank == 0) {
+        memcpy(data, s->start, s->bytes[RESUME_START]);
+        good = shared_file_write(f, 0, c->head, c->head_bytes, d) && write_section(f, c, RESUME_START, data, d);
+    }
+    for (size_t i = 0; good && i < islands_count(s->islands); i++)
+        if (s->islands->island[i]) {
+            island_save(s->islands->island[i], data);
+            good = write_section(f, c, i + RESUME_ISLANDS, data, d);
+        }
+    free(data);
+    return good;
+}
+
+/* Collective: the file aside, written by all. */
+static bool write_aside(const struct saving *s, const char *facts, const char *aside, struct diag *d)
+{
+    struct shared_file f = {.path = s->path};
+    if (!shared_file_open(&f, s->team, aside, d))
+        return false;
+    struct checkpoint c = checkpoint_new(facts, s->bytes, islands_count(s->islands) + RESUME_ISLANDS);
+    bool good = write_sections(s, &c, &f, d);
+    struct diag closing;
+    if (!shared_file_close(&f, &closing) && good) {
+        *d = closing;
+        good = false;
+    }
+    checkpoint_free(&c);
+    return team_agree(s->team, good, d);
+}
+
+bool saving_write(const struct saving *s, const char *facts, struct diag *d)
+{
+    const bool first = s->team->rank == 0;
+    struct outfile file;
+    bool good = !first || outfile_open(&file, s->path, d);
+    if (!team_agree(s->team, good, d))
+        return false;
+    const char *path = !first ? NULL : *file.aside ? file.aside : file.target;
+    char *aside = team_tell(s->team, path, first ? strlen(path) : 0);
+    char *told = team_tell(s->team, facts, first ? strlen(facts) : 0);
+    good = write_aside(s, told, aside, d);
+    if (first && good)
+        good = outfile_commit(&file, d);
+    else if (first)
+        outfile_discard(&file);
+    free(aside);
+    free(told);
+    return team_agree(s->team, good, d);
+}
+
 static bool known(struct resume *r, struct diag *d)
 {
     char value[128], rest;
-    if (!checkpoint_fact(r->facts, "version", value, sizeof value) || strcmp(value, FOOTPOINT_VERSION) != 0)
+    if (!checkpoint_fact(r->file.facts, "version", value, sizeof value) || strcmp(value, FOOTPOINT_VERSION) != 0)
         return diag_at(d, r->path, 0, 0, "checkpoint of version %s; this is %s", value, FOOTPOINT_VERSION);
-    if (!checkpoint_fact(r->facts, "machine", value, sizeof value) || strcmp(value, machine()) != 0)
+    if (!checkpoint_fact(r->file.facts, "machine", value, sizeof value) || strcmp(value, machine()) != 0)
         return diag_at(d, r->path, 0, 0, "checkpoint of a %s machine; this is a %s one", value, machine());
-    if (!checkpoint_fact(r->facts, "generation", value, sizeof value) ||
+    if (!checkpoint_fact(r->file.facts, "generation", value, sizeof value) ||
         sscanf(value, "%zu%c", &r->generation, &rest) != 1 ||
-        !checkpoint_fact(r->facts, "log-mark", value, sizeof value) ||
+        !checkpoint_fact(r->file.facts, "log-mark", value, sizeof value) ||
         sscanf(value, "%" SCNu64 " %64s", &r->mark.bytes, r->mark.sha256) != 2)
         return diag_at(d, r->path, 0, 0, "checkpoint lacks its generation");
     return true;
@@ -38,23 +116,25 @@ static bool known(struct resume *r, struct diag *d)
 
 bool resume_read(struct resume *r, const struct team *t, const char *path, struct diag *d)
 {
-    *r = (struct resume){.path = path};
-    bool good = t->rank > 0 || checkpoint_read(&r->file, path, d);
-    if (good && t->rank == 0 && r->file.sections < RESUME_ISLANDS)
-        good = diag_at(d, path, 0, 0, "checkpoint lacks its start");
-    if (!team_agree(t, good, d))
-        return false;
     const bool first = t->rank == 0;
-    r->facts = team_tell(t, r->file.facts, first ? strlen(r->file.facts) : 0);
-    r->start = team_tell(t, first ? (const char *)r->file.section[RESUME_START].data : NULL,
-                         first ? r->file.section[RESUME_START].bytes : 0);
-    return team_agree(t, known(r, d), d);
+    *r = (struct resume){.path = path};
+    if (!team_agree(t, !first || checkpoint_read(&r->file, path, d), d))
+        return false;
+    char *head = team_tell(t, r->file.head, r->file.head_bytes);
+    bool good = first || checkpoint_take(&r->file, path, head, d);
+    free(head);
+    good = good && (r->file.sections >= RESUME_ISLANDS || diag_at(d, path, 0, 0, "checkpoint lacks its start"));
+    unsigned char *start = good && first ? checkpoint_section(&r->file, path, RESUME_START, d) : NULL;
+    if (team_agree(t, good && (!first || start), d))
+        r->start = team_tell(t, (const char *)start, first ? r->file.section[RESUME_START].bytes : 0);
+    free(start);
+    return r->start && team_agree(t, known(r, d), d);
 }
 
 bool resume_suits(const struct resume *r, const char *scene_sha256, size_t generations, struct diag *d)
 {
     char sha256[65] = "";
-    checkpoint_fact(r->facts, "scene-sha256", sha256, sizeof sha256);
+    checkpoint_fact(r->file.facts, "scene-sha256", sha256, sizeof sha256);
     if (strcmp(sha256, scene_sha256) != 0)
         return diag_at(d, r->path, 0, 0, "checkpoint of another scene: SHA-256 %.12s..., not %.12s...", sha256,
                        scene_sha256);
@@ -68,25 +148,16 @@ bool resume_suits(const struct resume *r, const char *scene_sha256, size_t gener
 bool resume_islands(const struct resume *r, const struct team *t, const struct islands *s, struct diag *d)
 {
     const size_t n = islands_count(s);
-    struct mail mail = {0};
-    bool good =
-        t->rank > 0 || r->file.sections == n + RESUME_ISLANDS || diag_at(d, r->path, 0, 0, "checkpoint lacks islands");
-    if (!team_agree(t, good, d))
-        return false;
-    for (size_t i = 0; i < n; i++) {
-        size_t bytes;
-        if (t->rank == 0) {
-            const struct checkpoint_part *part = &r->file.section[i + RESUME_ISLANDS];
-            mail_send(t, &mail, new_text((const char *)part->data, part->bytes), part->bytes, s->owner[i], TAG_STATE);
-        }
-        if (s->owner[i] != t->rank)
+    bool good = r->file.sections == n + RESUME_ISLANDS || diag_at(d, r->path, 0, 0, "checkpoint lacks islands");
+    for (size_t i = 0; good && i < n; i++) {
+        if (!s->island[i])
             continue;
-        unsigned char *state = team_receive(t, 0, TAG_STATE, &bytes);
-        if (good && (bytes != island_state_size(s->island[i]) || !island_load(s->island[i], state)))
-            good = diag_at(d, r->path, 0, 0, "island %zu of the checkpoint is malformed", i);
+        unsigned char *state = checkpoint_section(&r->file, r->path, i + RESUME_ISLANDS, d);
+        const bool whole = state && r->file.section[i + RESUME_ISLANDS].bytes == island_state_size(s->island[i]);
+        good = state && ((whole && island_load(s->island[i], state)) ||
+                         diag_at(d, r->path, 0, 0, "island %zu of the checkpoint is malformed", i));
         free(state);
     }
-    mail_free(&mail);
     return team_agree(t, good, d);
 }
 
@@ -110,7 +181,6 @@ bool resume_start_file(const struct resume *r, char *path, size_t n, struct diag
 void resume_free(struct resume *r)
 {
     checkpoint_free(&r->file);
-    free(r->facts);
     free(r->start);
     *r = (struct resume){0};
 }

@@ -393,8 +393,7 @@ static bool fits_messages(const struct evolve_options *o, const struct plan *pla
 {
     for (size_t i = 0; i < islands_count(s); i++) {
         const struct island *is = s->island[i];
-        if (is && (island_parcel_size(is, plan->migrants) > INT_MAX / sizeof(int) ||
-                   (o->checkpoint && island_state_size(is) > INT_MAX)))
+        if (is && island_parcel_size(is, plan->migrants) > INT_MAX / sizeof(int))
             return options_refuse(&evolve_option_table, d, "error: --population %zu is too large to be sent",
                                   o->population);
     }

@@ -27,6 +27,9 @@ cp "$work/whole.csv" "$work/log.csv" && head -1 "$work/log.csv" | grep -q '^gene
 $mpirun -n 3 "$evolve" $options --generations 24 -o "$work/o.gen" --log "$work/log.csv" > /dev/null 2>&1
 same "$work/whole.csv" "$work/log.csv" 'the same log from 3 ranks'
 $mpirun -n 3 "$evolve" $options --generations 12 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
+mv "$work/ck" "$work/three"
+"$evolve" $options --generations 12 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
+same "$work/ck" "$work/three" 'the same checkpoint from 1 and 3 ranks'
 cp "$work/ck" "$work/good"; echo rubbish >> "$work/parts.csv"
 look=$(sed -n 's/^# submit it again .*until `\(.*\) run\.ckpt` says 100000$/\1/p' evolve/README.md)
 expect 'the generation, as the README'"'"'s job asks for it' 0 'generation 12' '' sh -c "$look '$work/good'"
@@ -88,11 +91,12 @@ cp "$work/good" "$work/bad"; printf x | dd of="$work/bad" bs=1 seek=200000 conv=
 refused 'a byte changed' 1 "$damaged"
 resealed() { # resealed SED: $work/bad with other facts and a good seal
     first=$(head -1 "$work/good") facts=$(printf %s "$first" | cut -d' ' -f3)
+    lengths=$((8 * ${first##* }))
     tail -c +$((${#first} + 2)) "$work/good" | head -c "$facts" | sed "$1" > "$work/facts"
-    { printf 'footpoint-checkpoint 1 %s %s\n' "$(wc -c < "$work/facts")" "${first##* }"; cat "$work/facts"
-      tail -c +$((${#first} + 2 + facts)) "$work/good" | head -c -65; } > "$work/bad"
+    { printf 'footpoint-checkpoint 2 %s %s\n' "$(wc -c < "$work/facts")" "${first##* }"; cat "$work/facts"
+      tail -c +$((${#first} + 2 + facts)) "$work/good" | head -c $lengths; } > "$work/bad"
     sum=$(sha256sum "$work/bad")
-    printf '%s\n' "${sum%% *}" >> "$work/bad"
+    { printf '%s\n' "${sum%% *}"; tail -c +$((${#first} + 2 + facts + lengths + 65)) "$work/good"; } >> "$work/bad"
 }
 resealed 's/^version .*/version 9/'; refused 'another version' 1 "$work/bad: error: checkpoint of version 9; this is 0.2.0"
 resealed 's/^islands 3/islands 2/'; refused 'other islands' 1 "$work/bad: error: checkpoint lacks islands"
@@ -116,8 +120,12 @@ expect 'no folder for checkpoints' 3 '' "$work/none/ck: error: cannot write: No 
 # A disk that is too small for a checkpoint (MPI itself needs some MB): the last one stays, the genomes are written.
 cp "$work/good" "$work/ck"; rm -f "$work/o.gen"
 full() { (ulimit -f 32768; exec "$evolve" $options --islands 40 --generations 2 --checkpoint "$work/ck" -o "$work/o.gen"); }
-expect 'full disk' 3 '*' "$work/ck: error: cannot write: File too large" full
-cmp -s "$work/ck" "$work/good" && [ -s "$work/o.gen" ] && ! ls "$work" | grep -q tmp
-report $((! $?)) 'full disk: the last checkpoint stays, the genomes are there, nothing else'
+full_on_two() { (ulimit -f 32768; exec $mpirun -n 2 "$evolve" $options --islands 40 --generations 2 --checkpoint "$work/ck" -o "$work/o.gen"); }
+for ranks in full full_on_two; do
+    rm -f "$work/o.gen"
+    expect "full disk ($ranks)" 3 '*' "$work/ck: error: cannot write: File too large" $ranks
+    cmp -s "$work/ck" "$work/good" && [ -s "$work/o.gen" ] && ! ls "$work" | grep -q tmp
+    report $((! $?)) 'full disk: the last checkpoint stays, the genomes are there, nothing else'
+done
 expect 'full log' 3 '*' '/dev/full: error: cannot write: No space left on device' \
     "$evolve" $options --generations 10 --log /dev/full -o "$work/o.gen"
