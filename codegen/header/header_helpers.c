@@ -18,6 +18,8 @@ static void print_kind(const struct unit *u, FILE *out)
     const struct segment_kind *k = u->file->segment;
     char *guard = new_format("FOOTPOINT_%s_SEARCH", k->name);
     struct placeholder *own = lines_words(u, NULL);
+    if (!*k->normals)
+        templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
     if (!k->bilinear && !*k->normals)
         templates_print("FOOTPOINT_DETAIL_WEIGHTED", (const char *const[]){"weighted", NULL}, precision, NULL, out);
     if (lines_straight(u))

@@ -27,6 +27,7 @@ static const struct {
             {"REAL_HIGH", {"512", "32"}},
             {"REAL_FLAT", {"1e-20", "1e-9f"}},   /* the square of the sine below which tangents are parallel */
             {"REAL_MARGIN", {"4e-16", "2e-7f"}}, /* rounding errors of the square of a distance */
+            {"copysign", {"copysign", "copysignf"}},
             {"fabs", {"fabs", "fabsf"}},
             {"frexp", {"frexp", "frexpf"}},
             {"ldexp", {"ldexp", "ldexpf"}},

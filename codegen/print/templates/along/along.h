@@ -10,18 +10,6 @@
 #define FOOTPOINT_NOT_UNIQUE 2
 #endif
 
-FOOTPOINT_PART void footpoint_detail_cross(const REAL a[3], const REAL b[3], REAL c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-FOOTPOINT_PART REAL footpoint_detail_dot(const REAL a[3], const REAL b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* How far |x| is above 1, and 0 below. */
 FOOTPOINT_PART REAL footpoint_detail_excess(REAL x)
 {

@@ -7,7 +7,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
                                                  REAL xi, REAL eta, REAL at[4], int *region)
 {
     REAL c[5][8], places[8], ee[4], t[4], dd[4], u[3], v[3], d[3], e[3], nn, inner, all;
-    REAL size, longest, other, best, rest, edge_u, edge_v, far_u, far_v;
+    REAL size, longest, other, best, edge, rest, edge_u, edge_v, far_u, far_v;
     int within, inside, left, right, below, above;
     flaw |= footpoint_detail_infinite(xi + eta);
     ee[0] = footpoint_detail_curve_begin(x[0], x[4], x[1], x[NODES], 0, 4, c, places);
@@ -39,6 +39,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
     inner = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     inside = within & (inner <= best + REAL_MARGIN * (best + size));
     all = dd[0] + dd[1] + dd[2] + dd[3] + inner;
+    edge = best;
     best = inside ? inner : best;
     xi = inside ? xi : edge_u;
     eta = inside ? eta : edge_v;
@@ -52,5 +53,5 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
     below = eta <= -1.0;
     above = eta >= 1.0;
     *region = below + 3 * above + 4 * left + (left & above) + right * (2 + 3 * below + 2 * above);
-    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, longest);
+    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, edge, longest);
 }

@@ -7,7 +7,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
                                                  REAL xi, REAL eta, REAL at[4], int *region)
 {
     REAL c[5][8], places[8], ee[3], t[3], dd[3], u[3], v[3], d[3], e[3], nn, inner, all;
-    REAL size, longest, best, edge_u, edge_v, along;
+    REAL size, longest, best, edge, edge_u, edge_v, along;
     int within, inside, k, second, last;
     flaw |= footpoint_detail_infinite(xi + eta);
     ee[0] = footpoint_detail_curve_begin(x[0], x[3], x[1], x[NODES], 0, 3, c, places);
@@ -37,6 +37,7 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
     inner = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     inside = within & (inner <= best + REAL_MARGIN * (best + size));
     all = dd[0] + dd[1] + dd[2] + inner;
+    edge = best;
     best = inside ? inner : best;
     xi = inside ? xi : edge_u;
     eta = inside ? eta : edge_v;
@@ -47,5 +48,5 @@ FOOTPOINT_PART int footpoint_detail_KIND_nearest(const REAL *const *x, REAL_BITS
     nn = footpoint_detail_side(u, v, d, best, at);
     k = last ? 2 : second;
     *region = (1 - inside) * (1 + k + 3 * (along <= -1.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, longest);
+    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, edge, longest);
 }

@@ -1,24 +1,32 @@
 /* Closest points of straight edges. */
 
+/* 1 where x > 0, 0 where x < 0: which of two values is taken, in place of a branch on it, which would keep loops from
+ * being vectorised and is foreseen badly. */
+FOOTPOINT_PART REAL footpoint_detail_step(REAL x)
+{
+    return 0.5 + copysign(0.5, x);
+}
+
+/* a where step is 0, b where it is 1; both finite. */
+FOOTPOINT_PART REAL footpoint_detail_either(REAL step, REAL a, REAL b)
+{
+    return (1.0 - step) * a + step * b;
+}
+
 /* The edge from corner a to b: e = b - a, p = s - a, *ee the square of its length, and *t where its point nearest to s
  * lies, from 0 to 1; returns the square of their distance. */
 FOOTPOINT_PART REAL footpoint_detail_edge(const REAL a[3], const REAL b[3], const REAL s[3],
                                           REAL e[3], REAL p[3], REAL *ee, REAL *t)
 {
-    REAL ahead = 0.0, ss = 0.0, dd = 0.0;
-    int i;
-    for (i = 0; i < 3; i++) {
-        e[i] = b[i] - a[i];
-        p[i] = s[i] - a[i];
-        ss += e[i] * e[i];
-        ahead += p[i] * e[i];
-    }
-    ahead = 0.5 * (ahead + fabs(ahead));
-    *ee = ss;
-    *t = (ahead < ss ? ahead : ss) / (ss + REAL_MIN);
-    for (i = 0; i < 3; i++) {
-        const REAL d = p[i] - *t * e[i];
-        dd += d * d;
-    }
-    return dd;
+    REAL d[3], ahead;
+    footpoint_detail_from(a, b, e);
+    footpoint_detail_from(a, s, p);
+    *ee = footpoint_detail_dot(e, e);
+    ahead = footpoint_detail_dot(p, e);
+    ahead = ahead > 0.0 ? ahead : 0.0;
+    *t = (ahead < *ee ? ahead : *ee) / (*ee + REAL_MIN);
+    d[0] = p[0] - *t * e[0];
+    d[1] = p[1] - *t * e[1];
+    d[2] = p[2] - *t * e[2];
+    return footpoint_detail_dot(d, d);
 }

@@ -5,47 +5,44 @@
 FOOTPOINT_PART int footpoint_detail_tri3_nearest(const REAL *const *x, REAL_BITS flaw, REAL least,
                                                  REAL xi, REAL eta, REAL at[4], int *region)
 {
-    REAL e[3][3], p[3][3], ee[4], t[4], dd[4], n[3], all = 0.0;
-    REAL size, longest, best, u, v, along, other, nn, inner = 0.0, side = 0.0;
-    int i, k, last, inside;
-    flaw |= footpoint_detail_infinite(xi + eta);
+    REAL e[3][3], p[3][3], ee[3], t[3], dd[3], d[3], n[3], nn, size, longest, other;
+    REAL second, third, edge, along, u, v, inner, room, within, best, side;
+    int last, k;
     dd[0] = footpoint_detail_edge(x[0], x[1], x[3], e[0], p[0], &ee[0], &t[0]);
     dd[1] = footpoint_detail_edge(x[1], x[2], x[3], e[1], p[1], &ee[1], &t[1]);
     dd[2] = footpoint_detail_edge(x[2], x[0], x[3], e[2], p[2], &ee[2], &t[2]);
     size = ee[0] + ee[1] + ee[2];
     longest = ee[0] > ee[1] ? ee[0] : ee[1];
     longest = longest > ee[2] ? longest : ee[2];
-    u = 1.0 - t[1];
-    v = 1.0 - t[2];
-    k = dd[1] < dd[0];
-    u = dd[1] < dd[0] ? u : t[0];
-    along = dd[1] < dd[0] ? t[1] : t[0];
-    best = dd[1] < dd[0] ? dd[1] : dd[0];
-    last = dd[2] < best;
-    other = dd[1] < dd[0] ? t[1] : 0.0;
-    v = dd[2] < best ? v : other;
-    u = dd[2] < best ? 0.0 : u;
-    along = dd[2] < best ? t[2] : along;
-    best = dd[2] < best ? dd[2] : best;
-    for (i = 0; i < 3; i++) {
-        const REAL d = p[0][i] - xi * e[0][i] + eta * e[2][i];
-        inner += d * d;
-        all += p[0][i];
-    }
-    n[0] = e[0][2] * e[2][1] - e[0][1] * e[2][2];
-    n[1] = e[0][0] * e[2][2] - e[0][2] * e[2][0];
-    n[2] = e[0][1] * e[2][0] - e[0][0] * e[2][1];
-    for (i = 0; i < 3; i++)
-        side += n[i] * p[0][i];
-    inside =
-        (xi > 0.0) & (eta > 0.0) & (xi + eta < 1.0) & (inner <= best + REAL_MARGIN * (best + size));
-    best = inside ? inner : best;
-    at[0] = inside ? xi : u;
-    at[1] = inside ? eta : v;
-    nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    at[2] = side < 0.0 ? -best : best;
+    second = footpoint_detail_step(dd[0] - dd[1]);
+    edge = dd[1] < dd[0] ? dd[1] : dd[0];
+    third = footpoint_detail_step(edge - dd[2]);
+    edge = dd[2] < edge ? dd[2] : edge;
+    along = footpoint_detail_either(third, footpoint_detail_either(second, t[0], t[1]), t[2]);
+    u = (1.0 - third) * footpoint_detail_either(second, t[0], 1.0 - t[1]);
+    v = footpoint_detail_either(third, second * t[1], 1.0 - t[2]);
+    d[0] = p[0][0] - xi * e[0][0] + eta * e[2][0];
+    d[1] = p[0][1] - xi * e[0][1] + eta * e[2][1];
+    d[2] = p[0][2] - xi * e[0][2] + eta * e[2][2];
+    inner = footpoint_detail_dot(d, d);
+    room = xi < eta ? xi : eta;
+    other = 1.0 - (xi + eta);
+    room = other < room ? other : room;
+    other = edge + REAL_MARGIN * (edge + size) - inner;
+    room = other < room ? other : room;
+    within = footpoint_detail_step(room - REAL_MIN);
+    at[0] = footpoint_detail_either(within, u, xi);
+    at[1] = footpoint_detail_either(within, v, eta);
+    best = footpoint_detail_either(within, edge, inner);
+    footpoint_detail_cross(e[2], e[0], n);
+    side = footpoint_detail_dot(n, p[0]);
+    nn = footpoint_detail_dot(n, n);
+    at[2] = copysign(best, side);
     at[3] = side * side / (nn * best + REAL_MIN);
-    k += last * (2 - k);
-    *region = (1 - inside) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));
-    return footpoint_detail_closest_status(flaw, all, nn, size, least, best, longest);
+    last = third > 0.5;
+    k = (second > 0.5) * (1 - last) + 2 * last;
+    *region = (within < 0.5) * (1 + k + 3 * (along <= 0.0) + (4 - 3 * last) * (along >= 1.0));
+    return footpoint_detail_closest_status(flaw | footpoint_detail_infinite(inner),
+                                           p[0][0] + p[0][1] + p[0][2], nn, size, least, best, edge,
+                                           longest);
 }
