@@ -68,9 +68,16 @@ static void draw_middles(const struct surface *f, gsl_rng *stream, const struct 
     }
     if (f->nodes <= 2 * corners)
         return;
-    for (int k = 0; k < 3; k++)
-        x[8][k] = (x[4][k] + x[5][k] + x[6][k] + x[7][k]) / 2 - (x[0][k] + x[1][k] + x[2][k] + x[3][k]) / 4;
-    shift(stream, shapes->shift * shortest, x[8]);
+    double *middle = x[2 * corners];
+    for (int k = 0; k < 3; k++) {
+        double ends = 0, sides = 0;
+        for (size_t i = 0; i < corners; i++) {
+            ends += x[i][k];
+            sides += x[corners + i][k];
+        }
+        middle[k] = f->triangle ? (4 * sides - ends) / 9 : sides / 2 - ends / 4;
+    }
+    shift(stream, shapes->shift * shortest, middle);
 }
 
 /* Area nowhere below a fifth of that in the middle, all normals within 60 degrees of the one there. */
