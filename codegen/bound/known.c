@@ -1,6 +1,7 @@
 /* What is known of a program's values; see known.h. */
 #include "known.h"
 
+#include "../graph/constant_text.h"
 #include "../program/evaluate.h"
 #include "../program/genome_program.h"
 #include "../prove/prove_points.h"

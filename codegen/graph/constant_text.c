@@ -1,4 +1,4 @@
-/* Rational constants as text; see constant_text.h. */
+/* Rational constants and their text; see constant_text.h. */
 #include "constant_text.h"
 
 #include "../genome/text.h"
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DIGITS = 64 };
+enum { MOST_DIGITS = 64, MOST_EXPONENT = 1000 };
 
 char *constant_text(const fmpq_t c)
 {
@@ -49,4 +49,43 @@ char *constant_text(const fmpq_t c)
     fmpz_clear(den);
     fmpz_clear(scaled);
     return text;
+}
+
+const char *decimal_read(fmpq *q, const char *text)
+{
+    const size_t whole = strspn(text, "0123456789"), point = text[whole] == '.',
+                 after = point ? strspn(text + whole + 1, "0123456789") : 0;
+    const char *end = text + whole + point + after;
+    long exponent = 0;
+    if (whole + after == 0)
+        return NULL;
+    if (*end == 'e' || *end == 'E') {
+        char *rest;
+        exponent = strtol(end + 1, &rest, 10);
+        if (rest == end + 1 || labs(exponent) > MOST_EXPONENT)
+            return NULL;
+        end = rest;
+    }
+    exponent -= (long)after;
+    char *digits = new_text(text, whole + point + after);
+    memmove(digits + whole, digits + whole + point, after + 1);
+    fmpz_t ten;
+    fmpz_init_set_ui(ten, 10);
+    fmpz_pow_ui(ten, ten, (unsigned long)labs(exponent));
+    fmpz_set_str(fmpq_numref(q), digits, 10);
+    fmpz_one(fmpq_denref(q));
+    if (exponent < 0)
+        fmpq_div_fmpz(q, q, ten);
+    else
+        fmpq_mul_fmpz(q, q, ten);
+    fmpz_clear(ten);
+    free(digits);
+    return end;
+}
+
+void constant_read(fmpq *q, const char *text)
+{
+    decimal_read(q, text + (*text == '-' || *text == '+'));
+    if (*text == '-')
+        fmpq_neg(q, q);
 }

@@ -4,6 +4,7 @@
  * a constant is left as it is. */
 #include "from_genome.h"
 
+#include "constant_text.h"
 #include "unary.h"
 
 #include <stdlib.h>
@@ -26,37 +27,12 @@ struct builder {
     size_t depth, room;
 };
 
-/* Exact value of decimal text. */
 static rational read_rational(const char *text)
 {
     fmpq_t c;
-    char digits[80];
-    size_t n = 0;
-    long exponent = 0;
-    bool after = false;
-    fmpz_t ten;
     fmpq_init(c);
-    for (; *text && *text != 'e' && *text != 'E'; text++) {
-        if (*text == '.')
-            after = true;
-        else if (*text != '+' && n + 1 < sizeof digits) {
-            digits[n++] = *text;
-            exponent -= after && *text != '-';
-        }
-    }
-    digits[n] = '\0';
-    if (*text)
-        exponent += strtol(text + 1, NULL, 10);
-    fmpz_init_set_ui(ten, 10);
-    fmpz_pow_ui(ten, ten, (unsigned long)labs(exponent));
-    fmpz_set_str(fmpq_numref(c), digits, 10);
-    fmpz_one(fmpq_denref(c));
-    if (exponent < 0)
-        fmpq_div_fmpz(c, c, ten);
-    else
-        fmpq_mul_fmpz(c, c, ten);
+    constant_read(c, text);
     const rational r = rational_intern(c);
-    fmpz_clear(ten);
     fmpq_clear(c);
     return r;
 }

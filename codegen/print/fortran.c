@@ -14,32 +14,6 @@ enum { MOST_NAME = 63, MOST_CONTINUATIONS = 255, WIDTH = 130, LONGEST = 6000 };
 
 /* ---- expressions ---- */
 
-static char *constant_text(const fmpq *value, enum level *level, bool single)
-{
-    bool negative;
-    char *num, *den, *text;
-    split_constant(value, &negative, &num, &den);
-    const char *sign = negative ? "-" : "";
-    if (den)
-        text = new_format(single ? "%sreal(%s.0_real64 / %s.0_real64, wp)" : "%s(%s.0_wp / %s.0_wp)", sign, num, den);
-    else
-        text = new_format("%s%s_wp", sign, num);
-    *level = negative ? LEVEL_MINUS : LEVEL_NAME;
-    free(num);
-    free(den);
-    return text;
-}
-
-static char *double_constant(const fmpq *value, enum level *level)
-{
-    return constant_text(value, level, false);
-}
-
-static char *float_constant(const fmpq *value, enum level *level)
-{
-    return constant_text(value, level, true);
-}
-
 static char *input_text(const struct genome_file *f, size_t k)
 {
     char vector[4];
@@ -51,20 +25,17 @@ static char *input_text(const struct genome_file *f, size_t k)
 
 #define OF_FORTRAN(gene, text, value, slope, derivative, c, fortran, ...) [OP_##gene] = {fortran, LEVEL_NAME},
 /* merge() takes both values: a protected quotient must not divide by 0 for the one that it drops. */
-#define DIALECT(constant_function)                                                                                     \
+#define DIALECT(quotient_format)                                                                                       \
     {                                                                                                                  \
-        .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},                                                                       \
-               [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},                                                                    \
-               [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},                                                                    \
-               [OP_MUL] = {"$a1 * $b3", LEVEL_PRODUCT},                                                                \
-               [OP_DIV] = {"$a1 / $b3", LEVEL_PRODUCT},                                                                \
-               UNARY(OF_FORTRAN)[OP_MIN] = {"merge($a0, $b0, $a0 < $b0)", LEVEL_NAME},                                 \
+        .op = {DIALECT_ARITHMETIC, UNARY(OF_FORTRAN)[OP_MIN] = {"merge($a0, $b0, $a0 < $b0)", LEVEL_NAME},             \
                [OP_MAX] = {"merge($a0, $b0, $a0 > $b0)", LEVEL_NAME},                                                  \
                [OP_PDIV] = {"(merge(1.0_wp, $a0, $b0 == 0.0_wp) / merge(1.0_wp, $b0, $b0 == 0.0_wp))", LEVEL_NAME}},   \
-        .open = "(", .close = ")", .constant = constant_function, .input = input_text, .longest = LONGEST              \
+        .open = "(", .close = ")", .decimal = "%s%s_wp", .quotient = quotient_format, .input = input_text,             \
+        .longest = LONGEST                                                                                             \
     }
 
-static const struct dialect fortran_double = DIALECT(double_constant), fortran_float = DIALECT(float_constant);
+static const struct dialect fortran_double = DIALECT("%s(%s.0_wp / %s.0_wp)"),
+                            fortran_float = DIALECT("%sreal(%s.0_real64 / %s.0_real64, wp)");
 
 /* ---- statements ---- */
 

@@ -69,6 +69,21 @@ static const struct pattern *pattern_of(const struct printer *r, int op)
     return &d->op[o->kind];
 }
 
+static char *constant(const struct dialect *d, const fmpq *value, enum level *level)
+{
+    if (d->constant)
+        return d->constant(value, level);
+    bool negative;
+    char *num, *den;
+    split_constant(value, &negative, &num, &den);
+    const char *sign = negative ? "-" : "";
+    char *text = den ? new_format(d->quotient, sign, num, den) : new_format(d->decimal, sign, num);
+    *level = negative ? LEVEL_MINUS : LEVEL_NAME;
+    free(num);
+    free(den);
+    return text;
+}
+
 /* A name, an input or a constant, and its level; NULL for anything that has operands. */
 static char *leaf_text(const struct printer *r, int op, enum level *level)
 {
@@ -77,7 +92,7 @@ static char *leaf_text(const struct printer *r, int op, enum level *level)
     if (r->name[op])
         return new_text(r->name[op], strlen(r->name[op]));
     if (o->kind == OP_CONSTANT)
-        return r->dialect->constant(&r->program->constant[o->input], level);
+        return constant(r->dialect, &r->program->constant[o->input], level);
     return o->kind == OP_INPUT ? r->dialect->input(r->file, (size_t)o->input) : NULL;
 }
 

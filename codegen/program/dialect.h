@@ -15,13 +15,14 @@ struct pattern {
 };
 
 struct dialect {
-    struct pattern op[OP_KINDS]; /* by enum op_kind; none for constants and inputs */
-    struct pattern square;       /* text NULL: as any product */
-    struct pattern second[2];    /* OP_MIN and OP_MAX whose second operand is constant; text NULL: as any */
-    const char *type;            /* of temporaries; NULL: none is written */
-    const char *open, *close;    /* parentheses */
+    struct pattern op[OP_KINDS];    /* by enum op_kind; none for constants and inputs */
+    struct pattern square;          /* text NULL: as any product */
+    struct pattern second[2];       /* OP_MIN and OP_MAX whose second operand is constant; text NULL: as any */
+    const char *type;               /* of temporaries; NULL: none is written */
+    const char *open, *close;       /* parentheses */
+    const char *decimal, *quotient; /* formats of a constant: sign, digits; sign, digits, denominator */
     /** Each returns new text, which the printer frees. */
-    char *(*constant)(const fmpq *value, enum level *level);
+    char *(*constant)(const fmpq *value, enum level *level); /* NULL: by these formats */
     char *(*input)(const struct genome_file *f, size_t k);
     char *(*name)(const char *plain); /* of a temporary or an output; NULL: as it is */
     bool bare;      /* inputs are written without a prefix: temporaries get names that no input or output has */
@@ -52,6 +53,11 @@ void printer_run(struct printer *r, write_statement *write, void *to);
 
 /** Text of an operation after printer_run, on the level `least` at least; caller frees. */
 char *printer_text(struct printer *r, int op, enum level least);
+
+/** Patterns of sums, products and quotients in languages that write them as C does. */
+#define DIALECT_ARITHMETIC                                                                                             \
+    [OP_NEG] = {"-$a3", LEVEL_MINUS}, [OP_ADD] = {"$a0 + $b2", LEVEL_SUM}, [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},        \
+    [OP_MUL] = {"$a1 * $b3", LEVEL_PRODUCT}, [OP_DIV] = {"$a1 / $b3", LEVEL_PRODUCT}
 
 /** Sign, digits and denominator of a constant: "0.05", "7" and "3".  Caller frees both; *den is NULL for a decimal. */
 void split_constant(const fmpq *value, bool *negative, char **num, char **den);

@@ -6,32 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static char *constant_text(const fmpq *value, enum level *level, bool single)
-{
-    bool negative;
-    char *num, *den, *text;
-    split_constant(value, &negative, &num, &den);
-    const char *sign = negative ? "-" : "";
-    if (den)
-        text = new_format(single ? "%s(float)(%s.0 / %s.0)" : "%s(%s.0 / %s.0)", sign, num, den);
-    else
-        text = new_format("%s%s%s", sign, num, single ? "f" : "");
-    *level = negative ? LEVEL_MINUS : LEVEL_NAME;
-    free(num);
-    free(den);
-    return text;
-}
-
-static char *double_constant(const fmpq *value, enum level *level)
-{
-    return constant_text(value, level, false);
-}
-
-static char *float_constant(const fmpq *value, enum level *level)
-{
-    return constant_text(value, level, true);
-}
-
 /* xA[2] is input zA. */
 static char *input_text(const struct genome_file *f, size_t k)
 {
@@ -57,27 +31,22 @@ static char *relative_text(const struct genome_file *f, size_t k)
  * round, and later passes would not find the one instruction that c < x ? c : x is. */
 #define OF_DOUBLE(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "($a0)", LEVEL_NAME},
 #define OF_FLOAT(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "f($a0)", LEVEL_NAME},
-#define DIALECT(real, unary, constant_function, input_function, protected_quotient)                                    \
+#define DIALECT(real, unary, decimal_format, quotient_format, input_function, protected_quotient)                      \
     {                                                                                                                  \
-        .op = {[OP_NEG] = {"-$a3", LEVEL_MINUS},                                                                       \
-               [OP_ADD] = {"$a0 + $b2", LEVEL_SUM},                                                                    \
-               [OP_SUB] = {"$a0 - $b2", LEVEL_SUM},                                                                    \
-               [OP_MUL] = {"$a1 * $b3", LEVEL_PRODUCT},                                                                \
-               [OP_DIV] = {"$a1 / $b3", LEVEL_PRODUCT},                                                                \
-               UNARY(unary)[OP_MIN] = {"($a1 < $b1 ? $a1 : $b1)", LEVEL_NAME},                                         \
-               [OP_MAX] = {"($a1 > $b1 ? $a1 : $b1)", LEVEL_NAME},                                                     \
-               [OP_PDIV] = {protected_quotient, LEVEL_NAME}},                                                          \
+        .op = {DIALECT_ARITHMETIC, UNARY(unary)[OP_MIN] = {"($a1 < $b1 ? $a1 : $b1)", LEVEL_NAME},                     \
+               [OP_MAX] = {"($a1 > $b1 ? $a1 : $b1)", LEVEL_NAME}, [OP_PDIV] = {protected_quotient, LEVEL_NAME}},      \
         .second = {{"(!($a1 >= $b1) ? $a1 : $b1)", LEVEL_NAME}, {"(!($a1 <= $b1) ? $a1 : $b1)", LEVEL_NAME}},          \
-        .open = "(", .close = ")", .constant = constant_function, .input = input_function, .type = real                \
+        .open = "(", .close = ")", .decimal = decimal_format, .quotient = quotient_format, .input = input_function,    \
+        .type = real                                                                                                   \
     }
 
 /* In float both choices of a protected quotient are made before it divides: no branch is left. */
 #define FLOAT_QUOTIENT "(($b3 == 0.0f ? 1.0f : $a3) / ($b3 == 0.0f ? 1.0f : $b3))"
 
 const struct dialect c_double =
-    DIALECT("double", OF_DOUBLE, double_constant, input_text, "($b1 == 0.0 ? 1.0 : $a1 / $b1)");
-const struct dialect c_float = DIALECT("float", OF_FLOAT, float_constant, input_text, FLOAT_QUOTIENT);
-const struct dialect c_relative = DIALECT("float", OF_FLOAT, float_constant, relative_text, FLOAT_QUOTIENT);
+    DIALECT("double", OF_DOUBLE, "%s%s", "%s(%s.0 / %s.0)", input_text, "($b1 == 0.0 ? 1.0 : $a1 / $b1)");
+#define FLOAT(input) DIALECT("float", OF_FLOAT, "%s%sf", "%s(float)(%s.0 / %s.0)", input, FLOAT_QUOTIENT)
+const struct dialect c_float = FLOAT(input_text), c_relative = FLOAT(relative_text);
 
 /* ---- statements ---- */
 

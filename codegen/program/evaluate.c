@@ -11,24 +11,25 @@ enum { FIRST_BITS = 128, MOST_BITS = 2048, GOOD_BITS = 64, MOST_RATIONAL_BITS = 
 
 /* ---- double ---- */
 
-double double_nearest(const fmpq *q)
+/* The number of so many bits nearest to q, rounded once more where it is subnormal. */
+static double nearest(const fmpq *q, int bits)
 {
     mpfr_t x;
-    mpfr_init2(x, 53);
+    mpfr_init2(x, bits);
     fmpq_get_mpfr(x, q, MPFR_RNDN);
     const double d = mpfr_get_d(x, MPFR_RNDN);
     mpfr_clear(x);
     return d;
 }
 
+double double_nearest(const fmpq *q)
+{
+    return nearest(q, 53);
+}
+
 float single_nearest(const fmpq *q)
 {
-    mpfr_t x;
-    mpfr_init2(x, 24);
-    fmpq_get_mpfr(x, q, MPFR_RNDN);
-    const float single = mpfr_get_flt(x, MPFR_RNDN);
-    mpfr_clear(x);
-    return single;
+    return (float)nearest(q, 24);
 }
 
 static double nearest_integer(const fmpz *z)

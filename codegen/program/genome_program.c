@@ -1,18 +1,16 @@
 /* Genomes as programs; see genome_program.h. */
 #include "genome_program.h"
 
+#include "../graph/constant_text.h"
+
 #include <stdlib.h>
 
 struct genome_program genome_program_start(const struct genome_file *f, size_t outputs)
 {
-    struct genome_program b = {.file = f, .program = new_array(1, sizeof *b.program)};
+    struct genome_program b = {.file = f, .program = program_new(f, outputs)};
     b.symbol = new_array(f->inputs + f->lets, sizeof *b.symbol);
-    b.program->inputs = f->inputs;
-    b.program->output = new_array(outputs, sizeof *b.program->output);
-    for (size_t i = 0; i < f->inputs; i++) {
-        b.symbol[i] = program_add(b.program, OP_INPUT, -1, -1);
-        b.program->op[i].input = (int)i;
-    }
+    for (size_t i = 0; i < f->inputs; i++)
+        b.symbol[i] = (int)i;
     return b;
 }
 
@@ -21,13 +19,6 @@ struct program *genome_program_end(struct genome_program *b)
     free(b->symbol);
     free(b->stack);
     return b->program;
-}
-
-void constant_read(fmpq *q, const char *text)
-{
-    decimal_read(q, text + (*text == '-' || *text == '+'));
-    if (*text == '-')
-        fmpq_neg(q, q);
 }
 
 static int add_number(struct program *p, const char *text)

@@ -23,7 +23,4 @@ struct program *genome_program_end(struct genome_program *b);
 /** Append the operations of q; inputs are shared.  Returns what is to be added to the numbers of its operations. */
 int program_append(struct program *p, const struct program *q);
 
-/** Exact value of a genome's constant, which may have a sign. */
-void constant_read(fmpq *q, const char *text);
-
 #endif

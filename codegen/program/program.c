@@ -3,12 +3,14 @@
 #define _GNU_SOURCE /* tdestroy */
 #include "program.h"
 
+#include "../graph/constant_text.h"
+
 #include <ctype.h>
 #include <search.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_WORD = 79, MOST_EXPONENT = 1000 };
+enum { MOST_WORD = 79 };
 
 struct named_op {
     char *name; /* owned */
@@ -106,38 +108,6 @@ static bool read_word(struct reader *r, char word[MOST_WORD + 1])
     word[n] = '\0';
     r->at += n;
     return true;
-}
-
-const char *decimal_read(fmpq *q, const char *text)
-{
-    const size_t whole = strspn(text, "0123456789"), point = text[whole] == '.',
-                 after = point ? strspn(text + whole + 1, "0123456789") : 0;
-    const char *end = text + whole + point + after;
-    long exponent = 0;
-    if (whole + after == 0)
-        return NULL;
-    if (*end == 'e' || *end == 'E') {
-        char *rest;
-        exponent = strtol(end + 1, &rest, 10);
-        if (rest == end + 1 || labs(exponent) > MOST_EXPONENT)
-            return NULL;
-        end = rest;
-    }
-    exponent -= (long)after;
-    char *digits = new_text(text, whole + point + after);
-    memmove(digits + whole, digits + whole + point, after + 1);
-    fmpz_t ten;
-    fmpz_init_set_ui(ten, 10);
-    fmpz_pow_ui(ten, ten, (unsigned long)labs(exponent));
-    fmpz_set_str(fmpq_numref(q), digits, 10);
-    fmpz_one(fmpq_denref(q));
-    if (exponent < 0)
-        fmpq_div_fmpz(q, q, ten);
-    else
-        fmpq_mul_fmpz(q, q, ten);
-    fmpz_clear(ten);
-    free(digits);
-    return end;
 }
 
 /* A literal of type double: digits, point, digits. */

@@ -78,7 +78,4 @@ bool program_is_constant(const struct program *p, int op);
 bool program_equal(const struct program *p, const struct program *q);
 struct operations program_count(const struct program *p);
 
-/** Exact value of a decimal without sign, such as 0.05 or 1.25e-3; returns its end, or NULL if there is none. */
-const char *decimal_read(fmpq *q, const char *text);
-
 #endif
