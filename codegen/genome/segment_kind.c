@@ -1,5 +1,5 @@
 /* The kinds of segments; see segment_kind.h.  A kind more is a row of the table, one of that in evolve/surface/surface.c,
- * its geometry in runtime/, and a template and a row in codegen/print/. */
+ * its geometry in runtime/, and a template in codegen/print/templates/. */
 #include "segment_kind.h"
 
 #include <stdio.h>
