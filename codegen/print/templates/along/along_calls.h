@@ -17,7 +17,7 @@ FOOTPOINT_FN int PREFIX_along(NODE_PARAMETERS, const REAL along[3], REAL loc[2],
         return footpoint_detail_KIND_along_again(x, along, loc, dist);
     loc[0] = at[0];
     loc[1] = at[1];
-    *dist = at[2];
+    *dist = at[2] / sqrt(footpoint_detail_dot(along, along));
     return status;
 }
 
@@ -39,6 +39,10 @@ FOOTPOINT_LOOP void PREFIX_along_n(size_t n, const REAL *const x[COORDINATES],
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];
+    }
+    for (i = 0; i < n; i++) {
+        const REAL q[3] = {along[0][i], along[1][i], along[2][i]};
+        dist[i] /= sqrt(footpoint_detail_dot(q, q));
     }
     for (i = 0; i < n; i++)
         if (status[i] < FOOTPOINT_OK) {

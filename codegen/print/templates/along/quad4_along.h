@@ -52,7 +52,7 @@ FOOTPOINT_PART REAL footpoint_detail_quad4_ahead(const REAL c1[3], const REAL c2
     return ahead;
 }
 
-/* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless J
+/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless J
  * is far from 0 and has one sign in the segment and as far beyond it as (xi, eta) lies. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, const REAL p[3],
                                                       REAL at[3], int *status)
@@ -68,7 +68,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_along(const REAL *const *x, cons
     at[0] = k[4] * (below_eta * over);
     at[1] = k[5] * (below_xi * over);
     pp = footpoint_detail_dot(p, p);
-    at[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, at[0], at[1]) / sqrt(pp);
+    at[2] = 0.25 * footpoint_detail_quad4_ahead(c1, c2, c3, d, p, at[0], at[1]);
     size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
     *status = FOOTPOINT_OUTSIDE *
               (int)((footpoint_detail_above(at[0], 1.0) | footpoint_detail_above(at[1], 1.0)) >>

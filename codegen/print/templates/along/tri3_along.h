@@ -1,6 +1,6 @@
 /* Where a line meets the plane of the flat triangle. */
 
-/* at = {xi, eta, distance}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless the
+/* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  The highest bit of what it returns is set unless the
  * line is far from parallel to the plane. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
@@ -19,7 +19,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_tri3_along(const REAL *const *x, const
     pp = footpoint_detail_dot(p, p);
     at[0] = footpoint_detail_dot(d, m2) / across;
     at[1] = -footpoint_detail_dot(d, m1) / across;
-    at[2] = footpoint_detail_dot(d, n) / across * sqrt(pp);
+    at[2] = footpoint_detail_dot(d, n) / across * pp;
     size = footpoint_detail_dot(c1, c1) + footpoint_detail_dot(c2, c2);
     *status = FOOTPOINT_OUTSIDE * (int)((footpoint_detail_above(at[0] - 0.5, 0.5) |
                                          footpoint_detail_above(at[1] - 0.5, 0.5) |
@@ -35,5 +35,6 @@ FOOTPOINT_COLD int footpoint_detail_tri3_along_full(const REAL *const *x, const 
 {
     int status;
     const REAL_BITS flaw = footpoint_detail_tri3_along(x, p, at, &status);
+    at[2] /= sqrt(footpoint_detail_dot(p, p));
     return flaw >> REAL_TOP ? FOOTPOINT_ERR_DEGENERATE : status;
 }
