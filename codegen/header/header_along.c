@@ -20,7 +20,8 @@ void along_print(const struct unit *u, FILE *out)
     templates_print("FOOTPOINT_DETAIL_ALONG", (const char *const[]){"along", NULL}, precision, NULL, out);
     if (!closed)
         templates_print("FOOTPOINT_DETAIL_DOMAINS", (const char *const[]){"curved_domain", NULL}, precision, NULL, out);
-    const char *const curved[] = {k->triangle ? "triangle_powers" : "square_powers", "curved_along", "along_again", NULL},
+    const char *const curved[] = {k->triangle ? "triangle_powers" : "square_powers", "curved_along", "along_again",
+                                  NULL},
                       *const straight[] = {method, "along_again", NULL};
     templates_print(guard, closed ? straight : curved, precision, own, out);
     templates_print(NULL, (const char *const[]){"along_calls", NULL}, precision, own, out);

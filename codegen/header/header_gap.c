@@ -233,7 +233,7 @@ static char *size_text(const struct found *w, struct printer *r)
 {
     struct memory *m = memory_open();
     for (size_t v = 0; v < VECTORS - 1 && *w->vector[v].text; v++) {
-        char *text = w->square[v] < 0 ? new_format("footpoint_detail_square(%c)", "abc"[v])
+        char *text = w->square[v] < 0 ? new_format("footpoint_detail_dot(%c, %c)", "abc"[v], "abc"[v])
                                       : printer_text(r, w->square[v], LEVEL_SUM);
         fprintf(m->stream, "%s%s", v ? " + " : "", text);
         free(text);

@@ -5,10 +5,10 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
 {
     echo '#include <math.h>'
     echo '#ifdef SINGLE'
-    for function in fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
+    for function in copysign fabs frexp ldexp sqrt; do echo "#define $function ${function}f"; done
     echo '#endif'
     echo 'typedef REAL_BITS_TYPE REAL_BITS;'
-    for name in macros bits power scale weighted relative height; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
+    for name in macros bits power scale products weighted relative height; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for name in again closest edge curve along curved_domain; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
     for row in quad4:4:4:quad4 tri3:3:3:tri3 tri6:6:6:curved_triangle quad8:8:8:curved_quad quad9:9:9:curved_quad bezier:4:8: gregory:4:8:; do
         kind=${row%%:*} row=${row#*:} nodes=${row%%:*} row=${row#*:} others=${row%:*} nearest=${row#*:}
@@ -35,7 +35,7 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         files="$files arrays over"
         case $nearest in
         '') ;;
-        curved*) files="$files ${nearest}_nearest closest_arrays curved_along along_again along_calls closest_calls" ;;
+        curved*) files="$files ${nearest}_nearest closest_arrays ${shape}_powers curved_along along_again along_calls closest_calls" ;;
         *) files="$files ${nearest}_nearest closest_arrays ${nearest}_along along_again along_calls closest_calls" ;;
         esac
         echo "REAL_BITS ${kind}_bare($parameters, REAL *xi, REAL *eta);"

@@ -36,12 +36,8 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_quad4_over(const REAL a[3], const REAL
                                                      REAL eta, REAL least, REAL *gap)
 {
     const REAL twist = ratio * (xi * eta);
-    REAL u[3], v[3], w[3];
-    int i;
-    for (i = 0; i < 3; i++) {
-        u[i] = a[i] + eta * c[i];
-        v[i] = b[i] + xi * c[i];
-        w[i] = d[i] + twist * c[i];
-    }
+    const REAL u[3] = {a[0] + eta * c[0], a[1] + eta * c[1], a[2] + eta * c[2]};
+    const REAL v[3] = {b[0] + xi * c[0], b[1] + xi * c[1], b[2] + xi * c[2]};
+    const REAL w[3] = {d[0] + twist * c[0], d[1] + twist * c[1], d[2] + twist * c[2]};
     return footpoint_detail_height(u, v, w, size, per, unit, xi, eta, least, gap);
 }

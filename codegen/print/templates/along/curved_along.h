@@ -62,8 +62,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
     at[1] += v;
     FOOTPOINT_UNROLL
     for (i = 0; i < 3; i++)
-        at[2] += p[i] * (c[i][0] - u * a[i] - v * b[i] -
-                         footpoint_detail_KIND_bend(c[i], u, v, f));
+        at[2] += p[i] * (c[i][0] - u * a[i] - v * b[i] - footpoint_detail_KIND_bend(c[i], u, v, f));
     size = footpoint_detail_dot(a, a) + footpoint_detail_dot(b, b);
     *status = footpoint_detail_SHAPE_beyond(at[0], at[1]) > 0.0 ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
     return footpoint_detail_outside(across) | footpoint_detail_outside(pp) |

@@ -6,8 +6,8 @@ FOOTPOINT_PART void footpoint_detail_KIND_powers(const REAL *const *x, int i, RE
 {
     const REAL a = x[0][i], ab = x[1][i] - a, ac = x[2][i] - a, ad = x[3][i] - a;
     const REAL e = x[4][i] - a, f = x[5][i] - a, g = x[6][i] - a, h = x[7][i] - a;
-    const REAL middle = NODES > 8 ? x[NODES - 1][i] - a
-                                  : 0.5 * ((e + g) + (f + h)) - 0.25 * (ab + ac + ad);
+    const REAL middle =
+        NODES > 8 ? x[NODES - 1][i] - a : 0.5 * ((e + g) + (f + h)) - 0.25 * (ab + ac + ad);
     c[0] = x[NODES][i] - a - middle;
     c[1] = 0.5 * (f - h);
     c[2] = 0.5 * (g - e);

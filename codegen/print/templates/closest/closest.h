@@ -11,8 +11,8 @@
 FOOTPOINT_PART int footpoint_detail_closest_status(REAL_BITS flaw, REAL all, REAL nn, REAL size,
                                                    REAL least, REAL dd, REAL edge, REAL longest)
 {
-    const REAL_BITS away = footpoint_detail_below(longest, edge) &
-                           (footpoint_detail_below(longest, dd) | flaw);
+    const REAL_BITS away =
+        footpoint_detail_below(longest, edge) & (footpoint_detail_below(longest, dd) | flaw);
     const REAL_BITS nodes =
         footpoint_detail_below(size, least) | footpoint_detail_below(1.0 / least, size) |
         footpoint_detail_bits(nn - REAL_FLAT * (size * size)) | footpoint_detail_infinite(all);

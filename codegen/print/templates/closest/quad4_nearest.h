@@ -43,8 +43,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_nearest(const REAL *const *x, REAL_BIT
     footpoint_detail_from(x[0], x[2], f);
     footpoint_detail_from(x[1], x[3], g);
     footpoint_detail_cross(f, g, n);
-    side = footpoint_detail_dot(n, p[0]) -
-           0.5 * footpoint_detail_dot(n, e[0]) * (1.0 - xi * eta);
+    side = footpoint_detail_dot(n, p[0]) - 0.5 * footpoint_detail_dot(n, e[0]) * (1.0 - xi * eta);
     at[0] = xi;
     at[1] = eta;
     nn = footpoint_detail_dot(n, n);
