@@ -94,6 +94,8 @@ include_dirs = $(filter -I%,$(1))
 CFLAGS_batch_lanes := -fno-math-errno -fno-trapping-math
 $(foreach kind,tri3 tri6 quad4 quad8 quad9,$(eval CFLAGS_face_$(kind) := $(CFLAGS_batch_lanes)))
 $(foreach kind,bezier gregory,$(eval CFLAGS_patch_$(kind) := $(CFLAGS_batch_lanes)))
+# Square roots are instructions.
+CFLAGS_fit_lines := -fno-math-errno
 # Costs of operations are those of optimised code, in any configuration.
 CFLAGS_calibrate_main := -O3 -fno-math-errno -fno-trapping-math -fopenmp-simd
 

@@ -134,9 +134,46 @@ static void add_provenance(struct genome *g, const struct tier *t, const struct 
     }
 }
 
+/* What is written: both expressions of each tier, those held out measured on them. */
+struct writing {
+    struct tree *out; /* owned; genes, too, of tiers of programs */
+    int *output;      /* owned */
+    size_t n;
+    struct errors *found[HELDOUT_PARTS]; /* owned; NULL where the scene has no such part */
+};
+
+static struct writing expand_tiers(struct archive *a)
+{
+    struct writing w = {.out = new_array(2 * a->scene->tiers, sizeof *w.out),
+                        .output = new_array(2 * a->scene->tiers, sizeof *w.output)};
+    for (size_t i = 0; i < a->scene->tiers; i++) {
+        const struct champion *c = a->champion[i];
+        struct tree *out = &w.out[w.n];
+        if (!archive_has(a, i))
+            continue;
+        out[0] = c[0].tree;
+        out[1] = c[1].tree;
+        if (a->scene->tier[i].program)
+            lines_expand(a->lines, &c[TIER_BOTH].tree, archive_last(a, i), a->program, a->scene->tier[i].name, out);
+        w.output[w.n + 1] = 1;
+        w.n += 2;
+    }
+    return w;
+}
+
+static void measure_heldout(const struct archive *a, struct kernel *kernel, const struct heldout *heldout,
+                            struct writing *w)
+{
+    for (int part = 0; part < HELDOUT_PARTS; part++) {
+        if (heldout->part[part].n == 0)
+            continue;
+        w->found[part] = new_array(w->n, sizeof *w->found[part]);
+        errors_measure(kernel, a->program, w->out, w->output, w->n, &heldout->part[part], w->found[part]);
+    }
+}
+
 /* Training errors are the champions'; those held out are measured on what is written. */
-static void add_errors(struct genome *g, struct kernel *kernel, const struct archive *a, size_t tier,
-                       const struct tree out[2], const struct heldout *heldout)
+static void add_errors(struct genome *g, const struct archive *a, size_t tier, const struct writing *w, size_t at)
 {
     const struct tier *t = &a->scene->tier[tier];
     char key[40];
@@ -146,28 +183,24 @@ static void add_errors(struct genome *g, struct kernel *kernel, const struct arc
         NOTE(key, "genes %zu %s %.3e", c->tree.length, norm_name[a->scene->norm], c->error);
     }
     for (int part = 0; part < HELDOUT_PARTS; part++)
-        for (int k = 0; k < 2 && heldout->part[part].n > 0; k++) {
-            const struct errors e = errors_measure(kernel, a->program, &out[k], k, &heldout->part[part]);
+        for (int k = 0; k < 2 && w->found[part]; k++) {
+            const struct errors *e = &w->found[part][at + (size_t)k];
             note_key(heldout_part[part].name, k, key);
-            NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
+            NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e->n, e->mean, e->p99, e->max);
         }
 }
 
-static void add_tier(struct archive *a, struct kernel *kernel, size_t tier, const struct run_facts *run,
-                     const struct heldout *heldout)
+static void add_tier(struct archive *a, size_t tier, const struct run_facts *run, const struct writing *w, size_t at)
 {
     const struct tier *t = &a->scene->tier[tier];
-    const struct champion *c = a->champion[tier];
-    struct tree out[2] = {c[0].tree, c[1].tree};
-    if (t->program)
-        lines_expand(a->lines, &c[TIER_BOTH].tree, archive_last(a, tier), a->program, t->name, out);
     struct genome *g = genome_add(a->program, t->name);
-    add_provenance(g, t, c, archive_start_genome(a, tier), run);
-    add_errors(g, kernel, a, tier, out, heldout);
-    for (int k = 0; k < 2; k++) {
-        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out[k].gene, out[k].length);
+    add_provenance(g, t, a->champion[tier], archive_start_genome(a, tier), run);
+    add_errors(g, a, tier, w, at);
+    for (size_t k = 0; k < 2; k++) {
+        const struct tree *out = &w->out[at + k];
+        genome_add_expr(&g->out, &g->outs, &g->out_room, frame_output[k], out->gene, out->length);
         if (t->program)
-            free(out[k].gene);
+            free(out->gene);
     }
 }
 
@@ -175,14 +208,23 @@ bool archive_write(struct archive *a, const char *path, const struct run_facts *
                    struct diag *d)
 {
     struct outfile f;
+    size_t at = 0;
     if (!outfile_open(&f, path, d))
         return false;
     struct kernel *kernel = kernel_new_widest();
     add_file_notes(a->program, a->scene, heldout);
+    struct writing w = expand_tiers(a);
+    measure_heldout(a, kernel, heldout, &w);
     for (size_t i = 0; i < a->scene->tiers; i++)
-        if (archive_has(a, i))
-            add_tier(a, kernel, i, run, heldout);
+        if (archive_has(a, i)) {
+            add_tier(a, i, run, &w, at);
+            at += 2;
+        }
     kernel_free(kernel);
+    free(w.out);
+    free(w.output);
+    for (int part = 0; part < HELDOUT_PARTS; part++)
+        free(w.found[part]);
     scene_region_add(a->program, heldout->part, 2);
     genome_print_needed(a->program, f.stream);
     return outfile_commit(&f, d);
@@ -192,7 +234,8 @@ static void add_member_errors(const struct genome_file *f, struct kernel *kernel
                               const struct tree *t, const struct heldout *heldout)
 {
     for (int part = 0; part < 2; part++) {
-        const struct errors e = errors_measure(kernel, f, t, output, &heldout->part[part]);
+        struct errors e;
+        errors_measure(kernel, f, t, &output, 1, &heldout->part[part], &e);
         NOTE(heldout_part[part].name, "n %zu mean %.3e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }
 }

@@ -1,6 +1,7 @@
 /* Means, 99 % and maxima of errors; see errors.h. */
 #include "errors.h"
 
+#include "../common/simd.h"
 #include "frame.h"
 
 #include <gsl/gsl_statistics_double.h>
@@ -17,37 +18,79 @@ void errors_absolute(double *value, const double *reference, size_t n)
     }
 }
 
-double errors_max(const double *absolute, size_t n)
+WIDE double errors_max(const double *absolute, size_t n)
 {
-    double max = 0;
-    for (size_t i = 0; i < n; i++)
+    double lane[WIDE_LANES] = {0}, max = 0;
+    size_t i = 0;
+    for (; i + WIDE_LANES <= n; i += WIDE_LANES)
+        for (size_t j = 0; j < WIDE_LANES; j++)
+            lane[j] = absolute[i + j] > lane[j] ? absolute[i + j] : lane[j];
+    for (; i < n; i++)
         max = absolute[i] > max ? absolute[i] : max;
+    for (size_t j = 0; j < WIDE_LANES; j++)
+        max = lane[j] > max ? lane[j] : max;
     return max;
+}
+
+static size_t place_of_p99(size_t n)
+{
+    return (99 * n + 99) / 100 - 1;
 }
 
 double errors_p99(double *absolute, size_t n)
 {
-    return gsl_stats_select(absolute, 1, n, (99 * n + 99) / 100 - 1);
+    return gsl_stats_select(absolute, 1, n, place_of_p99(n));
 }
 
-struct errors errors_measure(struct kernel *k, const struct genome_file *program, const struct tree *t, int output,
-                             const struct sample_set *set)
+double errors_p99_above(double *absolute, size_t n, double least)
 {
-    struct errors found = {.n = set->n};
-    double *error = new_array(set->n, sizeof *error);
-    for (size_t first = 0; first < set->n; first += PIECE) {
-        const size_t n = set->n - first < PIECE ? set->n - first : PIECE;
-        struct columns table = frame_columns(k, program, set->s + first, n);
-        const struct kernel_task task = {t->gene, t->length, program->constant, &table};
-        kernel_values(k, &task, error + first);
-        errors_absolute(error + first, columns_at(&table, frame_target(program, output)), n);
-        columns_free(&table);
+    size_t above = 0;
+    for (size_t i = 0; i < n; i++) {
+        const double error = absolute[i];
+        absolute[above] = error;
+        above += error > least;
     }
-    for (size_t i = 0; i < set->n; i++)
+    const size_t below = n - above, place = place_of_p99(n);
+    return place < below ? least : gsl_stats_select(absolute, 1, above, place - below);
+}
+
+/* Absolute errors of all trees on a piece of the samples, to error[i][0..n-1]. */
+static void measure_piece(struct kernel *k, const struct genome_file *program, const struct tree *t, const int *output,
+                          size_t trees, const struct sample *s, size_t n, size_t at, double **error)
+{
+    struct columns table = frame_columns(k, program, s, n);
+    for (size_t i = 0; i < trees; i++) {
+        const struct kernel_task task = {t[i].gene, t[i].length, program->constant, &table};
+        kernel_values(k, &task, error[i] + at);
+        errors_absolute(error[i] + at, columns_at(&table, frame_target(program, output[i])), n);
+    }
+    columns_free(&table);
+}
+
+static struct errors errors_of(double *error, size_t n)
+{
+    struct errors found = {.n = n};
+    for (size_t i = 0; i < n; i++)
         found.mean += error[i];
-    found.mean /= (double)set->n;
-    found.max = errors_max(error, set->n);
-    found.p99 = errors_p99(error, set->n);
-    free(error);
+    found.mean /= (double)n;
+    found.max = errors_max(error, n);
+    found.p99 = errors_p99(error, n);
     return found;
+}
+
+void errors_measure(struct kernel *k, const struct genome_file *program, const struct tree *t, const int *output,
+                    size_t trees, const struct sample_set *set, struct errors *found)
+{
+    double **error = new_array(trees, sizeof *error);
+    for (size_t i = 0; i < trees; i++)
+        error[i] = new_array(set->n, sizeof **error);
+    for (size_t at = 0; at < set->n; at += PIECE) {
+        const size_t n = set->n - at < PIECE ? set->n - at : PIECE;
+        measure_piece(k, program, t, output, trees, set->s + at, n, at, error);
+    }
+    for (size_t i = 0; i < trees; i++) {
+        found[i] = errors_of(error[i], set->n);
+        free(error[i]);
+    }
+    free(error);
 }

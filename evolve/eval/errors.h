@@ -17,10 +17,12 @@ void errors_absolute(double *value, const double *reference, size_t n);
 double errors_max(const double *absolute, size_t n);
 /** The ceil(0.99 n)-th smallest; reorders absolute[]. */
 double errors_p99(double *absolute, size_t n);
+/** The same, or `least` where it is no more than that; overwrites absolute[]. */
+double errors_p99_above(double *absolute, size_t n, double least);
 
-/** Errors of one output (0: xi, 1: eta) of a program over the samples, which are taken in pieces so that memory stays
- *  bounded by one value for each sample. */
-struct errors errors_measure(struct kernel *k, const struct genome_file *program, const struct tree *t, int output,
-                             const struct sample_set *set);
+/** Errors of expressions of a program, t[i] of output[i] (0: xi, 1: eta), over the samples, which are taken in pieces:
+ *  what all of them are made of is computed once, and memory bounded by a value for each sample and expression. */
+void errors_measure(struct kernel *k, const struct genome_file *program, const struct tree *t, const int *output,
+                    size_t trees, const struct sample_set *set, struct errors *found);
 
 #endif

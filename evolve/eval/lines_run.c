@@ -30,6 +30,8 @@ void lines_run_free(struct lines_run *r)
     free(r->slopes);
     free(r->place);
     free(r->varies);
+    free(r->above);
+    free(r->below);
     free(r);
 }
 
@@ -95,10 +97,14 @@ static void take(struct lines_run *r, const struct tree *t, int last, enum lines
         free(r->slope);
         free(r->place);
         free(r->varies);
+        free(r->above);
+        free(r->below);
         r->value = new_array(r->room, sizeof *r->value);
         r->slope = new_array(r->room, sizeof *r->slope);
         r->place = new_array(r->room, sizeof *r->place);
         r->varies = new_array(r->room, sizeof *r->varies);
+        r->above = new_array(r->room, sizeof *r->above);
+        r->below = new_array(r->room, sizeof *r->below);
     }
     reserve_blocks(&r->block, &r->block_room, share_blocks(r));
 }
@@ -137,72 +143,66 @@ static const double *goal_of(const struct lines_run *r, int half)
     return columns_at(r->table, r->table->count - 2 + (size_t)half);
 }
 
-WIDE static void add_errors(const double *value, const double *goal, size_t n, double lane[WIDE_LANES])
+/* Absolute errors of a block, and their sums. */
+WIDE static void take_errors(const double *value, const double *goal, size_t n, double *error, double lane[WIDE_LANES])
 {
+    for (size_t k = 0; k < n; k++) {
+        const double e = fabs(value[k] - goal[k]);
+        error[k] = e <= INFINITY ? e : INFINITY;
+    }
     size_t k = 0;
     for (; k + WIDE_LANES <= n; k += WIDE_LANES)
         for (size_t j = 0; j < WIDE_LANES; j++)
-            lane[j] += fabs(value[k + j] - goal[k + j]);
+            lane[j] += error[k + j];
     for (; k < n; k++)
-        lane[k % WIDE_LANES] += fabs(value[k] - goal[k]);
+        lane[k % WIDE_LANES] += error[k];
 }
 
-double lines_error_sum(struct lines_run *r, const struct tree *t, int last, double bound)
+WIDE static void count_signs(struct lines_run *r, size_t n)
 {
+    for (size_t i = 0; i < r->code->lines; i++) {
+        size_t above = 0, below = 0;
+        if (!r->code->divides[i])
+            continue;
+        for (size_t k = 0; k < n; k++) {
+            above += r->value[i][k] > 0;
+            below += r->value[i][k] < 0;
+        }
+        r->above[i] += above;
+        r->below[i] += below;
+    }
+}
+
+double lines_errors(struct lines_run *r, const struct tree *t, int last, double bound, double *error)
+{
+    const size_t all = r->table->n;
     double lane[WIDE_LANES] = {0}, sum = 0;
     take(r, t, last, LINES_WHOLE);
     fill_numbers(r);
-    for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
-        const size_t left = r->table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
-        run_block(r, row);
-        r->work += (double)r->code->lines * (double)n;
-        for (int half = 0; half < 2; half++)
-            add_errors(r->value[r->code->root[half]], goal_of(r, half) + row, n, lane);
-        sum = 0;
-        for (int j = 0; j < WIDE_LANES; j++)
-            sum += lane[j];
-        if (!(sum <= bound) || (row + n == SCREEN && sum > hopeless * bound * SCREEN / (double)r->table->n))
-            return INFINITY;
-    }
-    return isfinite(sum) ? sum : INFINITY;
-}
-
-void lines_errors(struct lines_run *r, const struct tree *t, int last, double *error)
-{
-    const size_t all = r->table->n;
-    take(r, t, last, LINES_WHOLE);
-    fill_numbers(r);
+    memset(r->above, 0, r->code->lines * sizeof *r->above);
+    memset(r->below, 0, r->code->lines * sizeof *r->below);
     for (size_t row = 0; row < all; row += TAPE_BLOCK) {
         const size_t left = all - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
         run_block(r, row);
-        for (int half = 0; half < 2; half++) {
-            const double *value = r->value[r->code->root[half]], *goal = goal_of(r, half) + row;
-            double *to = error + (size_t)half * all + row;
-            for (size_t k = 0; k < n; k++) {
-                const double e = fabs(value[k] - goal[k]);
-                to[k] = isnan(e) ? INFINITY : e;
-            }
-        }
+        r->work += (double)r->code->lines * (double)n;
+        for (size_t half = 0; half < 2; half++)
+            take_errors(r->value[r->code->root[half]], goal_of(r, (int)half) + row, n, error + half * all + row, lane);
+        count_signs(r, n);
+        sum = 0;
+        for (int j = 0; j < WIDE_LANES; j++)
+            sum += lane[j];
+        if (!(sum <= bound) || (row + n == SCREEN && sum > hopeless * bound * SCREEN / (double)all))
+            return INFINITY;
     }
+    return sum;
 }
 
-bool lines_keep_signs(struct lines_run *r)
+bool lines_keep_signs(const struct lines_run *r)
 {
-    const struct lines *c = r->code;
-    int *sign = new_array(c->lines, sizeof *sign);
-    bool good = true;
-    for (size_t row = 0; good && row < r->table->n; row += TAPE_BLOCK) {
-        const size_t left = r->table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
-        run_block(r, row);
-        for (size_t i = 0; good && i < c->lines; i++)
-            for (size_t k = 0; good && c->divides[i] && k < n; k++) {
-                const int own = r->value[i][k] > 0 ? 1 : r->value[i][k] < 0 ? -1 : 0;
-                good = own != 0 && (sign[i] == 0 || sign[i] == own);
-                sign[i] = own;
-            }
-    }
-    free(sign);
-    return good;
+    for (size_t i = 0; i < r->code->lines; i++)
+        if (r->code->divides[i] && r->above[i] < r->table->n && r->below[i] < r->table->n)
+            return false;
+    return true;
 }
 
 void lines_run_load(struct lines_run *r, const struct tree *t, int last, bool all)

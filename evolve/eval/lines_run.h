@@ -14,6 +14,7 @@ struct lines_run {
     double *block, *slopes;      /* owned */
     size_t *place;               /* owned: by line; its block */
     bool *varies;                /* owned: by line; what its slope is wanted for is among what it depends on */
+    size_t *above, *below;       /* owned: by line; samples on which a divisor was so far more or less than 0 */
     size_t room, block_room, slope_room;
     bool all;    /* every line keeps its block */
     double work; /* lines times samples evaluated for errors so far */
@@ -21,14 +22,14 @@ struct lines_run {
 struct lines_run *lines_run_new(const struct line_rules *t, const struct columns *table);
 void lines_run_free(struct lines_run *r);
 
-/** Sum over all samples of |xi - true xi| + |eta - true eta|.  INFINITY once it exceeds `bound`, or on the first samples
- *  is far above what that leaves them, at the same block on every machine, and where a value is not finite.
+/** Absolute errors, INFINITY where a value is not a number: error[0..n-1] of xi, error[n..2n-1] of eta; returns their sum.
+ *  INFINITY, and no further errors, once the sum exceeds `bound`, or on the first samples is far above what that leaves
+ *  them, at the same block on every machine.
  *  @param[in] last  function that the program ends in; -1: none */
-double lines_error_sum(struct lines_run *r, const struct tree *t, int last, double bound);
-/** error[0..n-1] of xi, error[n..2n-1] of eta: absolute ones, INFINITY where a value is not a number. */
-void lines_errors(struct lines_run *r, const struct tree *t, int last, double *error);
-/** Whether the divisors of the program of lines_errors() are of one sign on all samples, each. */
-bool lines_keep_signs(struct lines_run *r);
+double lines_errors(struct lines_run *r, const struct tree *t, int last, double bound, double *error);
+/** Whether the divisors of the program of lines_errors(), whose errors were all taken, are of one sign on all samples,
+ *  each. */
+bool lines_keep_signs(const struct lines_run *r);
 
 /** Take a program to be fitted: its numbers become line[number[i]].number.
  *  @param[in] all  slopes of all lines are wanted, not only of those that a number is among */

@@ -49,20 +49,21 @@ int objective_last(const struct objective *o, size_t target)
     return (int)(target - o->table->count) - 1;
 }
 
-/* The same of all errors, those of xi and those of eta. */
+/* The same of all errors, those of xi and those of eta, which are left in o->scratch. */
 static double error_of_both(struct objective *o, const struct tree *t, size_t target, double bound)
 {
     const size_t n = 2 * o->table->n;
+    const double most = o->norm == NORM_MEAN ? bound * (double)n : INFINITY;
+    const double sum = lines_errors(o->lines, t, objective_last(o, target), most, o->scratch);
     if (o->norm == NORM_MEAN)
-        return lines_error_sum(o->lines, t, objective_last(o, target), bound * (double)n) / (double)n;
-    lines_errors(o->lines, t, objective_last(o, target), o->scratch);
+        return sum / (double)n;
     return o->norm == NORM_MAX ? errors_max(o->scratch, n) : errors_p99(o->scratch, n);
 }
 
 struct tails objective_tails(struct objective *o, const struct tree *t, size_t target)
 {
     const size_t n = 2 * o->table->n;
-    lines_errors(o->lines, t, objective_last(o, target), o->scratch);
+    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
     const double max = errors_max(o->scratch, n);
     return (struct tails){errors_p99(o->scratch, n), max};
 }
@@ -74,7 +75,7 @@ enum { PARTS = 4, FIGURES = 6 * PARTS };
 static void measure_outputs(struct objective *o, const struct tree *t, size_t target, double error[FIGURES])
 {
     const size_t n = o->table->n;
-    lines_errors(o->lines, t, objective_last(o, target), o->scratch);
+    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
     for (size_t k = 0; k < 2 * PARTS; k++, error += 3) {
         const size_t from = k % PARTS * n / PARTS, size = (k % PARTS + 1) * n / PARTS - from;
         double *e = o->scratch + k / PARTS * n + from, sum = 0;
@@ -97,18 +98,23 @@ bool objective_no_worse(struct objective *o, const struct tree *t, const struct 
     return true;
 }
 
+/* An error, charged for how far the 99 % and the largest of o->scratch exceed what they may be. */
+static double charged(struct objective *o, double error, const struct tails *tails)
+{
+    const size_t n = 2 * o->table->n;
+    if (!(tails->max > 0))
+        return error;
+    const double max = errors_max(o->scratch, n), p99 = errors_p99_above(o->scratch, n, tails->p99);
+    return error * fmax(1, p99 / tails->p99) * fmax(1, max / tails->max);
+}
+
 double objective_error_in_tails(struct objective *o, const struct tree *t, size_t target, const struct tails *tails,
                                 double bound)
 {
     const double error = objective_error(o, t, target, bound);
     if (!(error < INFINITY))
         return error;
-    const struct tails own = objective_tails(o, t, target);
-    if (!lines_keep_signs(o->lines))
-        return INFINITY;
-    if (!(tails->max > 0))
-        return error;
-    return error * fmax(1, own.p99 / tails->p99) * fmax(1, own.max / tails->max);
+    return lines_keep_signs(o->lines) ? charged(o, error, tails) : INFINITY;
 }
 
 double objective_error(struct objective *o, const struct tree *t, size_t target, double bound)

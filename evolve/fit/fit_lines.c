@@ -5,6 +5,7 @@
 #include "fit_lines.h"
 
 #include "../common/decimal.h"
+#include "../common/simd.h"
 #include "../eval/errors.h"
 
 #include <gsl/gsl_errno.h>
@@ -22,18 +23,13 @@ struct task {
     int power;
 };
 
-/* The residual of an error, and its derivative. */
+/* The residual of an error, and its derivative, for the other norms than the mean. */
 static double residual_of(const struct task *t, double e, double *slope)
 {
     const double sign = e < 0 ? -1 : 1, size = fabs(e) / t->scale;
     *slope = 0;
     if (!isfinite(e))
         return hopeless;
-    if (t->norm == NORM_MEAN) {
-        const double root = sqrt(e * e + t->scale * t->scale), under = sqrt(t->scale + root);
-        *slope = 1 / under - 0.5 * e * e / (root * under * under * under);
-        return e / under;
-    }
     if (t->norm == NORM_P99 && size > 1) {
         const double value = sqrt(1 + t->power - t->power / size);
         *slope = 0.5 * t->power / (size * size * value * t->scale);
@@ -44,6 +40,17 @@ static double residual_of(const struct task *t, double e, double *slope)
         below *= size;
     *slope = t->power / 2 * below / t->scale;
     return sign * below * size;
+}
+
+/* Of n errors. */
+WIDE static void residuals_of_mean(double scale, const double *error, size_t n, double *residual, double *slope)
+{
+    for (size_t k = 0; k < n; k++) {
+        const double e = error[k], root = sqrt(e * e + scale * scale), under = sqrt(scale + root);
+        const bool good = fabs(e) < INFINITY;
+        slope[k] = good ? 1 / under - 0.5 * e * e / (root * under * under * under) : 0;
+        residual[k] = good ? e / under : hopeless;
+    }
 }
 
 static bool set_numbers(const struct task *t, const gsl_vector *x)
@@ -57,7 +64,6 @@ static bool set_numbers(const struct task *t, const gsl_vector *x)
     return good;
 }
 
-/* Calls for each block, half by half. */
 static size_t block_size(const struct lines_run *r, size_t row)
 {
     return r->table->n - row < TAPE_BLOCK ? r->table->n - row : TAPE_BLOCK;
@@ -68,11 +74,25 @@ static double error_at(const struct lines_run *r, size_t row, size_t k, size_t h
     return r->value[r->code->root[half]][k] - columns_at(r->table, r->table->count - 2 + half)[row + k];
 }
 
+/* Residuals of a block of samples, of one of the answers, and their derivatives. */
+static void residuals_at(const struct task *t, size_t row, size_t half, double *residual, double *slope)
+{
+    const size_t n = block_size(t->run, row);
+    double error[TAPE_BLOCK];
+    for (size_t k = 0; k < n; k++)
+        error[k] = error_at(t->run, row, k, half);
+    if (t->norm == NORM_MEAN)
+        residuals_of_mean(t->scale, error, n, residual, slope);
+    else
+        for (size_t k = 0; k < n; k++)
+            residual[k] = residual_of(t, error[k], &slope[k]);
+}
+
 static int residuals(const gsl_vector *x, void *context, gsl_vector *f)
 {
     const struct task *t = context;
     struct lines_run *r = t->run;
-    double slope;
+    double slope[TAPE_BLOCK];
     if (!set_numbers(t, x)) {
         gsl_vector_set_all(f, hopeless);
         return GSL_SUCCESS;
@@ -80,8 +100,7 @@ static int residuals(const gsl_vector *x, void *context, gsl_vector *f)
     for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
         lines_values(r, row);
         for (size_t half = 0; half < 2; half++)
-            for (size_t k = 0; k < block_size(r, row); k++)
-                gsl_vector_set(f, half * r->table->n + row + k, residual_of(t, error_at(r, row, k, half), &slope));
+            residuals_at(t, row, half, f->data + half * r->table->n + row, slope);
     }
     return GSL_SUCCESS;
 }
@@ -90,18 +109,19 @@ static int derivatives(const gsl_vector *x, void *context, gsl_matrix *J)
 {
     const struct task *t = context;
     struct lines_run *r = t->run;
+    double residual[TAPE_BLOCK], slope[TAPE_BLOCK];
     set_numbers(t, x);
     for (size_t row = 0; row < r->table->n; row += TAPE_BLOCK) {
         lines_values(r, row);
         for (size_t half = 0; half < 2; half++) {
+            double *to = J->data + (half * r->table->n + row) * J->tda;
             lines_slopes(r, (int)half);
-            for (size_t k = 0; k < block_size(r, row); k++) {
-                double slope;
-                residual_of(t, error_at(r, row, k, half), &slope);
-                for (size_t i = 0; i < r->code->numbers; i++) {
-                    const double *by = r->slope[r->code->number[i]];
-                    const double d = by ? slope * by[k] : 0;
-                    gsl_matrix_set(J, half * r->table->n + row + k, i, isfinite(d) ? d : 0);
+            residuals_at(t, row, half, residual, slope);
+            for (size_t i = 0; i < r->code->numbers; i++) {
+                const double *by = r->slope[r->code->number[i]];
+                for (size_t k = 0; k < block_size(r, row); k++) {
+                    const double d = by ? slope[k] * by[k] : 0;
+                    to[k * J->tda + i] = fabs(d) < INFINITY ? d : 0;
                 }
             }
         }

@@ -77,7 +77,8 @@ static void add_errors(const struct study *s, struct genome *g, size_t weights, 
     snprintf(key, sizeof key, "terms_%s", frame_output[k]);
     genome_add_note(&g->note, &g->notes, &g->note_room, key, "%zu weights of the network", weights);
     for (int i = 0; i < 3; i++) {
-        const struct errors e = errors_measure(s->kernel, s->program, &tree, k, part[i]);
+        struct errors e;
+        errors_measure(s->kernel, s->program, &tree, &k, 1, part[i], &e);
         snprintf(key, sizeof key, "%s_%s", part_name[i], frame_output[k]);
         if (i == 0)
             genome_add_note(&g->note, &g->notes, &g->note_room, key, "mean %.4e", e.mean);

@@ -60,7 +60,8 @@ static void add_output(const struct pga_options *o, struct genome_file *program,
     snprintf(key, sizeof key, "training_%s", frame_output[k]);
     NOTE(key, "genes %zu coefficients %s %.4e", f->tree.length, coefficients_name[o->coefficients], f->error);
     for (int part = 0; part < 2; part++) {
-        const struct errors e = errors_measure(kernel, program, &bound, k, &heldout[part]);
+        struct errors e;
+        errors_measure(kernel, program, &bound, &k, 1, &heldout[part], &e);
         snprintf(key, sizeof key, "%s_%s", part_name[part], frame_output[k]);
         NOTE(key, "n %zu mean %.4e p99 %.3e max %.3e", e.n, e.mean, e.p99, e.max);
     }

@@ -135,7 +135,7 @@ static void check_against_text(const struct fixture *f, const struct tree *t)
     lines_expand(f->lines, t, f->last, copy, "value", out);
     struct kernel *kernel = kernel_new_widest();
     struct columns table = frame_columns(kernel, copy, f->set.s, n);
-    lines_errors(f->objective->lines, t, f->last, error);
+    lines_errors(f->objective->lines, t, f->last, INFINITY, error);
     for (size_t half = 0; half < 2; half++) {
         const struct kernel_task task = {out[half].gene, out[half].length, copy->constant, &table};
         kernel_values(kernel, &task, value);
