@@ -1,5 +1,6 @@
 /* How the banner tells what is found out about a function; see banner_evidence.h.  Bounds that say nothing are left out:
- * those of a denominator above 1 or above its least modulus, those of xi and eta above 1. */
+ * those of a denominator above 1 or above its least modulus, those of xi and eta above 1.  Of a row, d_xi[0], d_xi[1], ...,
+ * the worst of its elements stands. */
 #include "banner_evidence.h"
 
 #include "banner_line.h"
@@ -118,12 +119,12 @@ static void print_poles(const struct genome_file *f, const struct program *p, co
 }
 
 /* `end` follows the last word. */
-static void add_error(struct banner_line *l, const struct output_error *e, const char *name, double most,
+static void add_error(struct banner_line *l, const struct output_error *e, const char *name, size_t length, double most,
                       const char *end)
 {
     char bound[NUMBER], sampled[NUMBER];
     const bool bounded = e->bound < INFINITY && e->bound <= most;
-    banner_add(l, "%s", name);
+    banner_add(l, "%.*s", (int)length, name);
     if (bounded)
         banner_add(l, "<= %s proved%s", rounded(e->bound, 1, bound), e->sampled >= 0 ? "," : end);
     if (e->sampled >= 0)
@@ -132,17 +133,34 @@ static void add_error(struct banner_line *l, const struct output_error *e, const
         banner_add(l, "no bound found%s", end);
 }
 
+/* The errors of all rows, less what a function tests, or of all outputs where these are no rows. */
+static void add_errors(struct banner_line *l, const struct genome_file *f, const struct function *function)
+{
+    const struct evidence *e = function->evidence;
+    const struct genome_expr *out = function->genome->out;
+    for (size_t i = 0; i < e->outputs;) {
+        struct output_error worst = e->error[i];
+        const char *name = out[i].name;
+        const size_t length = strcspn(name, "[");
+        for (i++; i < e->outputs && strncmp(out[i].name, name, length + 1) == 0 && name[length]; i++) {
+            worst.bound = fmax(worst.bound, e->error[i].bound);
+            worst.sampled = fmax(worst.sampled, e->error[i].sampled);
+        }
+        if (strncmp(name, "require[", length + 1) != 0)
+            add_error(l, &worst, name, length, f->segment && !f->face ? 1 : INFINITY, i < e->outputs ? ";" : "");
+    }
+}
+
 void banner_evidence(const struct genome_file *f, const struct function *function, FILE *out)
 {
     const struct evidence *e = function->evidence;
     print_poles(f, function->program, e, out);
     struct banner_line l = banner_about_function("rounding", out);
-    for (size_t i = 0; e->region && i < e->outputs; i++)
-        add_error(&l, &e->error[i], function->genome->out[i].name, f->segment ? 1 : INFINITY,
-                  i + 1 < e->outputs ? ";" : "");
     if (!e->region)
         banner_add(&l, "no bound, as no ranges are given");
-    else if (e->samples > 0)
+    else
+        add_errors(&l, f, function);
+    if (e->samples > 0)
         banner_add(&l, "(%ld points)", e->samples);
     banner_end(&l);
 }

@@ -10,7 +10,7 @@ for isa in $isas; do
         tests/hard/hard.c tests/hard/draw.c tests/hard/wild.c "$BIN/libfootpoint.a" -lm && "$work/derivatives" > "$work/derivatives.csv"
     report $((! $?)) "$isa: runs"
     sed 's/^/# /' "$work/derivatives.csv"
-    awk -F, '/gradients"/ { gradients = $(NF - 2) } /by hand|differentiate|forward|differences/ { if (!least || $(NF - 2) < least) least = $(NF - 2) }
+    awk -F, '/gradients"/ { if (!gradients || $(NF - 2) < gradients) gradients = $(NF - 2) } /by hand|differentiate|forward|differences/ { if (!least || $(NF - 2) < least) least = $(NF - 2) }
         END { exit !(gradients > 0 && gradients < least) }' "$work/derivatives.csv"
     report $((! $?)) "$isa: the header's are the quickest"
     awk -F, '/accurate_at, gradients/ { ratio = $(NF - 1); off = $NF } END { exit !(ratio >= 15 && off <= 1e-4) }' "$work/derivatives.csv"
