@@ -37,6 +37,16 @@ static long boxes_for(struct search *s, size_t searches)
     return boxes;
 }
 
+/* Bounds the error of an operation by a part of the work left. */
+static double find_error(struct search *s, int op, size_t searches)
+{
+    const double part = s->work / (double)searches;
+    double left = part;
+    const double bound = bound_error(s->region, op, s->boxes, &left);
+    s->work -= part - left;
+    return bound;
+}
+
 /* Where an operation is 0.  Of a product that is too much at once, where a factor is. */
 static struct pole find_zero(struct search *s, int op, long boxes)
 {
@@ -75,9 +85,39 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
         d->witness = new_array(r->known->inputs, sizeof *d->witness);
         region_inputs(r, pole.witness, d->witness);
     }
-    const double bound = r->known->complete ? bound_error(r, op, boxes / 10) : INFINITY;
-    d->threshold = bound < (pole.verdict == POLE_FREE ? INFINITY : MOST_THRESHOLD) ? bound : 0;
     free(pole.witness);
+}
+
+/* The errors of values that have names and of divisors, in their order, each by what is known of those before it; then
+ * by the other half of the work, where there is no pole, of the outputs. */
+static void bound_errors(struct search *s, struct evidence *e, const struct program *p)
+{
+    struct region *r = s->region;
+    bool *joint = new_array(p->ops, sizeof *joint);
+    const double half = 0.5 * s->work;
+    size_t left = 0;
+    for (size_t i = 0; i < p->statements; i++)
+        joint[p->statement[i].op] = p->statement[i].output < 0;
+    for (size_t i = 0; i < e->denominators; i++)
+        joint[e->denominator[i].op] = true;
+    for (size_t i = 0; i < p->ops; i++)
+        left += joint[i];
+    s->work -= half;
+    for (size_t i = 0; i < p->ops; i++)
+        if (joint[i]) {
+            if (p->op[i].kind > OP_INPUT && s->work > 0)
+                find_error(s, region_op(r, (int)i), left);
+            left--;
+        }
+    s->work += half;
+    for (size_t i = 0; i < e->denominators; i++) {
+        struct denominator *d = &e->denominator[i];
+        const double bound = r->known->error[region_op(r, d->op)];
+        d->threshold = bound < (d->verdict == POLE_FREE ? INFINITY : MOST_THRESHOLD) ? bound : 0;
+    }
+    for (size_t i = 0; evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
+        e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
+    free(joint);
 }
 
 static void skip_statement(void *to, const char *name, long output, const char *text)
@@ -188,12 +228,10 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     e->error = new_array(p->outputs, sizeof *e->error);
     for (size_t i = 0; i < e->denominators; i++)
         find_pole(&s, &e->denominator[i], e->denominators + p->outputs - i);
-    const bool bounded = e->region && evidence_pole_free(e);
-    for (size_t i = 0; i < p->outputs; i++) {
+    for (size_t i = 0; i < p->outputs; i++)
         e->error[i] = (struct output_error){INFINITY, -1};
-        if (bounded && s.work > 0)
-            e->error[i].bound = bound_error(r, region_op(r, p->output[i]), boxes_for(&s, p->outputs - i));
-    }
+    if (e->region)
+        bound_errors(&s, e, p);
     if (e->region)
         sample_errors(e, p, r, options);
     region_free(r);

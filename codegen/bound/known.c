@@ -174,11 +174,13 @@ struct known *known_new(const struct genome_file *f, const struct program *p)
     read_ranges(x, f, matters);
     program_append(all, p);
     x->value = new_array(all->ops, sizeof *x->value);
+    x->error = new_array(all->ops, sizeof *x->error);
     x->twin = new_array(all->ops, sizeof *x->twin);
     x->ratio = new_array(all->ops, sizeof *x->ratio);
     for (size_t i = 0; i < all->ops; i++) {
         x->value[i] = given_range(x, &all->op[i]);
         x->twin[i] = -1;
+        x->error[i] = INFINITY;
     }
     x->length = new_array(all->ops, sizeof *x->length);
     for (size_t i = 0; i < all->inputs + x->shift; i++) {
@@ -206,6 +208,7 @@ void known_free(struct known *x)
     free(x->input);
     free(x->variable);
     free(x->value);
+    free(x->error);
     free(x->twin);
     free(x->ratio);
     free(x->length);

@@ -18,6 +18,7 @@ struct known {
     struct program *program; /* owned: inputs, requires, then the program's operations; outputs: the requires */
     size_t shift;            /* operations of the requires */
     struct interval *value;  /* owned: by operation, what is proved of it on the region */
+    double *error;           /* owned: by operation, proved above its rounding error on the region, or +infinity */
     int *twin;               /* owned: by operation, an earlier one that it is a multiple of, or -1 */
     struct interval *ratio;  /* owned: by operation, to its twin */
     size_t *length;          /* owned: by operation, how many it is made of (at most; of requires alone) */

@@ -8,7 +8,11 @@
  * by what factor a quotient's divisor varies over the box, absolute ones do not mind zeros.
  *
  * Backwards: what one operation adds to the error, times the derivative of the result.  There errors that reach the
- * result on several ways cancel, as they do in fact; the forward bounds serve to enclose all values on the way. */
+ * result on several ways cancel, as they do in fact; the forward bounds serve to enclose all values on the way.
+ *
+ * Of values on the way an error bound may be known that holds all over the region (known.h).  Forwards it narrows what
+ * the box tells.  Backwards it may stand for all that led to the value: long programs, such as several steps of Newton's,
+ * whose derivatives by their first values are enclosed badly, are bounded link by link.  Both are tried. */
 #include "rounding.h"
 
 #include "../program/evaluate.h"
@@ -252,7 +256,8 @@ static void propagate(struct rounding *e, size_t i)
 {
     const struct interval range = e->forms->range[i];
     const double most = interval_most(range), least = interval_least(range);
-    const double error = checked(error_of(e, i), most), relative = checked(relative_error_of(e, i), most);
+    const double error = checked(lesser(error_of(e, i), e->forms->known->error[i]), most);
+    const double relative = checked(relative_error_of(e, i), most);
     e->error[i] = error > 0 ? lesser(error, checked(relative * most, most)) : error;
     e->relative[i] = e->error[i] > 0 ? lesser(relative, checked(e->error[i] / least, 0)) : 0;
     e->nonnegative[i] = is_nonnegative(e, i);
@@ -384,8 +389,9 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
 
 /* By the mean value theorem, the error of the result is the sum over all operations of what each adds, times the
  * derivative of the result by that at some point between exact and computed values.  A product may be contracted in one
- * of its uses and rounded in another, so that its error is charged for each of them by itself; so through a sign. */
-static double backward_error(struct rounding *e)
+ * of its uses and rounded in another, so that its error is charged for each of them by itself; so through a sign.
+ * `link`: values whose errors are known count by these. */
+static double backward_error(struct rounding *e, bool link)
 {
     double error = 0;
     for (size_t n = 0; n < e->needs; n++)
@@ -399,6 +405,15 @@ static double backward_error(struct rounding *e)
         struct interval slope[2];
         double constant;
         reconcile(&by->slope, &by->weight, inflated(e, i));
+        const double known = e->forms->known->error[i];
+        if (link && i != e->op && known < INFINITY) {
+            /* also of a product that is contracted: what its factors' errors make of it is part of its bound */
+            const bool several = op->kind == OP_MUL || op->kind == OP_NEG;
+            error += known * (several ? by->slope_size : interval_most(by->slope));
+            if (!(error <= DBL_MAX))
+                return INFINITY;
+            continue;
+        }
         const double share = own_share(e, i, &constant);
         /* the rounded value and the one that the weight is of are both within the error from the exact one */
         const double size = op->kind == OP_MUL ? by->slope_size : interval_most(by->slope);
@@ -420,5 +435,7 @@ double rounding_error(struct rounding *e)
 {
     for (size_t n = 0; n < e->needs; n++)
         propagate(e, (size_t)e->needed[n]);
-    return e->error[e->op] < INFINITY ? lesser(e->error[e->op], backward_error(e)) : INFINITY;
+    if (!(e->error[e->op] < INFINITY))
+        return INFINITY;
+    return lesser(e->error[e->op], lesser(backward_error(e, false), backward_error(e, true)));
 }

@@ -13,7 +13,8 @@
 struct search {
     struct region *region;
     struct rounding *rounding;
-    double reached; /* the largest bound at a point of the region: none for all of it can be less */
+    struct interval values; /* of the operation, in the boxes left at the end */
+    double reached;         /* the largest bound at a point of the region: none for all of it can be less */
     struct boxes boxes;
     struct interval *box, *part; /* owned */
 };
@@ -31,6 +32,15 @@ static void offer(struct search *s, struct interval *box)
     if (!forms_evaluate_narrowed(s->rounding->forms, box))
         return;
     boxes_push(&s->boxes, rounding_error(s->rounding), box);
+}
+
+/* Takes in the values over a box. */
+static void collect(struct search *s, const struct interval *box)
+{
+    if (!forms_evaluate(s->rounding->forms, box))
+        return;
+    const struct interval x = s->rounding->forms->range[s->rounding->op];
+    s->values = (struct interval){lesser(s->values.lo, x.lo), greater(s->values.hi, x.hi)};
 }
 
 static void visit_middle(struct search *s)
@@ -65,26 +75,40 @@ static size_t choose_variable(struct search *s)
     return best;
 }
 
-double bound_error(struct region *r, int op, long boxes)
+double bound_error(struct region *r, int op, long boxes, double *work)
 {
     struct forms *w = forms_new(r->known, op);
-    struct search s = {.region = r, .rounding = rounding_new(w, op), .boxes.variables = r->known->variables};
+    struct search s = {.region = r, .rounding = rounding_new(w, op), .values = {INFINITY, -INFINITY}};
+    const double variables =
+        (double)r->known->variables; /* for each of these an evaluation, to and fro, and some more */
+    const double box_work = (double)w->needs * (variables + 4) * (variables + 16);
     double bound = 0;
+    s.boxes.variables = r->known->variables;
     s.box = new_array(r->known->variables, sizeof *s.box);
     s.part = new_array(r->known->variables, sizeof *s.part);
     region_box(r, s.part);
     offer(&s, s.part);
-    for (long i = 0; s.boxes.n > 0; i++) {
+    for (; s.boxes.n > 0; boxes--, *work -= box_work) {
         bound = boxes_pop(&s.boxes, s.box);
         visit_middle(&s);
-        const size_t k = i < boxes && !(bound <= CLOSE * s.reached) ? choose_variable(&s) : r->known->variables;
-        if (k == r->known->variables)
+        const size_t k =
+            boxes > 0 && *work > 0 && !(bound <= CLOSE * s.reached) ? choose_variable(&s) : r->known->variables;
+        if (k == r->known->variables) {
+            collect(&s, s.box);
             break;
+        }
         for (int half = 0; half < 2; half++) {
             box_half(s.box, r->known->variables, k, half, s.part);
             offer(&s, s.part);
         }
     }
+    while (s.boxes.n > 0) {
+        boxes_pop(&s.boxes, s.box);
+        collect(&s, s.box);
+    }
+    r->known->error[op] = lesser(bound, r->known->error[op]);
+    if (s.values.lo <= s.values.hi)
+        r->known->value[op] = interval_meet(r->known->value[op], s.values);
     boxes_free(&s.boxes);
     rounding_free(s.rounding);
     forms_free(w);

@@ -223,13 +223,12 @@ static double distance(double x, const arb_t exact)
     return isfinite(x) ? far : INFINITY;
 }
 
-/* One box: all values at points of it are in their ranges, and the last one's errors below its bound. */
-static void check_box(struct subject *s, struct forms *w, struct rounding *e, uint64_t *seed, long *bounded)
+/* At points of the box that belong to the region, the last value's errors are below the bound, and all values are
+ * within what is known of them: by the forms, or where these are NULL, by the region. */
+static bool check_points(struct subject *s, const struct forms *w, double bound, uint64_t *seed)
 {
     const int last = (int)s->program->ops - 1;
-    if (!forms_evaluate(w, s->box))
-        return;
-    const double bound = rounding_error(e);
+    bool any = false;
     for (int i = 0; i < POINTS; i++) {
         struct interval point[INPUTS];
         bool member = true;
@@ -240,24 +239,40 @@ static void check_box(struct subject *s, struct forms *w, struct rounding *e, ui
         }
         if (!member || !region_holds(s->region, point) || !exact_values(s->program, last, s->input, s->exact))
             continue;
-        for (int op = 0; op <= last; op++)
-            for (size_t n = 0; n < w->needs; n++)
+        any = true;
+        for (int op = 0; op <= last; op++) {
+            assert_true(encloses(s->region->known->value[region_op(s->region, op)], s->exact + op));
+            for (size_t n = 0; w && n < w->needs; n++)
                 if (w->needed[n] == region_op(s->region, op))
                     assert_true(encloses(w->range[w->needed[n]], s->exact + op));
+        }
         for (int k = 0; k < 4; k++) {
             point_double(s->program, s->input, k ? seed : NULL, s->value);
             const double error = distance(s->value[last], s->exact + last);
             if (!(error <= bound))
                 fail_msg("error %a, bound %a", error, bound);
         }
-        *bounded += bound < INFINITY;
     }
+    return any && bound < INFINITY;
+}
+
+/* The bound over all of the region, by those of half of the values before it. */
+static bool check_links(struct subject *s, uint64_t *seed)
+{
+    const int last = (int)s->program->ops - 1;
+    double work = INFINITY;
+    for (int op = 0; op < last; op++)
+        if (random_next(seed) % 2)
+            bound_error(s->region, region_op(s->region, op), 4, &work);
+    const double bound = bound_error(s->region, region_op(s->region, last), 8, &work);
+    region_box(s->region, s->box);
+    return check_points(s, NULL, bound, seed);
 }
 
 static void check_random_programs(const char *requires)
 {
     uint64_t seed = 5;
-    long bounded = 0;
+    long bounded = 0, linked = 0;
     char text[1000];
     snprintf(text, sizeof text, ranges, requires);
     for (int i = 0; i < PROGRAMS; i++) {
@@ -267,13 +282,15 @@ static void check_random_programs(const char *requires)
         struct rounding *e = rounding_new(w, last);
         for (int k = 0; k < BOXES; k++) {
             random_box(s.region->known, &seed, s.box);
-            check_box(&s, w, e, &seed, &bounded);
+            if (forms_evaluate(w, s.box))
+                bounded += check_points(&s, w, rounding_error(e), &seed);
         }
+        linked += check_links(&s, &seed);
         rounding_free(e);
         forms_free(w);
         subject_free(&s);
     }
-    assert_true(bounded > PROGRAMS); /* enough of them have a bound */
+    assert_true(bounded > PROGRAMS && linked > PROGRAMS / 5); /* enough of them have a bound */
 }
 
 static void test_random_programs(void **state)
@@ -392,8 +409,8 @@ static void test_known_programs(void **state)
         struct genome_file *f = parse(text);
         struct program *p = read_program(f, 0, known[i].code);
         struct subject s = subject_new(text, p);
-        const double bound = bound_error(s.region, region_op(s.region, p->output[0]), 20000);
-        double worst;
+        double worst, work = INFINITY;
+        const double bound = bound_error(s.region, region_op(s.region, p->output[0]), 20000, &work);
         worst_errors(&s, &worst);
         if (!(bound >= worst && (bound <= known[i].tight * worst)))
             fail_msg("%s: bound %g, worst error %g", known[i].code, bound, worst);
