@@ -431,11 +431,24 @@ static double backward_error(struct rounding *e, bool link)
     return checked(error * (1 + 0x1p-30), 0); /* its terms are many */
 }
 
-double rounding_error(struct rounding *e)
+/* False: there is no bound. */
+static bool forward_errors(struct rounding *e)
 {
     for (size_t n = 0; n < e->needs; n++)
         propagate(e, (size_t)e->needed[n]);
-    if (!(e->error[e->op] < INFINITY))
+    return e->error[e->op] < INFINITY;
+}
+
+double rounding_error(struct rounding *e)
+{
+    if (!forward_errors(e))
         return INFINITY;
-    return lesser(e->error[e->op], lesser(backward_error(e, false), backward_error(e, true)));
+    const double whole = backward_error(e, false), linked = backward_error(e, true);
+    e->link = linked < whole;
+    return lesser(e->error[e->op], lesser(whole, linked));
+}
+
+double rounding_error_again(struct rounding *e)
+{
+    return forward_errors(e) ? lesser(e->error[e->op], backward_error(e, e->link)) : INFINITY;
 }

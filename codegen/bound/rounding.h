@@ -20,6 +20,7 @@ struct rounding {
     double *relative;       /* owned: by operation, above |computed - exact| / |exact| */
     bool *nonnegative;      /* owned: by operation, the computed value is >= 0 for certain */
     struct sensitivity *by; /* owned: by operation */
+    bool link;              /* at last, errors known of values on the way gave the better bound */
 };
 
 /** For the error of operation `op`, which the forms are of. */
@@ -29,5 +30,8 @@ void rounding_free(struct rounding *e);
 /** Above |computed - exact| over the box that the forms were evaluated on last, whichever products are contracted to
  *  FMA. */
 double rounding_error(struct rounding *e);
+
+/** The same, by that way alone which gave the better bound at last. */
+double rounding_error_again(struct rounding *e);
 
 #endif

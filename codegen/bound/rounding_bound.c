@@ -19,14 +19,6 @@ struct search {
     struct interval *box, *part; /* owned */
 };
 
-/* The bound over what of the box is in the region. */
-static double evaluate(struct search *s, const struct interval *box)
-{
-    if (!forms_evaluate(s->rounding->forms, box))
-        return 0;
-    return rounding_error(s->rounding);
-}
-
 static void offer(struct search *s, struct interval *box)
 {
     if (!forms_evaluate_narrowed(s->rounding->forms, box))
@@ -47,7 +39,7 @@ static void visit_middle(struct search *s)
 {
     for (size_t k = 0; k < s->region->known->variables; k++)
         s->part[k] = interval_point(interval_middle(s->box[k]));
-    const double error = evaluate(s, s->part);
+    const double error = forms_evaluate(s->rounding->forms, s->part) ? rounding_error(s->rounding) : 0;
     if (error > s->reached && region_holds(s->region, s->part))
         s->reached = error;
 }
@@ -64,7 +56,7 @@ static size_t choose_variable(struct search *s)
         if (width == 0)
             continue;
         s->part[k] = interval_point(interval_middle(s->box[k]));
-        const double error = evaluate(s, s->part);
+        const double error = forms_evaluate(s->rounding->forms, s->part) ? rounding_error_again(s->rounding) : 0;
         s->part[k] = s->box[k];
         if (best == n || error < least || (error == least && width > widest)) {
             best = k;
