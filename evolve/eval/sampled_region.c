@@ -42,25 +42,66 @@ static void similar(const struct segment_kind *kind, const struct sample *s, str
 
 /* ---- extremes ---- */
 
-/* Of the columns of a table: inputs and lets. */
+/* Of the columns of a table, inputs and lets, and behind them of the genomes' outputs. */
 struct extremes {
     double *lo, *hi; /* owned */
+    bool *sized;     /* owned: by column of the table, it changes with the segment's size */
 };
+
+static void take_in_column(struct extremes *e, size_t j, const double *x, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        e->lo[j] = x[i] < e->lo[j] ? x[i] : e->lo[j];
+        e->hi[j] = x[i] > e->hi[j] ? x[i] : e->hi[j];
+    }
+}
 
 static void take_in(struct extremes *e, const struct columns *table)
 {
     for (size_t j = 0; j < table->count; j++)
-        for (size_t i = 0; i < table->n; i++) {
-            const double x = columns_at(table, j)[i];
-            e->lo[j] = x < e->lo[j] ? x : e->lo[j];
-            e->hi[j] = x > e->hi[j] ? x : e->hi[j];
+        take_in_column(e, j, columns_at(table, j), table->n);
+}
+
+static void take_in_outputs(struct extremes *e, struct kernel *kernel, const struct genome_file *f,
+                            const struct columns *table)
+{
+    double *value = new_array(table->n, sizeof *value);
+    size_t j = table->count;
+    for (size_t g = 0; g < f->genomes; g++)
+        for (size_t k = 0; k < f->genome[g].outs; k++) {
+            const struct genome_expr *out = &f->genome[g].out[k];
+            const struct kernel_task task = {out->gene, out->length, f->constant, table};
+            kernel_values(kernel, &task, value);
+            take_in_column(e, j++, value, table->n);
         }
+    free(value);
+}
+
+/* Twice as large is exact in floating-point numbers: what does not change with the size is the same to the last bit. */
+static void find_sized(struct extremes *e, struct kernel *kernel, const struct genome_file *f, struct sample *moved,
+                       const struct columns *table)
+{
+    const size_t nodes = strlen(f->segment->nodes);
+    for (size_t i = 0; i < table->n; i++)
+        for (int k = 0; k < 3; k++) {
+            for (size_t n = 0; n < nodes; n++)
+                moved[i].x[n][k] *= 2;
+            moved[i].xs[k] *= 2;
+        }
+    struct columns twice = frame_columns(kernel, f, moved, table->n);
+    for (size_t j = 0; j < table->count; j++)
+        for (size_t i = 0; i < table->n && !e->sized[j]; i++)
+            e->sized[j] = columns_at(table, j)[i] != columns_at(&twice, j)[i];
+    columns_free(&twice);
 }
 
 static struct extremes measure(const struct genome_file *f, const struct sample_set *set, size_t sets)
 {
-    const size_t count = f->inputs + f->lets + 2;
-    struct extremes e = {new_array(count, sizeof *e.lo), new_array(count, sizeof *e.hi)};
+    size_t count = frame_target(f, 2);
+    for (size_t g = 0; g < f->genomes; g++)
+        count += f->genome[g].outs;
+    struct extremes e = {new_array(count, sizeof *e.lo), new_array(count, sizeof *e.hi),
+                         new_array(count, sizeof *e.sized)};
     struct sample *moved = new_array(PIECE, sizeof *moved);
     struct kernel *kernel = kernel_new_widest();
     for (size_t j = 0; j < count; j++)
@@ -72,6 +113,9 @@ static struct extremes measure(const struct genome_file *f, const struct sample_
                 similar(f->segment, &set[k].s[first + i], &moved[i]);
             struct columns table = frame_columns(kernel, f, moved, n);
             take_in(&e, &table);
+            take_in_outputs(&e, kernel, f, &table);
+            if (first == 0)
+                find_sized(&e, kernel, f, moved, &table);
             columns_free(&table);
         }
     kernel_free(kernel);
@@ -98,6 +142,22 @@ static void require_above(struct genome_file *f, size_t let, double least)
     genome_add_require(f, gene, sizeof gene / sizeof *gene);
 }
 
+/* |expression| < twice the most it is on the samples, in two digits */
+static void require_below(struct genome_file *f, const int *gene, size_t length, double most)
+{
+    char text[32];
+    if (!(most > 0 && isfinite(most)))
+        return;
+    int *require = new_array(length + 3, sizeof *require);
+    snprintf(text, sizeof text, "%.2g", 2 * most);
+    require[0] = GENE_SUB;
+    require[1] = -1 - (int)genome_add_constant(f, text);
+    require[2] = GENE_ABS;
+    memcpy(require + 3, gene, length * sizeof *gene);
+    genome_add_require(f, require, length + 3);
+    free(require);
+}
+
 static void use_symbols(const struct genome_file *f, const struct genome_expr *e, bool *used)
 {
     for (size_t i = 0; i < e->length; i++)
@@ -116,6 +176,42 @@ static bool *used_lets(const struct genome_file *f)
         if (used[i])
             use_symbols(f, &f->let[i], used);
     return used;
+}
+
+static bool has_quotient(const struct genome_file *f, const struct genome_expr *e, const bool *quotient)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] == GENE_DIV || e->gene[i] == GENE_PDIV ||
+            (e->gene[i] >= GENE_SYMBOL + (int)f->inputs && quotient[e->gene[i] - GENE_SYMBOL - (int)f->inputs]))
+            return true;
+    return false;
+}
+
+/* Values within a function have no name. */
+static bool has_name(const struct genome_file *f, size_t symbol)
+{
+    return genome_find_symbol(f, genome_symbol_name(f, symbol)) == (long)symbol;
+}
+
+/* Of lets that the genomes depend on, and of outputs that are more than such a let. */
+static void require_coordinates(struct genome_file *f, const struct extremes *e, const bool *used)
+{
+    bool *quotient = new_array(f->lets, sizeof *quotient);
+    for (size_t i = 0; i < f->lets; i++) {
+        const size_t j = f->inputs + i;
+        const int gene = GENE_SYMBOL + (int)j;
+        quotient[i] = has_quotient(f, &f->let[i], quotient);
+        if (quotient[i] && used[i] && !e->sized[j] && has_name(f, j))
+            require_below(f, &gene, 1, fmax(-e->lo[j], e->hi[j]));
+    }
+    size_t j = frame_target(f, 2);
+    for (size_t g = 0; g < f->genomes; g++)
+        for (size_t k = 0; k < f->genome[g].outs; k++, j++) {
+            const struct genome_expr *out = &f->genome[g].out[k];
+            if (out->length > 1 && has_quotient(f, out, quotient))
+                require_below(f, out->gene, out->length, fmax(-e->lo[j], e->hi[j]));
+        }
+    free(quotient);
 }
 
 /* A let that frames measure, of lets that the genomes depend on. */
@@ -143,7 +239,9 @@ void scene_region_add(struct genome_file *f, const struct sample_set *set, size_
     for (size_t i = 0; i < f->lets; i++)
         if (e.lo[inputs + i] > 0 && isfinite(e.lo[inputs + i]) && is_measured(f, i, used))
             require_above(f, i, e.lo[inputs + i]);
+    require_coordinates(f, &e, used);
     free(used);
     free(e.lo);
     free(e.hi);
+    free(e.sized);
 }
