@@ -411,7 +411,8 @@ int lines_take(struct lines *to, const struct lines *from, int i, int *map)
     return map[i] = x->gene == NUMBER ? lines_number(to, x->number) : lines_symbol(to, x->gene);
 }
 
-void lines_mark(struct lines *c)
+/* Set needed[] and divides[]. */
+static void mark(struct lines *c)
 {
     if (c->needed_room < c->lines) {
         free(c->needed);
@@ -521,7 +522,7 @@ void lines_load(struct lines *c, const struct tree *t, int last, enum lines_use 
         c->root[k] = load_operand(c, t, k, line, apart);
     if (last >= 0 && use != LINES_INNER)
         lines_call(c, last, c->root);
-    lines_mark(c);
+    mark(c);
     free(line);
 }
 

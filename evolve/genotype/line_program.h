@@ -51,7 +51,7 @@ static inline bool line_is_operation(const struct line *x)
 struct lines {
     const struct line_rules *rules; /* not owned */
     struct line *line;              /* owned */
-    bool *needed;                   /* owned: by line; a root needs it (lines_mark), and: */
+    bool *needed;                   /* owned: by line; a root needs it, and: */
     bool *divides;                  /* it is a divisor */
     size_t lines, room, needed_room;
     int root[2];    /* lines of xi and of eta */
@@ -98,8 +98,6 @@ static inline bool line_is_guard(const struct lines *c, size_t i)
 {
     return c->divides[i] && (c->line[i].gene == GENE_MAX || c->line[i].gene == GENE_MIN);
 }
-/** Set needed[] and divides[]. */
-void lines_mark(struct lines *c);
 /** Power of a length that each line is; zero is a number of any power. */
 void lines_powers(const struct lines *c, signed char *power);
 /** Whether no line adds unlike powers of a length: what it gives does not depend on the unit. */

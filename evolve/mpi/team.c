@@ -43,12 +43,6 @@ bool team_agree(const struct team *t, bool good, struct diag *d)
     return false;
 }
 
-int team_most(const struct team *t, int number)
-{
-    CHECK(MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_INT, MPI_MAX, t->comm));
-    return number;
-}
-
 char *team_tell(const struct team *t, const char *text, size_t bytes)
 {
     long long size = text ? (long long)bytes : -1;

@@ -20,8 +20,6 @@ void team_free(struct team *t);
 
 /** Collective: true on all ranks if `good` on all; otherwise false on all, with the *d of the lowest failing rank. */
 bool team_agree(const struct team *t, bool good, struct diag *d);
-/** Collective: the largest of all ranks' numbers. */
-int team_most(const struct team *t, int number);
 /** Collective: copy of rank 0's text (NULL stays NULL), owned by the caller; NUL-terminated. */
 char *team_tell(const struct team *t, const char *text, size_t bytes);
 

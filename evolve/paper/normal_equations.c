@@ -81,19 +81,21 @@ void products_sum(const struct products *p, bool lower, double *sum)
         }
 }
 
-bool cholesky_factor(double *a, size_t n, size_t stride)
+/* Lower Cholesky factor of the n x n matrix a in place; the upper triangle is left alone.  False if it is not positive
+ * definite.  In an order of its own, as that of a library depends on the machine. */
+static bool cholesky_factor(double *a, size_t n)
 {
     for (size_t j = 0; j < n; j++) {
-        const double *rj = a + j * stride;
+        const double *rj = a + j * n;
         double d = rj[j];
         for (size_t k = 0; k < j; k++)
             d -= rj[k] * rj[k];
         if (!(d > 0) || !isfinite(d))
             return false;
         const double root = sqrt(d);
-        a[j * stride + j] = root;
+        a[j * n + j] = root;
         for (size_t i = j + 1; i < n; i++) {
-            double *ri = a + i * stride, s = ri[j];
+            double *ri = a + i * n, s = ri[j];
             for (size_t k = 0; k < j; k++)
                 s -= ri[k] * rj[k];
             ri[j] = s / root;
@@ -102,21 +104,23 @@ bool cholesky_factor(double *a, size_t n, size_t stride)
     return true;
 }
 
-void cholesky_forward(const double *l, size_t n, size_t stride, double *x)
+/* x = L^-1 x. */
+static void cholesky_forward(const double *l, size_t n, double *x)
 {
     for (size_t i = 0; i < n; i++) {
         for (size_t k = 0; k < i; k++)
-            x[i] -= l[i * stride + k] * x[k];
-        x[i] /= l[i * stride + i];
+            x[i] -= l[i * n + k] * x[k];
+        x[i] /= l[i * n + i];
     }
 }
 
-void cholesky_backward(const double *l, size_t n, size_t stride, double *x)
+/* x = L^-T x. */
+static void cholesky_backward(const double *l, size_t n, double *x)
 {
     for (size_t i = n; i-- > 0;) {
-        x[i] /= l[i * stride + i];
+        x[i] /= l[i * n + i];
         for (size_t k = 0; k < i; k++)
-            x[k] -= l[i * stride + k] * x[i];
+            x[k] -= l[i * n + k] * x[i];
     }
 }
 
@@ -130,14 +134,14 @@ double products_fit(const double *gram, size_t count, const size_t *chosen, size
         coefficient[i] = gram[chosen[i] * count + goal];
     }
     double left = gram[goal * count + goal];
-    if (!cholesky_factor(work, k, k))
+    if (!cholesky_factor(work, k))
         return -1;
     for (size_t i = 0; i < k; i++)
         if (!(work[i * k + i] * work[i * k + i] > independent * gram[chosen[i] * count + chosen[i]]))
             return -1;
-    cholesky_forward(work, k, k, coefficient);
+    cholesky_forward(work, k, coefficient);
     for (size_t i = 0; i < k; i++)
         left -= coefficient[i] * coefficient[i];
-    cholesky_backward(work, k, k, coefficient);
+    cholesky_backward(work, k, coefficient);
     return left > 0 ? left : 0;
 }

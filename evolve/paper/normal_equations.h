@@ -26,14 +26,6 @@ void products_add(struct products *p, struct panel a, struct panel b, size_t n, 
 /** The sums so far, row after row; with `lower` the upper triangle is the mirror of the lower one. */
 void products_sum(const struct products *p, bool lower, double *sum);
 
-/** Lower Cholesky factor of the n x n matrix a (rows `stride` apart) in place; the upper triangle is left alone.  False
- *  if it is not positive definite. */
-bool cholesky_factor(double *a, size_t n, size_t stride);
-/** x = L^-1 x. */
-void cholesky_forward(const double *l, size_t n, size_t stride, double *x);
-/** x = L^-T x. */
-void cholesky_backward(const double *l, size_t n, size_t stride, double *x);
-
 /** Normal equations of the columns chosen[0..k-1] for column `goal`: `gram` holds the products of all `count` columns.
  *  Fills coefficient[k]; returns the sum of squares that is left, or -1 where the columns are dependent.
  *  @param work  room for k * k numbers */

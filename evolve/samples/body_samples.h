@@ -18,7 +18,7 @@ struct smooth {
  *  and part; different parts share no sample. */
 void smooth_samples(const struct smooth *smooth, enum sample_part part, size_t count, struct sample_set *set);
 
-/** scene_drawn (samples.h) of these. */
+/** How these are drawn, as lattice_drawn (samples.h) says it. */
 size_t smooth_drawn(char line[DRAWN_LINES][DRAWN_LENGTH]);
 
 #endif

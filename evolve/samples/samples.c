@@ -23,7 +23,7 @@ bool scene_has(const struct scene *s, enum sample_part part)
     return part != PART_HELDOUT_EVEN || (s->source == SOURCE_RANDOM && !*s->segment->normals);
 }
 
-size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH])
+static size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH])
 {
     if (*s->segment->normals)
         return patches_drawn(s, line);

@@ -14,9 +14,6 @@ bool scene_has(const struct scene *s, enum sample_part part);
  *  precision.  Deterministic in the scene alone.  False with *d filled when none is left. */
 bool scene_samples(const struct scene *s, enum sample_part part, struct sample_set *set, struct diag *d);
 
-/** How the parts held out are drawn, in words for banners: lines of text, as many as it returns. */
-size_t scene_drawn(const struct scene *s, char line[DRAWN_LINES][DRAWN_LENGTH]);
-
 /** All parts held out that the scene has.  False with *d filled; then, too, to be freed. */
 bool scene_heldout(const struct scene *s, struct heldout *h, struct diag *d);
 
@@ -32,7 +29,7 @@ bool lattice_samples(const struct scene *scene, enum sample_part part, struct sa
 bool shapes_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 bool mesh_samples(const struct scene *scene, enum sample_part part, struct sample_set *set, struct diag *d);
 
-/** What each draws, in words: scene_drawn. */
+/** How each draws the parts held out, in words for banners: lines of text, as many as it returns. */
 size_t lattice_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t shapes_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
 size_t mesh_drawn(const struct scene *scene, char line[DRAWN_LINES][DRAWN_LENGTH]);
