@@ -337,8 +337,11 @@ PERCEPTRONS := --scene paper-quad4 --hidden 8 --hidden 16 --hidden 16,16 --itera
 perceptrons: evolve ## train the perceptrons of the bench again, tests/paper/perceptron.gen
 	$(Q)$(BIN)/footpoint-perceptron $(PERCEPTRONS) -o tests/paper/perceptron.gen
 
-calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs
-	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && cat $(BIN)/machine.costs
+calibrate: calibrate-program ## measure this machine's operation costs, build/machine.costs; beside codegen/costs/
+	$(Q)$(BIN)/footpoint-calibrate -o $(BIN)/machine.costs && $(BIN)/footpoint-calibrate --latency -o $(BIN)/machine-chain.costs
+	$(Q)awk -f codegen/costs/beside.awk \
+	    $(BIN)/machine.costs codegen/costs/sse2.costs codegen/costs/avx2.costs codegen/costs/avx512.costs \
+	    $(BIN)/machine-chain.costs codegen/costs/latency.costs
 
 rivals: runtime ## beside other libraries: table, and pictures in build/rivals/index.html: CASES= of each family (some minutes)
 	$(Q)BIN=$(BIN) CC=$(CC) CXX=$(CXX) CASES=$(CASES) sh tests/libraries/rivals.sh build/rivals

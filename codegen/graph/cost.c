@@ -18,8 +18,10 @@
 
 static const struct cost_model known[] = {
     /* For how long an operation occupies its unit, an addition being 1, on vectors of 128 bits; measured on Sapphire
-     * Rapids: mul 1.0, div 7.9, sqrt 11.8, compare 1.2.  (Vectors of 256 bits: div 16, sqrt 24.) */
+     * Rapids: mul 1.0, div 7.9, sqrt 11.8, compare 1.2.  Vectors of 256 and 512 bits: codegen/costs/. */
     {"throughput", 1, 1, 8, 12, 1, false},
+    /* The same prices for good, whatever machines cost: for counts beside those of algebra systems. */
+    {"operations", 1, 1, 8, 12, 1, false},
     /* The multiplications and divisions that the paper's tables count; the rest only breaks ties. */
     {"paper", 1, 0.001, 1, 1, 0.001, false},
     /* Cycles until a result can be used, on most cores since 2015; on Sapphire Rapids 4, 2 to 3, 14, 21, 4. */
@@ -155,7 +157,7 @@ bool cost_model_find(const char *name, struct cost_model *m, struct diag *d)
             return true;
         }
     if (access(name, F_OK) != 0)
-        return diag_system(d, name, "neither throughput, paper or latency nor a cost file");
+        return diag_system(d, name, "neither throughput, operations, paper or latency nor a cost file");
     return read_model(name, m, d);
 }
 

@@ -27,7 +27,7 @@ double operations_cost(const struct operations *ops, const struct cost_model *m)
 double unary_cost(const struct cost_model *m, unsigned k);
 void unary_count(struct operations *ops, unsigned k, long n);
 
-/** "throughput", "paper", "latency", or a file that footpoint-calibrate wrote.  False with *d filled otherwise. */
+/** "throughput", "operations", "paper", "latency", or a file that footpoint-calibrate wrote.  False with *d filled otherwise. */
 bool cost_model_find(const char *name, struct cost_model *m, struct diag *d);
 
 #endif

@@ -60,14 +60,14 @@ static void refuses(const char *text, const char *where, const char *message)
 static void test_built_in(void **state)
 {
     (void)state;
-    static const char *const name[] = {"throughput", "paper", "latency"};
+    static const char *const name[] = {"throughput", "operations", "paper", "latency"};
     struct cost_model m;
     struct diag d;
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         assert_true(cost_model_find(name[i], &m, &d));
         assert_string_equal(m.name, name[i]);
         assert_true(m.mul > 0 && m.add > 0 && m.div >= m.mul && m.sqrt >= m.mul && m.compare > 0);
-        assert_int_equal(m.chain, i == 2);
+        assert_int_equal(m.chain, i == 3);
     }
 }
 
@@ -78,7 +78,7 @@ static void test_unknown(void **state)
     struct diag d;
     assert_false(cost_model_find("fast", &m, &d));
     assert_string_equal(d.text,
-                        "fast: error: neither throughput, paper or latency nor a cost file: No such file or directory");
+                        "fast: error: neither throughput, operations, paper or latency nor a cost file: No such file or directory");
     assert_int_equal(d.code, EXIT_SYSTEM);
     assert_false(cost_model_find("/tmp", &m, &d));
     assert_string_equal(d.text, "/tmp: error: cannot read: Is a directory");
