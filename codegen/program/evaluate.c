@@ -1,6 +1,7 @@
 /* Evaluation of a program at a point; see evaluate.h. */
 #include "evaluate.h"
 
+#include "../genome/gene_value.h"
 #include "../graph/unary.h"
 
 #include <math.h>
@@ -92,15 +93,9 @@ void point_constants(const struct program *p, double *value)
 
 double point_operation(enum op_kind kind, double a, double b)
 {
-#define VALUE(gene, text, value, ...)                                                                                  \
-    case OP_##gene:                                                                                                    \
-        return value;
-    switch (kind) {
-        GENES_OF_TWO(VALUE)
-        GENES_OF_ONE(VALUE)
-    default:
-        return NAN;
-    }
+#define OPERATION(name, ...) [OP_##name] = GENE_##name,
+    static const int gene[OP_KINDS] = {GENES_OF_TWO(OPERATION) GENES_OF_ONE(OPERATION)};
+    return gene_value(gene[kind], a, b);
 }
 
 void point_double(const struct program *p, const double *input, uint64_t *contract, double *value)

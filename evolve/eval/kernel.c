@@ -15,6 +15,7 @@
  * bound is compared after each block, so all widths give up at the same one. */
 #include "kernel.h"
 
+#include "../../codegen/genome/gene_value.h"
 #include "kernel_code.h"
 
 #include <stdint.h>

@@ -5,8 +5,6 @@
 
 #include "columns.h"
 
-#include <math.h>
-
 /* Operands of an instruction of an operator of two, first and second.  A tile is computed in the registers A, or beside
  * a live A in the registers B.  Form f of B is form f of A plus FORMS_OF_ONE. */
 enum kernel_form {
@@ -63,21 +61,6 @@ struct kernel_run {
     char *slot;  /* aligned room for one tile more than the code has slots; the first is the engine's */
     size_t done; /* samples that have been evaluated */
 };
-
-/** The value of an operator of two numbers, or of a alone. */
-__attribute__((no_sanitize("float-divide-by-zero"))) static inline double kernel_apply(int op, double a, double b)
-{
-#define RETURN(gene, text, value, ...)                                                                                 \
-    case GENE_##gene:                                                                                                  \
-        return value;
-    switch (op) {
-        GENES_OF_TWO(RETURN)
-        GENES_OF_ONE(RETURN)
-    default:
-        return NAN;
-    }
-#undef RETURN
-}
 
 /** Translator with its room. */
 struct translator;

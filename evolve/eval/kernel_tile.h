@@ -96,5 +96,5 @@
 #endif
 #define SLOW_CASE(op, ...)                                                                                             \
     case GENE_##op:                                                                                                    \
-        INDEPENDENT for (size_t i = 0; i < TILE; i++) x[i] = kernel_apply(GENE_##op, x[i], 0);                         \
+        INDEPENDENT for (size_t i = 0; i < TILE; i++) x[i] = gene_value(GENE_##op, x[i], 0);                           \
         break;

@@ -7,6 +7,7 @@
  * tiles, and no genome of n genes needs more than log2(n) slots. */
 #include "kernel_code.h"
 
+#include "../../codegen/genome/gene_value.h"
 #include "../common/decimal.h"
 
 #include <stdlib.h>
@@ -90,7 +91,7 @@ static struct node operator_of(const struct translator *t, const struct kernel_t
     struct node n = {BRANCH, 0, y->end, 0};
     if (x->kind == CONSTANT && y->kind == CONSTANT) {
         n.kind = CONSTANT;
-        n.constant = kernel_apply(gene, x->constant, y->constant);
+        n.constant = gene_value(gene, x->constant, y->constant);
     } else {
         n.number = ershov_number(gene, x, y);
     }

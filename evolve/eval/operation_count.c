@@ -3,8 +3,8 @@
  * carries.  What the root needs is marked in the end. */
 #include "operation_count.h"
 
+#include "../../codegen/genome/gene_value.h"
 #include "../common/decimal.h"
-#include "kernel_code.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -177,7 +177,7 @@ static struct operand other(struct counter *c, int gene, struct operand a, struc
 struct operand counter_operation(struct counter *c, int gene, struct operand a, struct operand b)
 {
     if (is_constant(c, a) && is_constant(c, b))
-        return constant_of(c, kernel_apply(gene, signed_value(c, a), signed_value(c, b)));
+        return constant_of(c, gene_value(gene, signed_value(c, a), signed_value(c, b)));
     switch (gene) {
     case GENE_NEG:
         return (struct operand){a.node, !a.negative};

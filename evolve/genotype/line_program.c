@@ -2,6 +2,7 @@
  * lets of its body become lines. */
 #include "line_program.h"
 
+#include "../../codegen/genome/gene_value.h"
 #include "../common/decimal.h"
 
 #include <math.h>
@@ -348,27 +349,13 @@ static int simplified(struct lines *c, int gene, int a, int b)
     return -1;
 }
 
-static double value_of_numbers(int gene, double a, double b)
-{
-    (void)b;
-#define VALUE(gene, text, value, ...)                                                                                  \
-    case GENE_##gene:                                                                                                  \
-        return value;
-    switch (gene) {
-        GENES_OF_ONE(VALUE)
-        GENES_OF_TWO(VALUE)
-    }
-#undef VALUE
-    return NAN;
-}
-
 int lines_operation(struct lines *c, int gene, int a, int b)
 {
     const int simple = simplified(c, gene, a, b);
     if (simple >= 0)
         return simple;
     if (is_known(c, a) && (b < 0 || is_known(c, b))) {
-        const double v = value_of_numbers(gene, c->line[a].number, b < 0 ? 0 : c->line[b].number);
+        const double v = gene_value(gene, c->line[a].number, b < 0 ? 0 : c->line[b].number);
         if (isfinite(v) && decimal_value(decimal_gene(v)) == v)
             return lines_number(c, v);
     }
