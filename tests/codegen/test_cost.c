@@ -77,8 +77,9 @@ static void test_unknown(void **state)
     struct cost_model m;
     struct diag d;
     assert_false(cost_model_find("fast", &m, &d));
-    assert_string_equal(d.text,
-                        "fast: error: neither throughput, operations, paper or latency nor a cost file: No such file or directory");
+    assert_string_equal(
+        d.text,
+        "fast: error: neither throughput, operations, paper or latency nor a cost file: No such file or directory");
     assert_int_equal(d.code, EXIT_SYSTEM);
     assert_false(cost_model_find("/tmp", &m, &d));
     assert_string_equal(d.text, "/tmp: error: cannot read: Is a directory");
