@@ -112,8 +112,7 @@ static real extent(const struct curved_face *f, const struct box *x)
 
 struct nearest {
     const struct curved_face *face;
-    real square;
-    double loc[2];
+    real square, a, b;
 };
 
 static real least_of(const real *c, int count)
@@ -130,7 +129,8 @@ static void search_nearest(struct nearest *n, const struct box *x, const real c[
         const real value = c[(corner & 1 ? 20 : 0) + (corner & 2 ? 4 : 0)];
         if (value < n->square) {
             n->square = value;
-            point_of(n->face, x->a + (corner & 1 ? x->wide : 0), x->b + (corner & 2 ? x->high : 0), n->loc);
+            n->a = x->a + (corner & 1 ? x->wide : 0);
+            n->b = x->b + (corner & 2 ? x->high : 0);
         }
     }
     if (extent(n->face, x) < 1e-9L)
@@ -149,6 +149,42 @@ static void search_nearest(struct nearest *n, const struct box *x, const real c[
     }
 }
 
+/* Value, derivative and second derivative of B_i of degree 2. */
+static void basis(real t, real b[3][3])
+{
+    const real value[3][3] = {{(1 - t) * (1 - t), 2 * t * (1 - t), t * t}, {2 * t - 2, 2 - 4 * t, 2 * t}, {2, -4, 2}};
+    memcpy(b, value, sizeof value);
+}
+
+/* Boxes end where the square of the distance says no more: Newton's steps for its gradient, in the coordinates that are not
+ * at an end of theirs. */
+static void polish(struct nearest *n)
+{
+    const bool free_a = n->a > 0 && n->a < 1 && (n->b < 1 || !n->face->triangle), free_b = n->b > 0 && n->b < 1;
+    for (int step = 0; step < 3 && (free_a || free_b); step++) {
+        real p[3][3], q[3][3], d[6][3] = {{0}}, g[2] = {0}, h[3] = {0};
+        basis(n->a, p);
+        basis(n->b, q);
+        for (int k = 0; k < 3; k++) {
+            static const int order[6][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}};
+            for (int row = 0; row < 6; row++)
+                for (int i = 0; i < 9; i++)
+                    d[row][k] += p[order[row][0]][i / 3] * q[order[row][1]][i % 3] * n->face->net[i / 3][i % 3][k];
+            g[0] += free_a ? d[0][k] * d[1][k] : 0;
+            g[1] += free_b ? d[0][k] * d[2][k] : 0;
+            h[0] += d[1][k] * d[1][k] + d[0][k] * d[3][k];
+            h[1] += free_a && free_b ? d[1][k] * d[2][k] + d[0][k] * d[4][k] : 0;
+            h[2] += d[2][k] * d[2][k] + d[0][k] * d[5][k];
+        }
+        const real determinant = h[0] * h[2] - h[1] * h[1];
+        const real a = (h[2] * g[0] - h[1] * g[1]) / determinant, b = (h[0] * g[1] - h[1] * g[0]) / determinant;
+        if (!(fabsl(a) + fabsl(b) < 1e-6L)) /* no minimum of its own */
+            return;
+        n->a = fminl(1, fmaxl(0, n->a - a));
+        n->b = fminl(1, fmaxl(0, n->b - b));
+    }
+}
+
 double curved_face_closest(const struct curved_face *f, double loc[2])
 {
     static const real two[3] = {1, 2, 1}, four[5] = {1, 4, 6, 4, 1};
@@ -160,9 +196,10 @@ double curved_face_closest(const struct curved_face *f, double loc[2])
             for (int k = 0; k < 3; k++)
                 c[5 * u + v] += w * f->net[i / 3][i % 3][k] * f->net[j / 3][j % 3][k];
         }
-    struct nearest n = {f, INFINITY, {0, 0}};
+    struct nearest n = {f, INFINITY, 0, 0};
     search_nearest(&n, &(struct box){0, 0, 1, 1}, c);
-    memcpy(loc, n.loc, sizeof n.loc);
+    polish(&n);
+    point_of(f, n.a, n.b, loc);
     return (double)sqrtl(fmaxl(n.square, 0));
 }
 
