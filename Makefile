@@ -79,7 +79,8 @@ ccx_lib     := $(call sources,runtime/calculix)
 runtime_lib := $(filter-out $(ccx_lib) runtime/replace/%,$(call sources,runtime/*))
 test_main   := $(wildcard tests/*/test_*.c)
 test_lib    := $(filter-out $(test_main),$(call sources,tests/support tests/rivals))
-bench_lib   := $(filter-out tests/bench/bench_gregory.c tests/bench/bench_methods.c,$(call sources,tests/bench))
+bench_isa   := bench_methods bench_calls
+bench_lib   := $(filter-out tests/bench/bench_gregory.c $(bench_isa:%=tests/bench/%.c),$(call sources,tests/bench))
 
 # Instruction sets that the methods of the bench are compiled for; the bench takes the best that its machine has.
 ALL_ISAS := $(if $(filter x86_64%,$(shell $(CC) -dumpmachine)),x86-64 x86-64-v3 x86-64-v4,portable)
@@ -87,6 +88,7 @@ ISAS     ?= $(ALL_ISAS)
 $(call demand,ISAS,$(if $(filter-out $(ALL_ISAS) quick,$(ISAS)),,$(ISAS)),not instruction sets of the bench; there are $(ALL_ISAS))
 
 object = $(patsubst %.c,$(OBJ)/%.o,$(1))
+isa_parts = $(foreach part,$(bench_isa),$(ISAS:%=$(OBJ)/tests/bench/$(part)-%.o))
 pkg     = $(shell pkg-config $(1) 2>/dev/null)
 include_dirs = $(filter -I%,$(1))
 
@@ -205,7 +207,7 @@ $(BIN)/footpoint-perceptron: $(call object,evolve/paper/perceptron_main.c) $(evo
 	$(Q)$(link) $(LIBS_evolve)
 
 $(BIN)/footpoint-bench: $(call object,tests/bench/bench_main.c $(bench_lib)) \
-                        $(ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o) $(OBJ)/isas $(OBJ)/support.a $(evolve_parts)
+                        $(isa_parts) $(OBJ)/isas $(OBJ)/support.a $(LIB)_ccx.a $(evolve_parts)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_evolve)
@@ -239,6 +241,15 @@ $(OBJ)/methods.h: $(DOUBLES) $(OBJ)/methods Makefile
 $(OBJ)/methods.inc: $(DOUBLES) $(OBJ)/methods tests/bench/methods.awk Makefile
 	$(Q)awk -f tests/bench/methods.awk $(DOUBLES) > $@
 
+# What callers get is measured of the headers named as their kinds, of the exact ones, and of one's own.
+CALLED := $(filter-out $(foreach scene,$(filter blocks-% bricks-% paper-% punch-% whole-%,$(SHIPPED)),$(call header_of,$(scene))),$(DOUBLES))
+
+$(OBJ)/calls.h: $(CALLED) $(OBJ)/methods Makefile
+	$(Q)for h in $(CALLED) $(DERIVATIVES); do echo "#include \"$$PWD/$$h\""; done > $@
+
+$(OBJ)/calls.inc: $(CALLED) $(OBJ)/methods tests/bench/calls.awk Makefile
+	$(Q)awk -f tests/bench/calls.awk $(CALLED) > $@
+
 # The perceptrons that it compares with, trained by `make perceptrons`; no header of ours.  A search for cheaper forms
 # finds none.
 $(OBJ)/footpoint_perceptron.h: tests/paper/perceptron.gen $(BIN)/footpoint-codegen
@@ -269,16 +280,25 @@ ISA_x86-64-v3 := -march=x86-64-v3
 ISA_x86-64-v4 := -march=x86-64-v4 -mprefer-vector-width=512
 # What the tests take where none of these has been built: half the time to compile.
 METHODS_quick := -O1 -DNDEBUG
+CALLS_quick   := -O0 -DNDEBUG
 methods_opt = $(or $(METHODS_$(1)),$(OPT_release))
+calls_opt   = $(or $(CALLS_$(1)),$(OPT_release))
 isa_id = $(subst -,_,$(1))
+
+compile_isa = $(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(1) $(FAST) $(ISA_$*) -I$(OBJ) \
+              -DBENCH_ISA=$(call isa_id,$*) -DBENCH_ISA_NAME='"$*"' \
+              -DBENCH_FLAGS='"$(strip $(1) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
 
 $(OBJ)/tests/bench/bench_methods-%.o: tests/bench/bench_methods.c $(OBJ)/methods.h $(OBJ)/methods.inc $(OBJ)/rival_counts.inc \
                                 $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/flags Makefile
 	@mkdir -p $(@D)
 	$(call say,CC,$< ($*))
-	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(call methods_opt,$*) $(FAST) $(ISA_$*) -I$(OBJ) \
-	    -DBENCH_ISA=$(call isa_id,$*) -DBENCH_ISA_NAME='"$*"' \
-	    -DBENCH_FLAGS='"$(strip $(call methods_opt,$*) $(FAST) $(ISA_$*))"' -MMD -MP -c $< -o $@
+	$(Q)$(call compile_isa,$(call methods_opt,$*))
+
+$(OBJ)/tests/bench/bench_calls-%.o: tests/bench/bench_calls.c $(OBJ)/calls.h $(OBJ)/calls.inc $(OBJ)/flags Makefile
+	@mkdir -p $(@D)
+	$(call say,CC,$< ($*))
+	$(Q)$(call compile_isa,$(call calls_opt,$*))
 
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
@@ -310,7 +330,7 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 JOBS ?= $(shell nproc)
 
 # What takes longest to compile comes first.
-build-tests: $(ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o) all $(TESTS)
+build-tests: $(isa_parts) all $(TESTS)
 
 # The longest first, so that processors are busy to the end.
 LONGEST := statuses evolve header hard checkpoint bench counts languages

@@ -1,6 +1,6 @@
-/* footpoint-bench: speed against error of every search, on the same held-out samples of a scene.
+/* footpoint-bench: speed against error of every search, bare and as callers get it, on the same held-out samples of a scene.
  *
- * Errors are taken against the certain foot point.  "scalar" is one search at a time, "batch" a loop over columns of
+ * Errors are taken against certain answers.  "scalar" is one search at a time, "batch" a loop over columns of
  * coordinates that the compiler may vectorise.  All methods are compiled alike, for several instruction sets, of which
  * the best that the machine has is taken. */
 #include "../../codegen/genome/console.h"
@@ -27,8 +27,8 @@ static const struct option_row rows[] = {
     {"scene", 0, OPTION_TEXT, AT(scene), "NAME",
      .help = "a scene of evolve/scenes, or a path (default: all of evolve/scenes)"},
     {"all", 0, OPTION_FLAG, AT(all),
-     .help = "every method on all held-out samples; otherwise the front alone: what no other method leaves behind in "
-             "time and error, one at a time or over arrays"},
+     .help = "every method on all held-out samples; otherwise of bare searches the front alone: what no other method "
+             "leaves behind in time and error, one at a time or over arrays"},
     {"csv", 0, OPTION_FLAG, AT(csv), .help = "comma-separated values"},
     {"isa", 0, OPTION_TEXT, AT(isa), "NAME",
      .help = "run the methods as compiled for x86-64, x86-64-v3 (AVX2, FMA) or x86-64-v4 (AVX-512) (default: the best "
@@ -65,7 +65,7 @@ static bool bench_part(const struct bench_options *o, const struct bench_table *
             bench_print_all(scene, sample, table, &run);
         else
             bench_print_front(scene, table, &run);
-        done = !map || bench_map_write(map, scene, &run, &set, d);
+        done = !map || bench_map_write(map, scene, &run, d);
         bench_run_free(&run);
     }
     sample_set_free(&set);

@@ -14,7 +14,7 @@ struct map {
     long count[SQUARES];
 };
 
-static int square_of(const struct map *m, const struct sample *s)
+static int square_of(const struct map *m, const struct bench_case *s)
 {
     const double at[2] = {s->xi, s->eta};
     int index[2];
@@ -25,25 +25,24 @@ static int square_of(const struct map *m, const struct sample *s)
     return index[0] + SIDE * index[1];
 }
 
-static void fill(struct map *m, const struct bench_result *r, const struct sample_set *set)
+static void fill(struct map *m, const struct bench_result *r, const struct bench_cases *cases)
 {
-    const struct sample **s = new_array(set->n, sizeof *s);
-    double(*found)[2] = new_array(set->n, sizeof *found);
-    for (size_t i = 0; i < set->n; i++)
-        s[i] = &set->s[i];
-    bench_find(r, s, set->n, found);
-    for (size_t i = 0; i < set->n; i++)
-        if (isfinite(found[i][0])) {
-            const int k = square_of(m, s[i]);
-            m->count[k]++;
-            m->error[0][k] += fabs(found[i][0] - s[i]->xi);
-            m->error[1][k] += fabs(found[i][1] - s[i]->eta);
-        }
+    for (size_t first = 0; first < cases->n; first += BENCH_BLOCK) {
+        const size_t n = cases->n - first < BENCH_BLOCK ? cases->n - first : BENCH_BLOCK;
+        const struct bench_case *const c = cases->of + first;
+        double found[BENCH_BLOCK][BENCH_FOUND];
+        bench_find(r, BENCH_SCALAR, c, n, found, NULL);
+        for (size_t i = 0; i < n; i++)
+            if (fabs(found[i][0]) < BENCH_NO_ANSWER) {
+                const int k = square_of(m, &c[i]);
+                m->count[k]++;
+                m->error[0][k] += fabs(found[i][0] - c[i].xi);
+                m->error[1][k] += fabs(found[i][1] - c[i].eta);
+            }
+    }
     for (int k = 0; k < SQUARES; k++)
         for (int output = 0; output < 2 && m->count[k]; output++)
             m->error[output][k] /= (double)m->count[k];
-    free(found);
-    free(s);
 }
 
 static void print(FILE *f, const struct map *m, const char *scene, const char *function)
@@ -63,8 +62,7 @@ static void print(FILE *f, const struct map *m, const char *scene, const char *f
         fprintf(f, "%ld\n", m->count[k]);
 }
 
-bool bench_map_write(const char *folder, const struct scene *scene, const struct bench_run *run,
-                     const struct sample_set *set, struct diag *d)
+bool bench_map_write(const char *folder, const struct scene *scene, const struct bench_run *run, struct diag *d)
 {
     struct map *m = new_array(1, sizeof *m);
     bool done = true;
@@ -72,11 +70,11 @@ bool bench_map_write(const char *folder, const struct scene *scene, const struct
         const struct bench_result *r = &run->result[i];
         char path[1000];
         struct outfile f;
-        if (!r->method->ours)
+        if (!r->method->ours || r->method->question != ASK_BARE)
             continue;
         *m = (struct map){0};
         scene_box(scene, m->low, m->high);
-        fill(m, r, set);
+        fill(m, r, &run->cases[ASK_BARE]);
         snprintf(path, sizeof path, "%s/%s-%s.vtk", folder, scene->name, r->method->name);
         done = outfile_open(&f, path, d);
         if (done) {

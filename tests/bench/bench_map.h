@@ -4,9 +4,8 @@
 
 #include "bench_measure.h"
 
-/** FOLDER/SCENE-FUNCTION.vtk for each of our functions: mean errors of xi and eta over squares of the box of contact
+/** FOLDER/SCENE-FUNCTION.vtk for each of our bare searches: mean errors of xi and eta over squares of the box of contact
  *  points, and how many samples each square has (no sample: error 0).  False with *d filled. */
-bool bench_map_write(const char *folder, const struct scene *scene, const struct bench_run *run,
-                     const struct sample_set *set, struct diag *d);
+bool bench_map_write(const char *folder, const struct scene *scene, const struct bench_run *run, struct diag *d);
 
 #endif

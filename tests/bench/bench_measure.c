@@ -5,8 +5,6 @@
 #include "bench_measure.h"
 
 #include "../../codegen/genome/base.h"
-#include "../../evolve/surface/surface.h"
-#include "bench_input.h"
 #include "bench_tune.h"
 
 #include <gsl/gsl_sort_double.h>
@@ -16,35 +14,123 @@
 #include <string.h>
 #include <time.h>
 
-enum { ERROR_SAMPLES = 600000, TIMED_BLOCKS = 78, TIMED_SAMPLES = TIMED_BLOCKS * BENCH_BLOCK, REPEATS = 4 };
+enum { TIMED_BLOCKS = 62, TIMED_SAMPLES = TIMED_BLOCKS * BENCH_BLOCK, REPEATS = 4 };
+#define TURN 2e6 /* nanoseconds that a turn may take */
+
+/* What errors are taken on at most: where samples are made into questions, those that are timed. */
+static const size_t most_cases[BENCH_QUESTIONS] = {600000,        600000,        TIMED_SAMPLES,
+                                                   TIMED_SAMPLES, TIMED_SAMPLES, TIMED_SAMPLES};
 
 const char *const bench_mode_name[BENCH_MODES] = {"scalar", "batch"};
+const char *const bench_question_name[BENCH_QUESTIONS] = {"bare", "checked", "over", "closest", "along", "derivatives"};
 
-/* The samples that are timed, as structures and by columns. */
-struct timed {
-    struct bench_input *in; /* owned; TIMED_SAMPLES */
-    struct bench_block *b;  /* TIMED_BLOCKS */
-};
-
-/* Sample i of `count` spread evenly over the set; the set is repeated if it is smaller. */
-static const struct sample *spread(const struct sample_set *set, size_t i, size_t count)
+static bool has_mode(const struct bench_method *m, int mode)
 {
-    return &set->s[set->n < count ? i % set->n : i * set->n / count];
+    return mode == BENCH_SCALAR || m->batch;
 }
 
-static struct timed timed_new(const struct segment_kind *kind, const struct sample_set *set)
+/* ---- answers ---- */
+
+/* The derivatives of the last block. */
+static struct bench_rows rows;
+
+/* The cases from `first` on as a block, n of them; the last one stands for those beyond. */
+static void fill_block(struct bench_block *b, const struct bench_case *c, size_t n)
 {
-    static struct bench_block blocks[TIMED_BLOCKS];
-    struct timed t = {new_array(TIMED_SAMPLES, sizeof *t.in), blocks};
-    for (size_t i = 0; i < TIMED_SAMPLES; i++) {
-        struct bench_block *b = &t.b[i / BENCH_BLOCK];
-        t.in[i] = bench_input_of(kind, spread(set, i, TIMED_SAMPLES), i);
-        for (size_t k = 0; k < segment_inputs(kind); k++)
-            b->x[k][i % BENCH_BLOCK] = t.in[i].x[k / 3][k % 3];
+    memset(b->status, 0, sizeof b->status);
+    b->rows = &rows;
+    for (size_t i = 0; i < BENCH_BLOCK; i++) {
+        const struct bench_input *in = &c[i < n ? i : n - 1].in;
+        for (size_t k = 0; k < BENCH_COLUMNS; k++)
+            b->x[k][i] = in->x[k / 3][k % 3];
         for (size_t k = 0; k < 2; k++)
-            b->before[k][i % BENCH_BLOCK] = t.in[i].before[k];
+            b->before[k][i] = in->before[k];
+    }
+}
+
+static void find_batch(const struct bench_result *r, const struct bench_case *c, size_t n, double (*found)[BENCH_FOUND],
+                       bench_slopes *slope)
+{
+    static struct bench_block b;
+    fill_block(&b, c, n);
+    r->method->batch(&b, &r->tuning);
+    for (size_t i = 0; i < n; i++) {
+        found[i][0] = b.status[i] < 0 ? BENCH_NO_ANSWER : b.xi[i];
+        found[i][1] = b.eta[i];
+        found[i][2] = b.gap[i];
+        for (size_t k = 0; k < BENCH_FOUND * SEGMENT_INPUTS && r->method->question == ASK_DERIVATIVES; k++)
+            slope[i][k / SEGMENT_INPUTS][k % SEGMENT_INPUTS] =
+                rows.slope[k / SEGMENT_INPUTS][k % SEGMENT_INPUTS * BENCH_BLOCK + i];
+    }
+}
+
+void bench_find(const struct bench_result *r, int mode, const struct bench_case *c, size_t n,
+                double (*found)[BENCH_FOUND], bench_slopes *slope)
+{
+    struct bench_input in[BENCH_BLOCK];
+    if (mode == BENCH_BATCH) {
+        find_batch(r, c, n, found, slope);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+        in[i] = c[i].in;
+    r->method->scalar(in, n, &r->tuning, found, slope);
+}
+
+static void measure_errors(struct bench_result *r, int mode, const struct bench_cases *cases)
+{
+    if (r->method->depth_only || !has_mode(r->method, mode)) {
+        r->error[mode][0] = r->error[mode][1] = r->error[mode][2] =
+            (struct error_stats){(double)NAN, (double)NAN, (double)NAN, 0};
+        return;
+    }
+    static bench_slopes slope[BENCH_BLOCK];
+    double found[BENCH_BLOCK][BENCH_FOUND], *error[BENCH_FOUND];
+    for (int k = 0; k < BENCH_FOUND; k++)
+        error[k] = new_array(cases->n, sizeof *error[k]);
+    for (size_t first = 0; first < cases->n; first += BENCH_BLOCK) {
+        const size_t n = cases->n - first < BENCH_BLOCK ? cases->n - first : BENCH_BLOCK;
+        bench_find(r, mode, cases->of + first, n, found, slope);
+        for (size_t i = 0; i < n; i++) {
+            double e[BENCH_FOUND];
+            bench_errors(r->kind, r->method->question, &cases->of[first + i], found[i], slope[i], e);
+            for (int k = 0; k < BENCH_FOUND; k++)
+                error[k][first + i] = e[k];
+        }
+    }
+    for (int k = 0; k < BENCH_FOUND; k++) {
+        r->error[mode][k] = error_stats_of(error[k], cases->n);
+        free(error[k]);
+    }
+}
+
+/* ---- times ---- */
+
+/* The cases that are timed, as structures and by columns. */
+struct timed {
+    struct bench_input *in; /* owned; TIMED_SAMPLES */
+    struct bench_block *b;  /* owned; TIMED_BLOCKS */
+};
+
+/* Spread evenly over the cases; these are repeated if they are fewer. */
+static struct timed timed_new(const struct bench_cases *cases)
+{
+    struct timed t = {new_array(TIMED_SAMPLES, sizeof *t.in), aligned_alloc(64, TIMED_BLOCKS * sizeof *t.b)};
+    struct bench_case block[BENCH_BLOCK];
+    for (size_t i = 0; i < TIMED_SAMPLES && t.b; i++) {
+        const size_t from = cases->n < TIMED_SAMPLES ? i % cases->n : i * cases->n / TIMED_SAMPLES;
+        block[i % BENCH_BLOCK] = cases->of[from];
+        t.in[i] = cases->of[from].in;
+        if (i % BENCH_BLOCK == BENCH_BLOCK - 1)
+            fill_block(&t.b[i / BENCH_BLOCK], block, BENCH_BLOCK);
     }
     return t;
+}
+
+static void timed_free(struct timed *t)
+{
+    free(t->in);
+    free(t->b);
 }
 
 /* Of processor time: others' turns on the processor do not count. */
@@ -55,96 +141,30 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Nanoseconds per search.  A block is searched several times while it is in the cache. */
-static double time_turn(const struct bench_result *r, int mode, struct timed *t)
+/* Nanoseconds per search, of `blocks` spread evenly over all.  A block is searched several times while it is in the
+ * cache. */
+static double time_blocks(const struct bench_result *r, int mode, const struct timed *t, int blocks, int repeats)
 {
-    double found[BENCH_BLOCK][2];
+    static bench_slopes slope[BENCH_BLOCK];
+    double found[BENCH_BLOCK][BENCH_FOUND];
     const double start = seconds();
-    for (size_t k = 0; k < TIMED_BLOCKS; k++)
-        for (int repeat = 0; repeat < REPEATS; repeat++)
+    for (int k = 0; k < blocks; k++)
+        for (int repeat = 0; repeat < repeats; repeat++) {
+            const int at = k * TIMED_BLOCKS / blocks;
             if (mode == BENCH_BATCH)
-                r->method->batch(&t->b[k], &r->tuning);
+                r->method->batch(&t->b[at], &r->tuning);
             else
-                r->method->scalar(&t->in[k * BENCH_BLOCK], BENCH_BLOCK, &r->tuning, found);
-    return 1e9 * (seconds() - start) / (REPEATS * (double)TIMED_SAMPLES);
+                r->method->scalar(&t->in[at * BENCH_BLOCK], BENCH_BLOCK, &r->tuning, found, slope);
+        }
+    return 1e9 * (seconds() - start) / ((double)blocks * repeats * BENCH_BLOCK);
 }
 
-void bench_find(const struct bench_result *r, const struct sample *const *s, size_t n, double (*found)[2])
+/* How many blocks a turn has: all, or as many as are done in about TURN nanoseconds. */
+static int blocks_of(const struct bench_result *r, int mode, const struct timed *t)
 {
-    struct bench_input in[BENCH_BLOCK];
-    for (size_t first = 0; first < n; first += BENCH_BLOCK) {
-        const size_t count = n - first < BENCH_BLOCK ? n - first : BENCH_BLOCK;
-        for (size_t i = 0; i < count; i++)
-            in[i] = bench_input_of(r->kind, s[first + i], first + i);
-        r->method->scalar(in, count, &r->tuning, found + first);
-    }
-    for (size_t i = 0; i < n; i++)
-        if (!(fabs(found[i][0]) < BENCH_NO_ANSWER && fabs(found[i][1]) < BENCH_NO_ANSWER))
-            found[i][0] = found[i][1] = (double)NAN;
-}
-
-/* Of other kinds; the area is that of the parallelogram which the middle spans. */
-static double gap_error_of(const struct segment_kind *kind, const struct sample *s, const double at[2])
-{
-    const struct surface *f = surface_find(kind);
-    const double middle = kind->triangle ? 1.0 / 3 : 0;
-    double x[SEGMENT_VECTORS][3], r[3], n[3], at_middle[3][3], sum = 0;
-    memcpy(x, s->x, sizeof x);
-    f->point(f, x, middle, middle, at_middle);
-    const double uv = rival_dot(at_middle[1], at_middle[2]);
-    const double area = sqrt(rival_dot(at_middle[1], at_middle[1]) * rival_dot(at_middle[2], at_middle[2]) - uv * uv);
-    if (!surface_normal(f, x, at[0], at[1], r, n))
-        return (double)NAN;
-    for (int k = 0; k < 3; k++)
-        sum += (s->xs[k] - r[k]) * n[k];
-    return fabs(sum - s->gap) / sqrt(area * (kind->triangle ? 0.5 : 4));
-}
-
-/* Error of the gap (9) at (xi, eta), over the square root of the segment's area. */
-static double gap_error(const struct segment_kind *kind, const struct sample *s, const double at[2])
-{
-    if (!kind->bilinear)
-        return gap_error_of(kind, s, at);
-    double u[3], v[3], d[3], ac[3], bd[3], n[3], m[3];
-    for (int i = 0; i < 3; i++) {
-        const double a = s->x[0][i], b = s->x[1][i], c = s->x[2][i], e = s->x[3][i];
-        u[i] = (1 - at[1]) * (b - a) + (1 + at[1]) * (c - e);
-        v[i] = (1 - at[0]) * (e - a) + (1 + at[0]) * (c - b);
-        d[i] = s->xs[i] - 0.25 * ((1 - at[1]) * ((1 - at[0]) * a + (1 + at[0]) * b) +
-                                  (1 + at[1]) * ((1 - at[0]) * e + (1 + at[0]) * c));
-        ac[i] = c - a;
-        bd[i] = e - b;
-    }
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        n[i] = u[j] * v[k] - u[k] * v[j];
-        m[i] = ac[j] * bd[k] - ac[k] * bd[j];
-    }
-    const double gap = rival_dot(d, n) / sqrt(rival_dot(n, n));
-    return fabs(gap - s->gap) / sqrt(0.5 * sqrt(rival_dot(m, m)));
-}
-
-static void measure_errors(struct bench_result *r, const struct sample *const *s, size_t n)
-{
-    if (r->method->depth_only) {
-        r->xi = r->eta = r->gap = (struct error_stats){(double)NAN, (double)NAN, (double)NAN, 0};
-        return;
-    }
-    double(*found)[2] = new_array(n, sizeof *found), *error[3];
-    for (int k = 0; k < 3; k++)
-        error[k] = new_array(n, sizeof *error[k]);
-    bench_find(r, s, n, found);
-    for (size_t i = 0; i < n; i++) {
-        error[0][i] = fabs(found[i][0] - s[i]->xi);
-        error[1][i] = fabs(found[i][1] - s[i]->eta);
-        error[2][i] = gap_error(r->kind, s[i], found[i]);
-    }
-    r->xi = error_stats_of(error[0], n);
-    r->eta = error_stats_of(error[1], n);
-    r->gap = error_stats_of(error[2], n);
-    for (int k = 0; k < 3; k++)
-        free(error[k]);
-    free(found);
+    const double block = time_blocks(r, mode, t, 2, 1) * BENCH_BLOCK * REPEATS;
+    const double blocks = TURN / fmax(block, 1);
+    return blocks < 1 ? 1 : blocks > TIMED_BLOCKS ? TIMED_BLOCKS : (int)blocks;
 }
 
 /* Operations of a search: of an iteration its first step, and the later ones as often as they are taken on average. */
@@ -164,15 +184,28 @@ static struct bench_counts counts_of(const struct bench_result *r, const struct 
         first.add + lrint(later * (double)step.add), first.sqrt + lrint(later * (double)step.sqrt)};
 }
 
-/* A generated function is for its scene; a search that starts in A's quarter, for scenes where A is the nearest corner.
- */
-static bool runs_on(const struct bench_method *m, const struct scene *scene)
+/* A generated function is for its scene; a search that starts in A's quarter, for scenes where A is the nearest corner;
+ * what callers get besides, for scenes that have functions of ours for it. */
+static bool runs_on(const struct bench_method *m, const struct scene *scene, const bool asked[BENCH_QUESTIONS])
 {
     if (strcmp(m->kind, scene->segment->name) != 0)
         return false;
     if (m->scene)
         return strcmp(m->scene, scene->name) == 0;
-    return m->start == RIVAL_CENTRE || scene->order != CORNERS_ANY;
+    return asked[m->question] && (m->start == RIVAL_CENTRE || scene->order != CORNERS_ANY);
+}
+
+/* The questions that there are functions of ours for. */
+static void find_asked(const struct bench_table *table, const struct scene *scene, bool asked[BENCH_QUESTIONS])
+{
+    for (int q = 0; q < BENCH_QUESTIONS; q++)
+        asked[q] = q == ASK_BARE;
+    for (int l = 0; l < BENCH_LISTS; l++)
+        for (int i = 0; i < table->list[l]->count; i++) {
+            const struct bench_method *m = &table->list[l]->method[i];
+            if (m->ours && strcmp(m->scene, scene->name) == 0)
+                asked[m->question] = true;
+        }
 }
 
 /* From the times of the turns, in order of the rounds. */
@@ -191,51 +224,83 @@ static void take_times(struct bench_result *r, int mode, size_t rounds, double *
     r->ns_min[mode] = ns[0];
 }
 
-static void measure_times(struct bench_run *run, struct timed *t, size_t rounds)
+/* Converged Newton asked the same: the first that is. */
+static int newton_of(const struct bench_run *run, int i)
+{
+    int first = 0;
+    while (run->result[first].method->question != run->result[i].method->question)
+        first++;
+    return first;
+}
+
+static void measure_times(struct bench_run *run, struct timed timed[BENCH_QUESTIONS], size_t rounds)
 {
     double(*ns)[BENCH_MODES][BENCH_ROUNDS] = new_array((size_t)run->count, sizeof *ns);
-    double newton[BENCH_MODES][BENCH_ROUNDS];
+    int(*blocks)[BENCH_MODES] = new_array((size_t)run->count, sizeof *blocks);
+    for (int i = 0; i < run->count; i++)
+        for (int mode = 0; mode < BENCH_MODES; mode++)
+            if (has_mode(run->result[i].method, mode))
+                blocks[i][mode] = blocks_of(&run->result[i], mode, &timed[run->result[i].method->question]);
     for (size_t round = 0; round < rounds; round++)
         for (int mode = 0; mode < BENCH_MODES; mode++)
             for (int i = 0; i < run->count; i++)
-                if (mode == BENCH_SCALAR || run->result[i].method->batch)
-                    ns[i][mode][round] = time_turn(&run->result[i], mode, t);
-    memcpy(newton, ns[0], sizeof newton);
+                if (has_mode(run->result[i].method, mode))
+                    ns[i][mode][round] = time_blocks(&run->result[i], mode, &timed[run->result[i].method->question],
+                                                     blocks[i][mode], REPEATS);
+    for (int i = run->count - 1; i >= 0; i--) /* a Newton behind those that are compared with it */
+        for (int mode = 0; mode < BENCH_MODES; mode++)
+            if (has_mode(run->result[i].method, mode))
+                take_times(&run->result[i], mode, rounds, ns[i][mode], ns[newton_of(run, i)][mode]);
     for (int i = 0; i < run->count; i++)
-        for (int mode = 0; mode < BENCH_MODES; mode++) {
-            struct bench_result *r = &run->result[i];
-            if (mode == BENCH_SCALAR || r->method->batch)
-                take_times(r, mode, rounds, ns[i][mode], newton[mode]);
-            r->ratio[mode] = run->result[0].ns[mode] / r->ns[mode];
-        }
+        for (int mode = 0; mode < BENCH_MODES; mode++)
+            run->result[i].ratio[mode] = run->result[newton_of(run, i)].ns[mode] / run->result[i].ns[mode];
+    free(blocks);
     free(ns);
+}
+
+static void add_result(struct bench_run *run, const struct bench_method *m, const struct scene *scene,
+                       const struct sample_set *training, const struct timed *timed)
+{
+    struct bench_result *r = &run->result[run->count++];
+    r->method = m;
+    r->kind = scene->segment;
+    bench_tune(m, scene, training, &r->tuning);
+    r->ops = counts_of(r, timed);
+    for (int mode = 0; mode < BENCH_MODES; mode++)
+        measure_errors(r, mode, &run->cases[m->question]);
 }
 
 struct bench_run bench_measure(const struct bench_table *table, const struct scene *scene,
                                const struct sample_set *training, const struct sample_set *set, size_t rounds)
 {
-    const size_t n = set->n < ERROR_SAMPLES ? set->n : ERROR_SAMPLES;
-    struct bench_run run = {new_array((size_t)table->count, sizeof *run.result), 0};
-    const struct sample **s = new_array(n, sizeof *s);
-    struct timed timed = timed_new(scene->segment, set);
-    for (size_t i = 0; i < n; i++)
-        s[i] = spread(set, i, n);
-    for (int i = 0; i < table->count; i++)
-        if (runs_on(&table->method[i], scene)) {
-            struct bench_result *r = &run.result[run.count++];
-            r->method = &table->method[i];
-            r->kind = scene->segment;
-            bench_tune(r->method, scene, training, &r->tuning);
-            r->ops = counts_of(r, &timed);
-            measure_errors(r, s, n);
+    struct bench_run run = {.count = 0};
+    struct timed timed[BENCH_QUESTIONS] = {{NULL, NULL}};
+    bool asked[BENCH_QUESTIONS];
+    size_t most = 0;
+    find_asked(table, scene, asked);
+    for (int q = 0; q < BENCH_QUESTIONS; q++)
+        if (asked[q]) {
+            run.cases[q] = bench_cases_new(scene, (enum bench_question)q, set, most_cases[q]);
+            timed[q] = timed_new(&run.cases[q]);
         }
-    measure_times(&run, &timed, rounds);
-    free(timed.in);
-    free(s);
+    for (int l = 0; l < BENCH_LISTS; l++)
+        most += (size_t)table->list[l]->count;
+    run.result = new_array(most, sizeof *run.result);
+    for (int l = 0; l < BENCH_LISTS; l++)
+        for (int i = 0; i < table->list[l]->count; i++) {
+            const struct bench_method *m = &table->list[l]->method[i];
+            if (runs_on(m, scene, asked))
+                add_result(&run, m, scene, training, &timed[m->question]);
+        }
+    measure_times(&run, timed, rounds);
+    for (int q = 0; q < BENCH_QUESTIONS; q++)
+        timed_free(&timed[q]);
     return run;
 }
 
 void bench_run_free(struct bench_run *run)
 {
+    for (int q = 0; q < BENCH_QUESTIONS; q++)
+        bench_cases_free(&run->cases[q]);
     free(run->result);
 }

@@ -3,9 +3,8 @@
 #define FOOTPOINT_BENCH_MEASURE_H
 
 #include "../../evolve/input/scene.h"
-#include "../../evolve/surface/sample.h"
 #include "../support/error_stats.h"
-#include "bench_methods.h"
+#include "bench_cases.h"
 
 /** Turns that each method takes: most, and usually. */
 enum { BENCH_ROUNDS = 41 };
@@ -17,25 +16,27 @@ struct bench_result {
     const struct bench_method *method;
     const struct segment_kind *kind;
     struct rival_tuning tuning;
-    struct bench_counts ops;         /* of a search, on average */
-    struct error_stats xi, eta, gap; /* gap: over the square root of the segment's area */
-    double ns[BENCH_MODES];          /* of a search, median of the turns */
+    struct bench_counts ops;                            /* of a search, on average */
+    struct error_stats error[BENCH_MODES][BENCH_FOUND]; /* of xi, eta and gap, as bench_errors says */
+    double ns[BENCH_MODES];                             /* of a search, median of the turns */
     double ns_min[BENCH_MODES];
-    double ratio[BENCH_MODES]; /* converged Newton's median over this one's */
+    double ratio[BENCH_MODES]; /* the median of converged Newton, asked the same, over this one's */
     double noise[BENCH_MODES]; /* half of the turns' interquartile range of the ratio, over its median */
 };
 
-/** The methods of a table that a scene can use; result[0] is converged Newton. */
+/** The methods of a table that a scene can use; the first of each question is converged Newton. */
 struct bench_run {
     struct bench_result *result; /* owned */
     int count;
+    struct bench_cases cases[BENCH_QUESTIONS]; /* owned; none of questions that there is no function of ours for */
 };
 
-/** What a method finds for n samples; not a number where it finds nothing. */
-void bench_find(const struct bench_result *r, const struct sample *const *s, size_t n, double (*found)[2]);
+/** What a method finds for n cases, BENCH_BLOCK at most; xi is BENCH_NO_ANSWER where it finds nothing. */
+void bench_find(const struct bench_result *r, int mode, const struct bench_case *c, size_t n,
+                double (*found)[BENCH_FOUND], bench_slopes *slope);
 
-/** Tune the methods on training samples; measure errors on all of the set (at most 600000, evenly spread), operations
- *  and times on fewer, each method taking 1..BENCH_ROUNDS turns. */
+/** Tune the methods on training samples; measure errors of bare and checked searches on all of the set (at most 600000,
+ *  evenly spread), other errors, operations and times on fewer, each method taking 1..BENCH_ROUNDS turns. */
 struct bench_run bench_measure(const struct bench_table *table, const struct scene *scene,
                                const struct sample_set *training, const struct sample_set *set, size_t rounds);
 void bench_run_free(struct bench_run *run);

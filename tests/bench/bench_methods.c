@@ -1,10 +1,12 @@
-/* The methods of the bench; compiled once for each instruction set, named by BENCH_ISA, with the same flags for all
+/* The bare searches of the bench; compiled once for each instruction set, named by BENCH_ISA, with the same flags for all
  * methods.  Each is there twice, with the search inlined: as a loop over structures of one sample that may not be
- * vectorised across samples, and as a loop over columns that may.
+ * vectorised across samples, and as a loop over columns that may.  What callers get besides: bench_calls.c.
  *
  * A new rival: write it in a header of its own with FOOTPOINT_REAL as its scalar, list it there, and name the list in
  * METHODS below and in count_rivals.cpp. */
 #include "bench_methods.h"
+
+#include "bench_loops.h"
 
 #include "../rivals/newton_lanes.h"
 #include "../rivals/pinball.h"
@@ -16,16 +18,11 @@
 #include "footpoint_perceptron.h"
 #include "methods.h"
 
-/* Memory changes between samples, as far as the compiler knows: each search stands for itself. */
-#define NEXT_SAMPLE __asm__ volatile("" ::: "memory")
-#define METHOD_FN __attribute__((noinline, flatten)) static
-
 /* `search` is written with xA ... xS, t, &xi, &eta; xi and eta hold the answer of the step before. */
 #define DEFINE_SCALAR(name, search)                                                                                    \
-    METHOD_FN void scalar_##name(const struct bench_input *restrict in, size_t n,                                      \
-                                 const struct rival_tuning *restrict t, double(*restrict found)[2])                    \
+    SCALAR_FN(name)                                                                                                    \
     {                                                                                                                  \
-        (void)t;                                                                                                       \
+        (void)t, (void)slope;                                                                                          \
         for (size_t i = 0; i < n; i++) {                                                                               \
             const double *xA = in[i].x[0], *xB = in[i].x[1], *xC = in[i].x[2], *xD = in[i].x[3], *xS = in[i].x[4];     \
             double xi = in[i].before[0], eta = in[i].before[1];                                                        \
@@ -36,7 +33,7 @@
         }                                                                                                              \
     }
 #define DEFINE_BATCH(name, search)                                                                                     \
-    METHOD_FN void batch_##name(struct bench_block *restrict b, const struct rival_tuning *restrict t)                 \
+    BATCH_FN(name)                                                                                                     \
     {                                                                                                                  \
         (void)t;                                                                                                       \
         for (int i = 0; i < BENCH_BLOCK; i++) {                                                                        \
@@ -53,10 +50,9 @@
 
 /* The same of any kind of segment; `search` is written with x, the nodes and S. */
 #define DEFINE_SCALAR_OF(name, search)                                                                                 \
-    METHOD_FN void scalar_##name(const struct bench_input *restrict in, size_t n,                                      \
-                                 const struct rival_tuning *restrict t, double(*restrict found)[2])                    \
+    SCALAR_FN(name)                                                                                                    \
     {                                                                                                                  \
-        (void)t;                                                                                                       \
+        (void)t, (void)slope;                                                                                          \
         for (size_t i = 0; i < n; i++) {                                                                               \
             const double(*x)[3] = in[i].x;                                                                             \
             double xi = 0, eta = 0;                                                                                    \
@@ -66,18 +62,12 @@
             NEXT_SAMPLE;                                                                                               \
         }                                                                                                              \
     }
-#define GATHERED(k)                                                                                                    \
-    {                                                                                                                  \
-        b->x[3 * (k)][i], b->x[3 * (k) + 1][i], b->x[3 * (k) + 2][i]                                                   \
-    }
 #define DEFINE_BATCH_OF(name, search)                                                                                  \
-    METHOD_FN void batch_##name(struct bench_block *restrict b, const struct rival_tuning *restrict t)                 \
+    BATCH_FN(name)                                                                                                     \
     {                                                                                                                  \
         (void)t;                                                                                                       \
         for (int i = 0; i < BENCH_BLOCK; i++) {                                                                        \
-            const double x[SEGMENT_VECTORS + 1][3] = {                                                                 \
-                GATHERED(0), GATHERED(1), GATHERED(2), GATHERED(3), GATHERED(4),                                       \
-                GATHERED(5), GATHERED(6), GATHERED(7), GATHERED(8), GATHERED(9)};                                      \
+            const double x[BENCH_VECTORS][3] = GATHERED_ALL;                                                           \
             double xi, eta;                                                                                            \
             search;                                                                                                    \
             b->xi[i] = xi;                                                                                             \
@@ -120,7 +110,7 @@
 
 /* The same by columns. */
 #define DEFINE_LANES(name, from_start, tolerance)                                                                      \
-    METHOD_FN void batch_##name(struct bench_block *restrict b, const struct rival_tuning *restrict t)                 \
+    BATCH_FN(name)                                                                                                     \
     {                                                                                                                  \
         (void)t;                                                                                                       \
         for (int first = 0; first < BENCH_BLOCK; first += NEWTON_LANES) {                                              \
@@ -234,8 +224,7 @@ static const struct bench_method methods[] = {
 #include "footpoint_perceptron.inc"
 };
 
-#define NAME_OF(isa) bench_table_##isa
-#define TABLE_NAME(isa) NAME_OF(isa)
-extern const struct bench_table TABLE_NAME(BENCH_ISA);
-const struct bench_table TABLE_NAME(BENCH_ISA) = {BENCH_ISA_NAME, BENCH_FLAGS, methods,
-                                                  (int)(sizeof methods / sizeof *methods)};
+static const struct bench_list bare = {methods, (int)(sizeof methods / sizeof *methods)};
+extern const struct bench_table OF_ISA(bench_table_);
+extern const struct bench_list OF_ISA(bench_calls_);
+const struct bench_table OF_ISA(bench_table_) = {BENCH_ISA_NAME, BENCH_FLAGS, {&bare, &OF_ISA(bench_calls_)}};

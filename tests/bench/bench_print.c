@@ -34,16 +34,18 @@ void bench_print_csv(const struct scene *scene, const char *sample, const struct
 {
     if (is_first())
         puts("scene,sample,method,ours,mode,mul,div,add,sqrt,ns,ratio,mean_xi,p99_xi,max_xi,mean_eta,p99_eta,max_eta,"
-             "failures,mean_gap,p99_gap,max_gap,ns_min,noise,isa,compiler");
+             "failures,mean_gap,p99_gap,max_gap,ns_min,noise,question,isa,compiler");
     for (const struct bench_result *r = run->result; r < run->result + run->count; r++)
-        for (int mode = 0; mode < BENCH_MODES; mode++)
+        for (int mode = 0; mode < BENCH_MODES; mode++) {
+            const struct error_stats *const e = r->error[mode];
             if (has_mode(r, mode))
                 printf("%s,%s,%s,%d,%s,%ld,%ld,%ld,%ld,%.2f,%.2f,%.3e,%.3e,%.3e,%.3e,%.3e,%.3e,%zu,%.3e,%.3e,%.3e,%.2f,"
-                       "%.4f,%s,%s\n",
+                       "%.4f,%s,%s,%s\n",
                        scene->name, sample, r->method->name, r->method->ours, bench_mode_name[mode], r->ops.mul,
-                       r->ops.div, r->ops.add, r->ops.sqrt, r->ns[mode], r->ratio[mode], r->xi.mean, r->xi.p99,
-                       r->xi.max, r->eta.mean, r->eta.p99, r->eta.max, r->xi.failures, r->gap.mean, r->gap.p99,
-                       r->gap.max, r->ns_min[mode], r->noise[mode], table->isa, COMPILER);
+                       r->ops.div, r->ops.add, r->ops.sqrt, r->ns[mode], r->ratio[mode], e[0].mean, e[0].p99, e[0].max,
+                       e[1].mean, e[1].p99, e[1].max, e[0].failures, e[2].mean, e[2].p99, e[2].max, r->ns_min[mode],
+                       r->noise[mode], bench_question_name[r->method->question], table->isa, COMPILER);
+        }
 }
 
 static void print_head(const struct bench_table *table)
@@ -56,88 +58,141 @@ void bench_print_all(const struct scene *scene, const char *sample, const struct
 {
     if (is_first()) {
         print_head(table);
-        puts(
-            "*: ours; ns: of one search, least and median; ratio: converged Newton's median in the same mode over this "
-            "one's;\nnoise: per cent, half of the interquartile range of the ratio over the rounds; gap: over the "
-            "square root of the segment's area;\npinball finds no xi, eta: --contact\n");
-        printf("%-14s %-6s   %-34s %-6s %4s %3s %4s %4s %7s %7s %6s %5s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n",
+        puts("*: ours; operations: 0 where they are not counted; ns: of one search, least and median; ratio: the "
+             "median of "
+             "converged Newton,\nasked the same, in the same mode over this one's; noise: per cent, half of the "
+             "interquartile range of the ratio over the rounds;\ngap: or distance, over the square root of the "
+             "segment's "
+             "area; with derivatives, errors of these; pinball finds no xi, eta: --contact\n");
+        printf("%-14s %-6s   %-40s %-6s %4s %3s %4s %4s %7s %7s %6s %5s %8s %8s %8s %8s %8s %8s %8s %8s %8s %8s\n",
                "scene", "sample", "method", "mode", "mul", "div", "add", "sqrt", "ns_min", "ns", "ratio", "noise",
                "mean_xi", "p99_xi", "max_xi", "mean_eta", "p99_eta", "max_eta", "mean_gap", "p99_gap", "max_gap",
                "failures");
     }
     for (const struct bench_result *r = run->result; r < run->result + run->count; r++)
-        for (int mode = 0; mode < BENCH_MODES; mode++)
+        for (int mode = 0; mode < BENCH_MODES; mode++) {
+            const struct error_stats *const e = r->error[mode];
             if (has_mode(r, mode))
-                printf("%-14s %-6s %c %-34s %-6s %4ld %3ld %4ld %4ld %7.2f %7.2f %6.2f %5.1f %8.1e %8.1e %8.1e %8.1e "
+                printf("%-14s %-6s %c %-40s %-6s %4ld %3ld %4ld %4ld %7.2f %7.2f %6.2f %5.1f %8.1e %8.1e %8.1e %8.1e "
                        "%8.1e %8.1e %8.1e %8.1e %8.1e %8zu\n",
                        scene->name, sample, r->method->ours ? '*' : ' ', r->method->name, bench_mode_name[mode],
                        r->ops.mul, r->ops.div, r->ops.add, r->ops.sqrt, r->ns_min[mode], r->ns[mode], r->ratio[mode],
-                       100 * r->noise[mode], r->xi.mean, r->xi.p99, r->xi.max, r->eta.mean, r->eta.p99, r->eta.max,
-                       r->gap.mean, r->gap.p99, r->gap.max, r->xi.failures);
+                       100 * r->noise[mode], e[0].mean, e[0].p99, e[0].max, e[1].mean, e[1].p99, e[1].max, e[2].mean,
+                       e[2].p99, e[2].max, e[0].failures);
+        }
 }
 
 /* ---- the front ---- */
 
-static double mean_of(const struct bench_result *r)
+/* Of xi and eta the larger; of closest points and along a direction it is the distance that counts. */
+static struct error_stats error_of(const struct bench_result *r, int mode)
 {
-    return fmax(r->xi.mean, r->eta.mean);
+    const struct error_stats *const e = r->error[mode];
+    if (r->method->question == ASK_CLOSEST || r->method->question == ASK_ALONG)
+        return e[2];
+    return (struct error_stats){fmax(e[0].mean, e[1].mean), fmax(e[0].p99, e[1].p99), fmax(e[0].max, e[1].max),
+                                e[0].failures};
 }
 
-static bool is_answer(const struct bench_result *r)
+static bool is_answer(const struct bench_result *r, int mode)
 {
-    return !r->method->depth_only && r->xi.failures == 0 && r->eta.failures == 0 && mean_of(r) < 1;
+    const struct error_stats e = error_of(r, mode);
+    return !r->method->depth_only && has_mode(r, mode) && e.failures == 0 && e.mean < 1;
 }
 
 /* Whether no other method leaves r behind in one of the modes. */
 static bool is_on_front(const struct bench_run *run, const struct bench_result *r, int mode)
 {
-    if (!is_answer(r) || !has_mode(r, mode))
+    if (!is_answer(r, mode))
         return false;
-    for (const struct bench_result *q = run->result; q < run->result + run->count; q++)
-        if (is_answer(q) && has_mode(q, mode) && q->ns[mode] <= r->ns[mode] && mean_of(q) <= mean_of(r) &&
-            (q->ns[mode] < r->ns[mode] || mean_of(q) < mean_of(r)))
+    for (const struct bench_result *q = run->result; q < run->result + run->count; q++) {
+        const double more = error_of(q, mode).mean - error_of(r, mode).mean;
+        if (q->method->question == r->method->question && is_answer(q, mode) && q->ns[mode] <= r->ns[mode] &&
+            more <= 0 && (q->ns[mode] < r->ns[mode] || more < 0))
             return false;
+    }
     return true;
 }
 
 static int by_error(const void *a, const void *b)
 {
-    const double x = mean_of(*(const struct bench_result *const *)a),
-                 y = mean_of(*(const struct bench_result *const *)b);
+    const double x = error_of(*(const struct bench_result *const *)a, BENCH_SCALAR).mean,
+                 y = error_of(*(const struct bench_result *const *)b, BENCH_SCALAR).mean;
     return (x < y) - (x > y);
 }
 
 static void print_row(const struct bench_result *r)
 {
-    printf("%c %-34s %4ld %3ld %4ld %4ld %8.1f", r->method->ours ? '*' : ' ', r->method->name, r->ops.mul, r->ops.div,
-           r->ops.add, r->ops.sqrt, r->ns[BENCH_SCALAR]);
+    const struct error_stats e = error_of(r, BENCH_SCALAR);
+    printf("%c %-40s", r->method->ours ? '*' : ' ', r->method->name);
+    if (r->method->question == ASK_BARE)
+        printf(" %4ld %3ld %4ld %4ld", r->ops.mul, r->ops.div, r->ops.add, r->ops.sqrt);
+    printf(" %8.1f", r->ns[BENCH_SCALAR]);
     if (has_mode(r, BENCH_BATCH))
         printf(" %8.2f", r->ns[BENCH_BATCH]);
     else
         printf(" %8s", "-");
-    printf(" %8.1f %8.1e %8.1e %8.1e\n", r->ratio[BENCH_SCALAR], mean_of(r), fmax(r->xi.p99, r->eta.p99),
-           fmax(r->xi.max, r->eta.max));
+    printf(" %8.1f", r->ratio[BENCH_SCALAR]);
+    if (has_mode(r, BENCH_BATCH))
+        printf(" %8.1f", r->ratio[BENCH_BATCH]);
+    else
+        printf(" %8s", "-");
+    printf(" %8.1e %8.1e %8.1e", e.mean, e.p99, e.max);
+    if (e.failures)
+        printf(" %zu refused", e.failures);
+    puts("");
+}
+
+/* What a question is called above its rows; how many methods answer it. */
+static void print_question(const struct scene *scene, enum bench_question question, int methods)
+{
+    static const char *const name[BENCH_QUESTIONS] = {"",
+                                                      "checked, with gap",
+                                                      "checked, eight slave nodes over each segment",
+                                                      "closest point of the closed face",
+                                                      "along a direction",
+                                                      "with derivatives"};
+    if (question == ASK_BARE)
+        printf("\n%s: the front of %d methods, all others with --all\n  %-40s %4s %3s %4s %4s", scene->name, methods,
+               "method", "mul", "div", "add", "sqrt");
+    else
+        printf("\n%s, %s\n  %-40s", scene->name, name[question], "method");
+    printf(" %8s %8s %8s %8s %8s %8s %8s\n", "ns", "arrays", "faster", "arrays", "mean", "99 %", "worst");
+}
+
+static void print_front_of(const struct scene *scene, const struct bench_run *run, enum bench_question question)
+{
+    const struct bench_result **const front = calloc((size_t)run->count, sizeof *front), *newton = NULL;
+    size_t n = 0;
+    int methods = 0;
+    for (const struct bench_result *r = run->result; front && r < run->result + run->count; r++)
+        if (r->method->question == question) {
+            newton = newton ? newton : r;
+            methods++;
+            if (question != ASK_BARE || r == newton || is_on_front(run, r, BENCH_SCALAR) ||
+                is_on_front(run, r, BENCH_BATCH))
+                front[n++] = r;
+        }
+    if (n > 0) {
+        qsort(front, n, sizeof *front, by_error);
+        print_question(scene, question, methods);
+    }
+    for (size_t i = 0; i < n; i++)
+        print_row(front[i]);
+    free(front);
 }
 
 void bench_print_front(const struct scene *scene, const struct bench_table *table, const struct bench_run *run)
 {
-    const struct bench_result **const front = calloc((size_t)run->count, sizeof *front);
-    size_t n = 0;
     if (is_first()) {
         print_head(table);
-        puts("*: ours; ns: of one search, one at a time and over arrays; faster: converged Newton's time over this "
-             "one's, "
-             "one at a time;\nerror: the larger of those of xi and eta");
+        puts(
+            "*: ours; ns: of one search, one at a time and over arrays; faster: the time of converged Newton, asked "
+            "the "
+            "same, over this one's;\nerror: the larger of those of xi and eta; of closest points and along a direction "
+            "that of the distance, over the square root of\nthe segment's area; of derivatives that of those of xi and "
+            "eta, over the greatest");
     }
-    for (const struct bench_result *r = run->result; front && r < run->result + run->count; r++)
-        if (r == run->result || is_on_front(run, r, BENCH_SCALAR) || is_on_front(run, r, BENCH_BATCH))
-            front[n++] = r;
-    if (front)
-        qsort(front, n, sizeof *front, by_error);
-    printf("\n%s: the front of %d methods, all others with --all\n  %-34s %4s %3s %4s %4s %8s %8s %8s %8s %8s %8s\n",
-           scene->name, run->count, "method", "mul", "div", "add", "sqrt", "ns", "arrays", "faster", "mean", "99 %",
-           "worst");
-    for (size_t i = 0; i < n; i++)
-        print_row(front[i]);
-    free(front);
+    for (int q = 0; q < BENCH_QUESTIONS; q++)
+        print_front_of(scene, run, (enum bench_question)q);
 }

@@ -10,9 +10,10 @@ void bench_print_csv(const struct scene *scene, const char *sample, const struct
 void bench_print_all(const struct scene *scene, const char *sample, const struct bench_table *table,
                      const struct bench_run *run);
 
-/** Converged Newton, and the methods that no other one leaves behind: as fast and more accurate, or as accurate and
- *  faster, one search at a time or over arrays; by the mean error, the larger of those of xi and eta.  A method that
- *  fails on a sample is left out. */
+/** Of bare searches converged Newton, and the methods that no other one leaves behind: as fast and more accurate, or as
+ *  accurate and faster, one search at a time or over arrays; by the mean error, the larger of those of xi and eta; those
+ *  that fail on a sample are left out.  Then, of each thing that callers get besides, all methods, by the error of the
+ *  distance of closest points and along a direction. */
 void bench_print_front(const struct scene *scene, const struct bench_table *table, const struct bench_run *run);
 
 #endif

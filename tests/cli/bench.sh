@@ -1,4 +1,5 @@
-# footpoint-bench: usage and diagnostics; a CSV that is whole; the rivals below the front of made-up figures; maps.
+# footpoint-bench: usage and diagnostics; a CSV that is whole; what callers get, right in each of its rows; the rivals below
+# the front of made-up figures; maps.
 . tests/cli/expect.inc
 bench=$BIN/footpoint-bench
 scene=tests/scenes/small.scene
@@ -55,6 +56,7 @@ expect 'rounding errors are alike' 0 '4 rivals below the front' '' \
 mkdir "$work/maps"
 sed 's/^heldout.*/heldout = 300;/; s/^training.*/training = 300;/' evolve/scenes/quad4.scene > "$work/quad4.scene"
 expect 'maps' 0 '*' '*' "$bench" --csv --rounds 5 --scene "$work/quad4.scene" --map "$work/maps"
+cp "$work/stdout" "$work/quad4.csv"
 [ "$(sed 's/[0-9]* s$/N s/' "$work/stderr")" = 'bench: quad4.scene, 1 of 1, N s' ]; report $((! $?)) 'what is done is told'
 awk '$1 == "DIMENSIONS" { cells = ($2 - 1) * ($3 - 1) } $1 == "CELL_DATA" { bad += $2 != cells } /^[0-9.e+-]+$/ { n++ }
     END { exit !(!bad && n == 3 * cells) }' "$work"/maps/quad4-footpoint_quad4_accurate.vtk
@@ -62,7 +64,7 @@ report $((! $?)) 'a value for each cell'
 if command -v gnuplot > /dev/null; then
     for norm in mean p99; do
         awk -f tests/report/picture.awk -v scene=quad4 -v sample=random -v mode=batch -v norm=$norm \
-            -v out="$work/picture" "$work/stdout" > "$work/picture.gp" && gnuplot "$work/picture.gp" 2>&1 &&
+            -v out="$work/picture" "$work/quad4.csv" > "$work/picture.gp" && gnuplot "$work/picture.gp" 2>&1 &&
             [ -s "$work/picture.png" ] && grep -q '>accurate<' "$work/picture.svg"
         report $((! $?)) "picture, $norm"
     done
@@ -72,6 +74,56 @@ if command -v gnuplot > /dev/null; then
 else
     report 1 'skipped: pictures (no gnuplot)'
 fi
+
+# What callers get.  right FILE CONDITION COUNT: awk's condition holds of all COUNT rows that it is about, where it is not
+# "", with q for the question, m for the method, e for the larger error of xi and eta, d for that of the gap or distance, all
+# of them the worst of the samples.
+right() {
+    awk -F, -v count="$3" '
+        NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
+        function larger(a, b) { return a + 0 > b + 0 ? a + 0 : b + 0 }
+        { q = $c["question"]; m = $c["method"]; mode = $c["mode"]; ours = $c["ours"]; none = $c["failures"]; ratio = $c["ratio"]
+          e = larger($c["max_xi"], $c["max_eta"]); d = $c["max_gap"] + 0
+          holds = ""; '"$2"'
+          if (holds == "") next
+          n++
+          if (!holds) { print "# " $0; bad++ } }
+        END { if (n != count) print "# " n " rows"; exit bad > 0 || n != count }' "$1"
+}
+of_quad4() { right "$work/quad4.csv" "$2" "$3"; report $((! $?)) "quad4: $1"; }
+of_quad4 'every function has an answer, but footpoint_locate beside the segment' \
+    'if (q != "bare" && ours) holds = m == "footpoint_locate" ? none > 0 : none == 0' 52
+of_quad4 'converged Newton asked the same is what a ratio is of' \
+    'if (m ~ /^newton(_checked|_over|_clamped|_along|_implicit)?$/) holds = ratio == 1' 12
+of_quad4 'checked' 'if (m ~ /(accurate|full|newton)_checked|locate/) holds = e < 1e-4 && d < 1e-9' 8
+of_quad4 'eight slave nodes over each segment' 'if (m ~ /(accurate|newton)_over/) holds = none == 0 && e < 1e-4 && d < 1e-9' 4
+of_quad4 'closest points' 'if (m ~ /(accurate|full)_closest|robust/) holds = e < 1e-4 && d < 1e-9' 5
+of_quad4 'four triangles are off where the face is warped, their points are not' \
+    'if (m ~ /triangles/) holds = none == 0 && d > 1e-4 && d < 2e-2 && e < 0.2' 2
+of_quad4 'Newton clamped is not the closest point' 'if (m == "newton_clamped") holds = d > 1e-2' 2
+of_quad4 'along a direction' 'if (q == "along") holds = none == 0 && e < 1e-9 && d < 1e-9' 4
+of_quad4 'derivatives, four ways' 'if (q == "derivatives") holds = none == 0 &&
+    (m ~ /full|implicit|forward/ ? e < 1e-9 : e < 1e-4) && (m ~ /full|implicit|forward/ ? d < 1e-9 : d < 1e-4)' 13
+
+# The most accurate search of each kind; faces have all of it, patches are checked.
+while read -r kind search questions by_hand; do
+    sed 's/^heldout.*/heldout = 200;/; s/^training.*/training = 200;/' "evolve/scenes/$kind.scene" > "$work/$kind.scene"
+    "$bench" --csv --quiet --rounds 1 --scene "$work/$kind.scene" > "$work/$kind.csv"
+    right "$work/$kind.csv" 'if (q != "bare" && ours) holds = none == 0; if (q != "bare" && ours && e >= 1) holds = 0
+        if (m == "footpoint_'"${kind}_$search"'_" q || m == "footpoint_'"$kind"'_along" || m ~ /_gradients|_hessian/)
+            holds = none == 0 && e < 1e-3 && d < 1e-3' "$questions"
+    report $((! $?)) "$kind: what callers get"
+    right "$work/$kind.csv" 'if (m ~ /(newton|areas)_(checked|over|along|implicit)$|regions$|attach_2d$/)
+        holds = none == 0 && e < 1e-7 && d < 1e-9' "$by_hand"
+    report $((! $?)) "$kind: what is written by hand"
+done << END
+tri3 exact 9 8
+tri6 accurate 38 9
+quad8 full 45 9
+quad9 full 44 8
+gregory full 14 2
+bezier full 12 2
+END
 
 cat > "$work/hard.csv" << END
 # a case
@@ -85,6 +137,6 @@ expect 'table of the hard cases' 0 "<tr><td>flat</td>$flat</tr>" '' \
 
 # The front alone: methods in the order of their errors, each faster than those after it in one of the modes.
 expect 'the front' 0 '*' '*' "$bench" --quiet --rounds 5 --scene $scene
-awk '/^[* ] [a-z]/ && NF > 9 && !/ method / { k = /^\*/; n++; bad += n > 1 && $(9 + k) + 0 > last; last = $(9 + k) + 0 }
+awk '/^[* ] [a-z]/ && NF > 9 && !/ method / { k = /^\*/; n++; bad += n > 1 && $(10 + k) + 0 > last; last = $(10 + k) + 0 }
     END { exit !(n > 3 && n < 40 && !bad) }' "$work/stdout"
 report $((! $?)) 'is some dozen lines, the most accurate last'

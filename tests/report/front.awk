@@ -1,8 +1,8 @@
-# Rivals below our front.  Reads what `footpoint-bench --csv` prints; for each scene, sample, mode and for the mean and
-# the 99 % error lists the rivals that no function of ours matches: none of ours is as accurate and, but for the noise,
+# Rivals below our front.  Reads what `footpoint-bench --csv` prints; for each scene, sample, mode, question (bare search,
+# checked, closest point, along a direction, derivatives) and for the mean and the 99 % error lists the rivals that no function of ours matches: none of ours is as accurate and, but for the noise,
 # as fast.  Of those it prints the ones that no other rival leaves behind, and ends with "N rivals below the front".
 #
-# An error is the larger of those of xi and eta; below `rounding` all are alike, and 1 or more is no answer.  The noise
+# An error is the larger of those of xi and eta, of closest points and along a direction that of the distance; below `rounding` all are alike, and 1 or more is no answer.  The noise
 # of two methods is the sum of theirs, 1 % at least.  A function of ours that fails on a sample does not count.
 #
 # Columns are found by their names.  -v rounding=1e-14 -v least_noise=0.01
@@ -19,7 +19,8 @@ NR == 1 {
 function larger(a, b) { return a + 0 > b + 0 ? a + 0 : b + 0 }
 $column["mean_xi"] ~ /nan/ { next }
 {
-    key = $column["scene"] " " $column["sample"] " " $column["mode"]
+    question = "question" in column ? $column["question"] : "bare"
+    key = $column["scene"] " " $column["sample"] " " $column["mode"] (question == "bare" ? "" : " " question)
     if (!(key in n)) order[++keys] = key
     i = ++n[key]
     name[key, i] = $column["method"]
@@ -28,7 +29,8 @@ $column["mean_xi"] ~ /nan/ { next }
     ns[key, i] = $column["ns"]
     noise[key, i] = $column["noise"]
     for (k = 1; k <= norms; k++)
-        error[key, i, k] = larger(larger($column[norm[k] "_xi"], $column[norm[k] "_eta"]), rounding)
+        error[key, i, k] = larger(rounding, question ~ /closest|along/ ? $column[norm[k] "_gap"] : \
+            larger($column[norm[k] "_xi"], $column[norm[k] "_eta"]))
 }
 # Is a function of ours as accurate as rival i and, but for the noise, as fast?
 function matched(key, i, k,    j) {

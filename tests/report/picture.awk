@@ -1,4 +1,4 @@
-# A picture of time against error as a gnuplot script, from what `footpoint-bench --csv` prints:
+# A picture of time against error of bare searches as a gnuplot script, from what `footpoint-bench --csv` prints:
 #     awk -f picture.awk -v scene=quad4 -v sample=random -v mode=scalar -v norm=mean -v out=FILE bench.csv | gnuplot
 # writes FILE.svg and FILE.png.  Filled squares and the staircase: ours.  Open circles: rivals; those are named that no
 # other rival beats in both time and error, and those that are no truncated iteration.
@@ -15,6 +15,7 @@ NR == 1 {
     for (i = 1; i <= NF; i++) column[$i] = i
     next
 }
+"question" in column && $column["question"] != "bare" { next }
 $column["scene"] == scene && $column["sample"] == sample && $column["mode"] == mode {
     e = $column[norm "_xi"] > $column[norm "_eta"] + 0 ? $column[norm "_xi"] + 0 : $column[norm "_eta"] + 0
     noises[++all] = $column["noise"] + 0

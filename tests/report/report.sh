@@ -23,6 +23,14 @@ picture() { # picture SCENE SAMPLE MODE NORM
     echo "<a href=\"$name.svg\"><img src=\"$name.svg\" alt=\"$1, $2, $3: time against error, $4\"></a>"
 }
 
+methods() { # methods SCENE SAMPLE QUESTION TITLE: the table, if there is something in it
+    awk -F, -v s="$1" -v sample="$2" -v q="$3" '$1 == s && $2 == sample { for (i = 20; i <= NF; i++) if ($i == q) exit found = 1 }
+        END { exit !found }' "$folder/bench.csv" || return 0
+    echo "<details><summary>$4</summary><div class=wide>"
+    awk -f tests/report/table.awk -v scene="$1" -v sample="$2" -v question="$3" "$folder/bench.csv"
+    echo '</div></details>'
+}
+
 part() { # part SCENE SAMPLE
     echo "<h3>$2 samples</h3><div class=pictures>"
     for norm in mean p99; do
@@ -30,9 +38,14 @@ part() { # part SCENE SAMPLE
             picture "$1" "$2" $mode $norm
         done
     done
-    echo '</div><details><summary>All methods</summary><div class=wide>'
-    awk -f tests/report/table.awk -v scene="$1" -v sample="$2" "$folder/bench.csv"
-    echo '</div></details><details><summary>'
+    echo '</div>'
+    methods "$1" "$2" bare 'All methods'
+    methods "$1" "$2" checked 'Checked, with gap and status'
+    methods "$1" "$2" over 'Checked, eight slave nodes over each segment'
+    methods "$1" "$2" closest 'The closest point of the closed face, every other slave node beside it'
+    methods "$1" "$2" along 'Along a direction'
+    methods "$1" "$2" derivatives 'With derivatives by all coordinates; errors are of these'
+    echo '<details><summary>'
     grep "^$1 $2 " "$folder/front.txt" | awk 'END { print NR " rivals below the front" }'
     echo '</summary><div class=wide><pre>'
     grep "^$1 $2 " "$folder/front.txt"
@@ -103,9 +116,9 @@ END
 <p>One run, all methods in turn on the same held-out samples, all compiled alike:
 $(awk -F, 'NR == 2 { print $(NF) ", " $(NF - 1) }' "$folder/bench.csv"). <a href="bench.csv">bench.csv</a> holds all.
 Times are medians of the turns, in processor time. The noise of a method is half of the interquartile range of its ratio
-to converged Newton over the rounds, relative to the median; a picture states the median of its methods' noises. Errors
-are the larger of those of xi and eta, against the certain foot point; gaps are over the square root of the segment's
-area. <b>$(tail -n 1 "$folder/front.txt")</b>, over all scenes, samples, modes and both norms: faster than any function of
+to converged Newton, asked the same, over the rounds, relative to the median; a picture states the median of its methods' noises. Errors
+are the larger of those of xi and eta, against the certain foot point; gaps and distances are over the square root of the
+segment's area. <b>$(tail -n 1 "$folder/front.txt")</b>, over all scenes, samples, modes and both norms: faster than any function of
 ours that is as accurate, by more than the noise of the two (<a href="front.txt">front.txt</a>).</p>
 <h2 id="names">Names of the methods</h2>
 END

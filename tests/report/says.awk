@@ -5,7 +5,7 @@ NR == 1 {
     for (i = 1; i <= NF; i++) column[$i] = i
     next
 }
-$column["scene"] == scene && $column["sample"] == sample {
+$column["scene"] == scene && $column["sample"] == sample && $column["question"] == "bare" {
     m = $column["method"]; mode = $column["mode"]
     mean[m] = $column["mean_xi"] > $column["mean_eta"] + 0 ? $column["mean_xi"] + 0 : $column["mean_eta"] + 0
     ns[m, mode] = $column["ns"] + 0
@@ -35,5 +35,5 @@ END {
     print "."
     if (match_ && rival)
         printf "At an error of %.0e, the truncated iteration <code>%s</code> takes %.1f ns one at a time and %.2f ns over arrays, %s %.1f and %.2f.\n", mean[rival], rival, ns[rival, "scalar"], ns[rival, "batch"], short(match_), ns[match_, "scalar"], ns[match_, "batch"]
-    print "These are times of bare searches: what a checked call takes is measured by tests/timed/calls.sh.</p>"
+    print "These are times of bare searches; what callers get besides stands in tables below the pictures.</p>"
 }

@@ -1,12 +1,12 @@
 # A table in HTML of what `footpoint-bench --csv` prints: the methods on a scene's samples, in order of their time.
-#     awk -f table.awk -v scene=quad4 -v sample=random bench.csv
+#     awk -f table.awk -v scene=quad4 -v sample=random -v question=bare bench.csv
 BEGIN { FS = "," }
 NR == 1 {
     for (i = 1; i <= NF; i++) column[$i] = i
     next
 }
 function get(what) { return $column[what] }
-get("scene") == scene && get("sample") == sample {
+get("scene") == scene && get("sample") == sample && get("question") == question {
     m = get("method")
     if (!(m in seen)) {
         seen[m] = ++n

@@ -44,9 +44,11 @@ static inline void rival_closest_of_triangle(const double a[3], const double b[3
     }
 }
 
-/** The point r of the four triangles nearest to s, and the square of its distance. */
-static inline double rival_four_triangles(const double *const corner[4], const double s[3], double r[3])
+/** The point r of the four triangles nearest to s, loc = {xi, eta}, which they share out, and the square of its
+ *  distance. */
+static inline double rival_four_triangles(const double *const corner[4], const double s[3], double loc[2], double r[3])
 {
+    static const double at[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     double centre[3], least = 1e300;
     for (int k = 0; k < 3; k++)
         centre[k] = 0.25 * ((corner[0][k] + corner[1][k]) + (corner[2][k] + corner[3][k]));
@@ -62,6 +64,8 @@ static inline double rival_four_triangles(const double *const corner[4], const d
             least = d;
             for (int k = 0; k < 3; k++)
                 r[k] = p[k];
+            for (int k = 0; k < 2; k++)
+                loc[k] = v * at[i][k] + w * at[(i + 1) % 4][k];
         }
     }
     return least;

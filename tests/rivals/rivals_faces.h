@@ -95,6 +95,15 @@ RIVAL_FN FOOTPOINT_REAL rival_product(const FOOTPOINT_REAL a[3], const FOOTPOINT
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* a x b */
+RIVAL_FN void rival_cross_product(const FOOTPOINT_REAL a[3], const FOOTPOINT_REAL b[3], FOOTPOINT_REAL n[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        n[k] = a[i] * b[j] - a[j] * b[i];
+    }
+}
+
 RIVAL_FN struct rival_point rival_face_first(const struct rival_face *f)
 {
     const FOOTPOINT_REAL one = 1.0, *e1 = f->c[1][0], *e2 = f->c[0][1];
@@ -102,10 +111,15 @@ RIVAL_FN struct rival_point rival_face_first(const struct rival_face *f)
                        rival_product(f->d, e2), one);
 }
 
-RIVAL_FN struct rival_point rival_face_step(const struct rival_face *f, int newton, struct rival_point p)
+/* xS - r, tangents and half of the second derivatives by u u and v v, all with the common factor. */
+struct rival_face_jet {
+    FOOTPOINT_REAL w[3], u[3], v[3], uu[3], uv[3], vv[3];
+};
+
+RIVAL_FN void rival_face_jet_at(const struct rival_face *f, FOOTPOINT_REAL u, FOOTPOINT_REAL v,
+                                struct rival_face_jet *j)
 {
-    const FOOTPOINT_REAL one = 1.0, u = p.u, v = p.v, u2 = u + u, v2 = v + v;
-    FOOTPOINT_REAL w[3], ru[3], rv[3], ruu[3], ruv[3], rvv[3];
+    const FOOTPOINT_REAL u2 = u + u, v2 = v + v;
     for (int k = 0; k < 3; k++) {
         FOOTPOINT_REAL a1 = f->c[1][1][k], a2 = f->c[2][0][k], b1 = f->c[1][1][k], b2 = f->c[1][1][k];
         FOOTPOINT_REAL top = f->c[0][2][k];
@@ -123,23 +137,30 @@ RIVAL_FN struct rival_point rival_face_step(const struct rival_face *f, int newt
             b1 = b1 + v2 * f->c[1][2][k];
         }
         a1 = f->c[1][0][k] + v * a1;
-        w[k] = (f->d[k] - v * (f->c[0][1][k] + v * f->c[0][2][k])) - u * (a1 + u * a2);
-        ru[k] = a1 + u2 * a2;
-        rv[k] = (f->c[0][1][k] + v2 * f->c[0][2][k]) + u * (f->mixed ? b1 + u * b2 : b1);
-        ruu[k] = a2;
-        ruv[k] = f->mixed ? b1 + u2 * b2 : b1;
-        rvv[k] = top;
+        j->w[k] = (f->d[k] - v * (f->c[0][1][k] + v * f->c[0][2][k])) - u * (a1 + u * a2);
+        j->u[k] = a1 + u2 * a2;
+        j->v[k] = (f->c[0][1][k] + v2 * f->c[0][2][k]) + u * (f->mixed ? b1 + u * b2 : b1);
+        j->uu[k] = a2;
+        j->uv[k] = f->mixed ? b1 + u2 * b2 : b1;
+        j->vv[k] = top;
     }
-    FOOTPOINT_REAL k11 = rival_product(ru, ru), k12 = rival_product(ru, rv), k22 = rival_product(rv, rv);
+}
+
+RIVAL_FN struct rival_point rival_face_step(const struct rival_face *f, int newton, struct rival_point p)
+{
+    const FOOTPOINT_REAL one = 1.0;
+    struct rival_face_jet j;
+    rival_face_jet_at(f, p.u, p.v, &j);
+    FOOTPOINT_REAL k11 = rival_product(j.u, j.u), k12 = rival_product(j.u, j.v), k22 = rival_product(j.v, j.v);
     if (newton) {
-        const FOOTPOINT_REAL h11 = rival_product(w, ruu), h22 = rival_product(w, rvv);
+        const FOOTPOINT_REAL h11 = rival_product(j.w, j.uu), h22 = rival_product(j.w, j.vv);
         k11 = k11 - (h11 + h11);
-        k12 = k12 - rival_product(w, ruv);
+        k12 = k12 - rival_product(j.w, j.uv);
         k22 = k22 - (h22 + h22);
     }
-    struct rival_point next = rival_solve(k11, k12, k22, rival_product(w, ru), rival_product(w, rv), one);
-    next.u = u + next.u;
-    next.v = v + next.v;
+    struct rival_point next = rival_solve(k11, k12, k22, rival_product(j.w, j.u), rival_product(j.w, j.v), one);
+    next.u = p.u + next.u;
+    next.v = p.v + next.v;
     return next;
 }
 
@@ -215,12 +236,9 @@ RIVAL_FN void rival_tri3_areas(const FOOTPOINT_REAL (*x)[3], FOOTPOINT_REAL *xi,
         c[k] = x[2][k] - x[0][k];
         s[k] = x[3][k] - x[0][k];
     }
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        n[k] = b[i] * c[j] - b[j] * c[i];
-        bs[k] = b[i] * s[j] - b[j] * s[i];
-        sc[k] = s[i] * c[j] - s[j] * c[i];
-    }
+    rival_cross_product(b, c, n);
+    rival_cross_product(b, s, bs);
+    rival_cross_product(s, c, sc);
     const FOOTPOINT_REAL per_nn = one / rival_product(n, n);
     *xi = rival_product(sc, n) * per_nn;
     *eta = rival_product(bs, n) * per_nn;

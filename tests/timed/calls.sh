@@ -1,37 +1,46 @@
-# What a caller of quad4 pays, bare, checked and over arrays, beside converged Newton with the same checks: the table of
-# README.md, for AVX2 and, where the machine has it, AVX-512.  A search without iteration is never slower bare than Newton.
-# Along a direction is 1.5 times as quick as Newton in three unknowns, 4 times over arrays.  `bare` is what checking takes: NAME over
-# NAME_at, NAME_checked_n over NAME_n.  Square roots over arrays vectorise with -fno-math-errno.
-# Closest points of the closed face stand beside four triangles; over arrays their loops take -fno-trapping-math and
-# -fno-math-errno to vectorise, with which they are printed once more, and are at least twice as quick.
+# What callers get, by footpoint-bench, for AVX2 and, where the machine has it, AVX-512: the table of README.md and those of
+# generated/README.md.  A bare search without iteration is never slower than converged Newton; checked over arrays it is at
+# least twice as quick as Newton with the same checks; closest points over arrays are twice as quick as four triangles;
+# along a direction is 1.5 times as quick as Newton in three unknowns, 4 times over arrays; derivatives are the quickest,
+# and fifteen times as quick as forward differentiation.
 . tests/cli/expect.inc
-CC=${CC:-gcc}
 isas=x86-64-v3
 grep -q avx512f /proc/cpuinfo && isas="$isas x86-64-v4"
+
+# quicker FILE METHOD RIVAL TIMES: of all methods that match, one at a time and over arrays (TIMES: "1.5 4", 0: either), the
+# rival's time over theirs
+quicker() {
+    awk -F, -v method="$2" -v rival="$3" -v times="$4" '
+        NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; split(times, least, " "); next }
+        { ns[$c["method"], $c["mode"]] = $c["ns"]; if ($c["method"] ~ method) name[++n] = $c["method"] " " $c["mode"] }
+        END {
+            for (i = 1; i <= n; i++) {
+                split(name[i], row, " ")
+                ratio = ns[rival, row[2]] / ns[row[1], row[2]]
+                if (ratio < least[row[2] == "batch" ? 2 : 1]) { print "# " name[i] ": " ratio; bad++ }
+            }
+            exit bad > 0 || n == 0
+        }' "$work/$1-$isa.csv"
+}
+holds() { quicker "$2" "$3" "$4" "$5"; report $((! $?)) "$isa, $2: $1"; }
+
 for isa in $isas; do
-    wide=; [ $isa = x86-64-v4 ] && wide=-mprefer-vector-width=512
-    for flags in '-fno-trapping-math -fno-math-errno' ''; do
-        # shellcheck disable=SC2086
-        $CC -std=c11 -D_DEFAULT_SOURCE -O3 $flags -march=$isa $wide -o "$work/calls" tests/bench/bench_calls_main.c \
-            tests/hard/hard.c tests/hard/draw.c tests/hard/wild.c "$BIN/libfootpoint.a" -lm && "$work/calls" > "$work/calls.csv"
-        report $((! $?)) "$isa: runs"
-        [ -n "$flags" ] || break
-        grep -E 'closest|four|_checked_n|along' "$work/calls.csv" | sed "s/^/# $flags: /"
-        awk -F, '/_closest_n,/ { n++; bad = bad || $3 < 2 } END { exit bad || n != 9 }' "$work/calls.csv"
-        report $((! $?)) "$isa: closest points over arrays"
-        awk -F, '/_checked_n,/ { n++; bad = bad || $3 < 2 } /^along/ { n++; bad = bad || $3 < (/_n/ ? 4 : 1.5) } END { exit bad || n != 11 }' "$work/calls.csv"
-        report $((! $?)) "$isa: checked searches over arrays, along a direction"
+    for scene in quad4 tri6 quad8 quad9; do
+        "$BIN/footpoint-bench" --isa $isa --csv --quiet --scene $scene > "$work/$scene-$isa.csv"
+        report $((! $?)) "$isa, $scene: runs"
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next } $c["question"] != "bare" || $4 || $3 == "newton" {
+            print "# " $1, $c["method"], $c["mode"], $c["ns"], $c["ratio"], $c["max_xi"], $c["max_gap"], $c["failures"] }' "$work/$scene-$isa.csv"
     done
-    sed 's/^/# /' "$work/calls.csv"
-    awk -F, '/_at,|_n,/ && $1 !~ /^(newton|full|four)|closest|checked/ && $3 < 1 { bad = 1 } END { exit bad || NR < 46 }' "$work/calls.csv"
-    report $((! $?)) "$isa: bare searches are quicker than Newton"
-    # Faces of six, eight and nine nodes.
-    $CC -std=c11 -D_DEFAULT_SOURCE -O3 -fno-math-errno -march=$isa $wide -o "$work/curved" tests/bench/bench_curved_main.c tests/hard/draw.c \
-        "$BIN/libfootpoint_ccx.a" "$BIN/libfootpoint.a" -lm && "$work/curved" > "$work/curved.csv"
-    report $((! $?)) "$isa: curved faces run"
-    sed 's/^/# /' "$work/curved.csv"
-    awk -F, '/_along,/ && !/newton/ { n++; bad = bad || $3 < 1 } END { exit bad || n != 3 }' "$work/curved.csv"
-    report $((! $?)) "$isa: along a direction through curved faces"
-    awk -F, '/_checked_n,/ { n++; bad = bad || $3 < 2 } END { exit bad || n != 3 }' "$work/curved.csv"
-    report $((! $?)) "$isa: checked searches over arrays of curved faces"
+    holds 'bare searches' quad4 '^footpoint_quad4_(fast|coarse|gauss2|medium|balanced|fine|precise|accurate)$' newton '1 1'
+    holds 'checked' quad4 '^footpoint_quad4_.*_checked$' newton_checked '0.9 2'
+    holds 'closest points' quad4 '^footpoint_quad4_.*_closest$' four_triangles '0 2'
+    holds 'along a direction' quad4 '^footpoint_quad4_along$' newton_along '1.5 4'
+    for rival in newton_implicit newton_differences; do
+        holds 'derivatives' quad4 '^footpoint_quad4_accurate_gradients$' $rival '1 1'
+    done
+    holds 'derivatives, beside forward differentiation' quad4 '^footpoint_quad4_accurate_gradients$' newton_forward '15 15'
+    for kind in tri6 quad8 quad9; do
+        holds 'checked over arrays' $kind "^footpoint_${kind}_(accurate|sharp)_checked\$" ${kind}_newton_checked '0 2'
+    done
 done
+awk -f tests/report/searches.awk "$work"/quad4-*.csv | sed "s/^/# /"
