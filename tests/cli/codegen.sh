@@ -161,6 +161,14 @@ genome 'input x' 'genome a' 'r = x' 'end' '# a comment' 'genome b' 'r = * x 2' '
 [ "$first" = "$(printf '%s\n' 'footpoint-genome 1' 'input x' '' 'genome a' 'r = x' 'end' | sha256sum | cut -d ' ' -f 1)" ]
 report $((! $?)) 'and that of its printed text'
 
+# A banner tells of a row its worst element, and nothing of what a function tests.
+printf '%s\n' 'footpoint-genome 2' 'face tri3' 'range A 0 1 0 1 0 7' 'range xi 1 2' 'genome a' 'require xi' 'r = * / 1 xi A' \
+    'q = * xi * xA xi' 'end' > "$g"
+expect 'a face' 0 '' '' "$codegen" --quiet "$g" -o "$work/h.h"
+told "$work/h.h" footpoint_tri3_a rounding | sed 's/[0-9.]*e-1[0-9]/N/g' > "$work/lines"
+[ "$(cat "$work/lines")" = 'r <= N proved N sampled; q <= N proved N sampled (10000 points)' ]; report $((! $?)) 'rounding errors, a row each'
+! grep -l ': undecided' generated/*_derivatives.h; report $((! $?)) 'denominators of derivatives are proved free of zeros'
+
 # While it works: in a log a line for each function, on a terminal one line with the time left; stdout is data alone.
 genome 'input x y' 'range y 1 2' 'genome a' 'r = * x y' 'end' 'genome b' 'r = / x y' 'end'
 expect 'a line for each function' 0 '' '*' "$codegen" "$g" -o "$work/h.h"
