@@ -241,9 +241,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   operations:     175 mul, 1 div, 137 add, 1 sqrt, 0 compare; 95 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e48bd5cc97a277dbcf0f4e422b0e28908411257d1ae4f10b4009cc5380d6a6ec
- *   poles:          t92: proved free of zeros, |t92| >= 0.099 (rounding error <= 3.6e-12)
- *   rounding:       r <= 3.8e-15 proved, 9e-16 sampled; r_xi <= 3.3e-15 proved, 4.4e-16 sampled; r_eta <= 3.3e-15
- *     proved, 5.5e-16 sampled; normal <= 1.5e-10 proved, 4.3e-16 sampled; gap <= 9.3e-10 proved, 5.4e-16 sampled
+ *   poles:          t92: proved free of zeros, |t92| >= 0.099 (rounding error <= 1.5e-13)
+ *   rounding:       r <= 3.3e-15 proved, 9e-16 sampled; r_xi <= 2.5e-15 proved, 4.4e-16 sampled; r_eta <= 2.6e-15
+ *     proved, 5.5e-16 sampled; normal <= 9.7e-11 proved, 4.3e-16 sampled; gap <= 4.8e-10 proved, 5.4e-16 sampled
  *     (10000 points)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
@@ -448,13 +448,13 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   operations:     995 mul, 2 div, 597 add, 1 sqrt, 2 compare; 366 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-157
  *   genome_sha256:  8e6808799a8265ceafecb3c23b275699ed390139552f9075a2e65a34fe96ab61
- *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 9.6e-05)
- *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 0.0011)
- *   rounding:       r <= 8.8e-15 proved, 7.5e-16 sampled; r_xi <= 8.4e-15 proved, 5.4e-16 sampled; r_eta <= 8.7e-15
- *     proved, 5.4e-16 sampled; normal <= 1.2e-07 proved, 3.4e-16 sampled; gap <= 1.8e-06 proved, 4.8e-16 sampled;
- *     d_xi <= 0.024 proved, 7.7e-15 sampled; d_eta <= 0.0079 proved, 6.6e-15 sampled; d_gap <= 1.4e-07 proved,
- *     3.6e-16 sampled; d_xi_n <= 0.011 proved, 2.5e-15 sampled; d_eta_n <= 0.01 proved, 5.4e-15 sampled; d_gap_n <=
- *     1.2e-07 proved, 3e-16 sampled (2123 points)
+ *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 4.3e-07)
+ *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 5.9e-06)
+ *   rounding:       r <= 4.5e-15 proved, 7.5e-16 sampled; r_xi <= 2.9e-15 proved, 5.4e-16 sampled; r_eta <= 2.9e-15
+ *     proved, 5.4e-16 sampled; normal <= 1.4e-09 proved, 3.4e-16 sampled; gap <= 1.1e-08 proved, 4.8e-16 sampled;
+ *     d_xi <= 5.7e-05 proved, 7.7e-15 sampled; d_eta <= 5.7e-05 proved, 6.6e-15 sampled; d_gap <= 2.1e-09 proved,
+ *     3.6e-16 sampled; d_xi_n <= 7e-05 proved, 2.5e-15 sampled; d_eta_n <= 6.8e-05 proved, 5.4e-15 sampled; d_gap_n
+ *     <= 1.3e-09 proved, 3e-16 sampled (2123 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno

@@ -242,20 +242,21 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  fba422882770772df5ce454fbb61352ff9a3a44f1c567010e09b3cf660787f91
  *   poles:          t11 + t17: proved free of zeros, |...| >= 0.29 (rounding error <= 1.9e-15)
- *   poles:          t17 + t16: proved free of zeros, |...| >= 0.29 (rounding error <= 2.2e-15)
- *   poles:          t11 + t22: proved free of zeros, |...| >= 0.29 (rounding error <= 2.2e-15)
- *   poles:          t16 + t22: proved free of zeros, |...| >= 0.29 (rounding error <= 2.6e-15)
- *   poles:          t29 - t18 * t18: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t21 * t21 - t29: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t32 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t26 * t26 - t32: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t33 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
- *   poles:          t24 * t24 - t33: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
- *   poles:          t34 - t25 * t25: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
- *   poles:          t20 * t20 - t34: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t17 + t16: proved free of zeros, |...| >= 0.29 (rounding error <= 2e-15)
+ *   poles:          t11 + t22: proved free of zeros, |...| >= 0.29 (rounding error <= 2e-15)
+ *   poles:          t16 + t22: proved free of zeros, |...| >= 0.29 (rounding error <= 2e-15)
+ *   poles:          t29 - t18 * t18: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
+ *   poles:          t21 * t21 - t29: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
+ *   poles:          t32 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
+ *   poles:          t26 * t26 - t32: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
+ *   poles:          t33 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
+ *   poles:          t24 * t24 - t33: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
+ *   poles:          t34 - t25 * t25: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
+ *   poles:          t20 * t20 - t34: proved free of zeros, |...| >= 1.6 (rounding error <= 4.7e-15)
  *   poles:          of 1 more denominators, 1 are proved free of zeros
- *   rounding:       r <= 6.7e-13 proved, 1.2e-15 sampled; r_xi <= 3.9e-12 proved, 5.6e-16 sampled; r_eta <= 3.9e-12
- *     proved, 6e-16 sampled; normal 3.9e-16 sampled; gap 2.7e-16 sampled (3731 points)
+ *   rounding:       r <= 1.7e-14 proved, 1.2e-15 sampled; r_xi <= 3.7e-14 proved, 5.6e-16 sampled; r_eta <= 3.7e-14
+ *     proved, 6e-16 sampled; normal <= 0.0034 proved, 3.9e-16 sampled; gap <= 0.035 proved, 2.7e-16 sampled (3731
+ *     points)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -542,23 +543,23 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   operations:     3076 mul, 14 div, 2008 add, 1 sqrt, 2 compare; 1046 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-148
  *   genome_sha256:  96586502e79ca0934049ac53575e1eba77e43583c2a53e7e32409de78fce6de2
- *   poles:          u1 - t16: proved free of zeros, |...| >= 0.19 (rounding error <= 1.9e-15)
+ *   poles:          u1 - t16: proved free of zeros, |...| >= 0.19 (rounding error <= 1.7e-15)
  *   poles:          t9 + u1: proved free of zeros, |...| >= 0.19 (rounding error <= 1.7e-15)
- *   poles:          t9 + u2: proved free of zeros, |...| >= 0.19 (rounding error <= 1.9e-15)
- *   poles:          t16 - u2: proved free of zeros, |...| >= 0.19 (rounding error <= 2.1e-15)
- *   poles:          t27 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t30 - t24 * t24: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
- *   poles:          t31 - t20 * t20: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
- *   poles:          t31 - t26 * t26: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
- *   poles:          t34 - t25 * t25: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t34 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t27 - t28 * t28: proved free of zeros, |...| >= 1.6 (rounding error <= 5e-15)
- *   poles:          t30 - t29 * t29: proved free of zeros, |...| >= 1.6 (rounding error <= 4.9e-15)
+ *   poles:          t9 + u2: proved free of zeros, |...| >= 0.19 (rounding error <= 1.7e-15)
+ *   poles:          t16 - u2: proved free of zeros, |...| >= 0.19 (rounding error <= 1.8e-15)
+ *   poles:          t27 - t19 * t19: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t30 - t24 * t24: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t31 - t20 * t20: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t31 - t26 * t26: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t34 - t25 * t25: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t34 - t23 * t23: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t27 - t28 * t28: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
+ *   poles:          t30 - t29 * t29: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-15)
  *   poles:          of 2 more denominators, 2 are proved free of zeros
- *   rounding:       r <= 9.5e-12 proved, 7.6e-16 sampled; r_xi <= 1.2e-10 proved, 4.3e-16 sampled; r_eta <= 1.2e-10
- *     proved, 3.9e-16 sampled; normal 3.2e-16 sampled; gap 2.1e-16 sampled; d_xi 2.4e-15 sampled; d_eta 2.3e-15
- *     sampled; d_gap 3.4e-16 sampled; d_xi_n 3.9e-16 sampled; d_eta_n 4.5e-16 sampled; d_gap_n 2.1e-16 sampled (696
- *     points)
+ *   rounding:       r <= 2.3e-14 proved, 7.6e-16 sampled; r_xi <= 7.2e-14 proved, 4.3e-16 sampled; r_eta <= 7.1e-14
+ *     proved, 3.9e-16 sampled; normal <= 0.044 proved, 3.2e-16 sampled; gap <= 0.43 proved, 2.1e-16 sampled; d_xi
+ *     2.4e-15 sampled; d_eta 2.3e-15 sampled; d_gap 3.4e-16 sampled; d_xi_n 3.9e-16 sampled; d_eta_n 4.5e-16 sampled;
+ *     d_gap_n 2.1e-16 sampled (696 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno

@@ -239,9 +239,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   operations:     50 mul, 1 div, 43 add, 1 sqrt, 0 compare; 29 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c280226754c38ba65f5a853be3fd83c462ab7cb6d6b84c647c9727337042ea38
- *   poles:          t18: proved free of zeros, |t18| >= 0.24 (rounding error <= 6.3e-15)
+ *   poles:          t18: proved free of zeros, |t18| >= 0.24 (rounding error <= 4.9e-15)
  *   rounding:       phi <= 3.7e-16 proved, 3.1e-16 sampled; r_xi <= 4.2e-16 proved, 2.4e-16 sampled; r_eta <= 4.3e-16
- *     proved, 2.4e-16 sampled; normal <= 1.2e-14 proved, 2.3e-16 sampled; gap <= 2.9e-14 proved, 2.2e-16 sampled
+ *     proved, 2.4e-16 sampled; normal <= 6.7e-15 proved, 2.3e-16 sampled; gap <= 1.8e-14 proved, 2.2e-16 sampled
  *     (10000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
@@ -415,11 +415,11 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[15], \
  *   operations:     147 mul, 2 div, 89 add, 1 sqrt, 1 compare; 71 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ece3746cc328f1b26f47a010fcd0c425aa272e83d6bf36a91a8e1ddc9b49ff8d
- *   poles:          t24: proved free of zeros, |t24| >= 0.025 (rounding error <= 7.9e-15)
- *   poles:          t27: proved free of zeros, |t27| >= 1.5 (rounding error <= 3.4e-13)
+ *   poles:          t24: proved free of zeros, |t24| >= 0.025 (rounding error <= 5.6e-15)
+ *   poles:          t27: proved free of zeros, |t27| >= 1.5 (rounding error <= 2.4e-13)
  *   rounding:       phi <= 3.7e-16 proved, 3.2e-16 sampled; r_xi <= 4.2e-16 proved, 2.6e-16 sampled; r_eta <= 4.3e-16
- *     proved, 2.4e-16 sampled; normal <= 2.4e-14 proved, 2.9e-16 sampled; gap <= 4.9e-14 proved, 2.6e-16 sampled;
- *     d_xi <= 2.1e-11 proved, 1.1e-15 sampled; d_eta <= 2.1e-11 proved, 9.2e-16 sampled; d_gap <= 2.3e-14 proved,
+ *     proved, 2.4e-16 sampled; normal <= 1.6e-14 proved, 2.9e-16 sampled; gap <= 4.2e-14 proved, 2.6e-16 sampled;
+ *     d_xi <= 1.9e-11 proved, 1.1e-15 sampled; d_eta <= 2e-11 proved, 9.2e-16 sampled; d_gap <= 1.6e-14 proved,
  *     4.4e-16 sampled (10000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
@@ -664,11 +664,11 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[15], \
  *   operations:     471 mul, 2 div, 259 add, 1 sqrt, 1 compare; 231 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  3185e85cb476f2663d01fce19292ba054c3d9f47605b0a32f419f4ec0d021686
- *   poles:          t21: proved free of zeros, |t21| >= 0.0063 (rounding error <= 3.1e-15)
- *   poles:          t29: proved free of zeros, |t29| >= 1.5 (rounding error <= 5.6e-13)
- *   rounding:       gap <= 1.6e-13 proved, 2e-16 sampled; d_xi <= 7.9e-11 proved, 9.9e-16 sampled; d_eta <= 8e-11
- *     proved, 7.7e-16 sampled; d_gap <= 6.6e-14 proved, 4.4e-16 sampled; d_normal <= 1.5e-10 proved, 1.1e-15 sampled;
- *     hessian <= 2.6e-10 proved, 1.1e-15 sampled (5063 points)
+ *   poles:          t21: proved free of zeros, |t21| >= 0.0063 (rounding error <= 1.5e-15)
+ *   poles:          t29: proved free of zeros, |t29| >= 1.5 (rounding error <= 2.7e-13)
+ *   rounding:       gap <= 5.7e-14 proved, 2e-16 sampled; d_xi <= 3.2e-11 proved, 9.9e-16 sampled; d_eta <= 3.2e-11
+ *     proved, 7.7e-16 sampled; d_gap <= 2.5e-14 proved, 4.4e-16 sampled; d_normal <= 4.6e-11 proved, 1.1e-15 sampled;
+ *     hessian <= 8.3e-11 proved, 1.1e-15 sampled (5063 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[15 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

@@ -241,9 +241,9 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   operations:     136 mul, 1 div, 107 add, 1 sqrt, 0 compare; 64 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c554c79f4eb44fb62780fc008c6a06bf345e8ca88a81c5e169df0402b7cb0328
- *   poles:          t56: proved free of zeros, |t56| >= 0.099 (rounding error <= 1.5e-12)
- *   rounding:       phi <= 7.5e-16 proved, 3.8e-16 sampled; r_xi <= 5e-15 proved, 1.7e-15 sampled; r_eta <= 5.1e-15
- *     proved, 1.7e-15 sampled; normal <= 1.8e-10 proved, 5.7e-16 sampled; gap <= 6.4e-10 proved, 9.2e-16 sampled
+ *   poles:          t56: proved free of zeros, |t56| >= 0.099 (rounding error <= 1.7e-13)
+ *   rounding:       phi <= 7.5e-16 proved, 3.8e-16 sampled; r_xi <= 4.9e-15 proved, 1.7e-15 sampled; r_eta <= 5e-15
+ *     proved, 1.7e-15 sampled; normal <= 8.4e-11 proved, 5.7e-16 sampled; gap <= 2.5e-10 proved, 9.2e-16 sampled
  *     (10000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
@@ -445,12 +445,12 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
  *   operations:     398 mul, 2 div, 232 add, 1 sqrt, 2 compare; 145 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d6285a743f1aad1ea763a14e1d9b65b67fd8c44fdfa74c22e91692f5a4bd9fcf
- *   poles:          t93: proved free of zeros, |t93| >= 1.5 (rounding error <= 7.1e-09)
- *   poles:          t94: proved free of zeros, |t94| >= 1.5 (rounding error <= 2.4e-09)
- *   rounding:       phi <= 7.6e-16 proved, 3.6e-16 sampled; r_xi <= 9.5e-15 proved, 1.9e-15 sampled; r_eta <= 9.6e-15
- *     proved, 2.6e-15 sampled; normal <= 2.9e-07 proved, 7.3e-16 sampled; gap <= 1.9e-06 proved, 1.4e-15 sampled;
- *     d_xi <= 0.005 proved, 1.6e-13 sampled; d_eta <= 0.0049 proved, 9.5e-14 sampled; d_gap <= 2e-07 proved, 8e-16
- *     sampled (5291 points)
+ *   poles:          t93: proved free of zeros, |t93| >= 1.5 (rounding error <= 1.2e-10)
+ *   poles:          t94: proved free of zeros, |t94| >= 1.5 (rounding error <= 1.5e-11)
+ *   rounding:       phi <= 7.5e-16 proved, 3.6e-16 sampled; r_xi <= 7.5e-15 proved, 1.9e-15 sampled; r_eta <= 7.7e-15
+ *     proved, 2.6e-15 sampled; normal <= 3.8e-09 proved, 7.3e-16 sampled; gap <= 1.4e-08 proved, 1.4e-15 sampled;
+ *     d_xi <= 5.4e-05 proved, 1.6e-13 sampled; d_eta <= 5.3e-05 proved, 9.5e-14 sampled; d_gap <= 3.8e-09 proved,
+ *     8e-16 sampled (5291 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -772,10 +772,11 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
  *   operations:     1958 mul, 2 div, 774 add, 1 sqrt, 2 compare; 456 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  6d5db22e92acc97e50c9499194d802b364f4ff95a05ac92f4aaaeb55a8cbe302
- *   poles:          t84: proved free of zeros, |t84| >= 25 (rounding error <= 4.9e-08)
- *   poles:          t90: proved free of zeros, |t90| >= 25 (rounding error <= 1.7e-07)
- *   rounding:       gap <= 0.0059 proved, 5.9e-16 sampled; d_xi 3.3e-13 sampled; d_eta 2.3e-13 sampled; d_gap <=
- *     0.0013 proved, 5.1e-16 sampled; d_normal 3.7e-13 sampled; hessian 6.8e-13 sampled (1105 points)
+ *   poles:          t84: proved free of zeros, |t84| >= 25 (rounding error <= 6.7e-10)
+ *   poles:          t90: proved free of zeros, |t90| >= 25 (rounding error <= 2.2e-09)
+ *   rounding:       gap <= 2.3e-07 proved, 5.9e-16 sampled; d_xi <= 0.0006 proved, 3.3e-13 sampled; d_eta <= 0.0006
+ *     proved, 2.3e-13 sampled; d_gap <= 8.9e-08 proved, 5.1e-16 sampled; d_normal 3.7e-13 sampled; hessian 6.8e-13
+ *     sampled (1105 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[27 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

@@ -45,6 +45,10 @@ struct wide_number {
     {
         return *this = value * x.value;
     }
+    wide_number &operator/=(wide_number x)
+    {
+        return *this = value / x.value;
+    }
 };
 
 static inline wide_number operator+(wide_number a, wide_number b)
@@ -87,6 +91,10 @@ static inline wide_number fabs(wide_number a)
 {
     return a.value < 0 ? -a.value : a.value;
 }
+static inline wide_number copysign(wide_number a, wide_number b)
+{
+    return (a.value < 0) == (b.value < 0) ? a : -a;
+}
 static inline wide_number ldexp(wide_number a, int exponent)
 {
     return a.value * wide_number::power(exponent);
@@ -107,6 +115,7 @@ static inline wide_number sqrt(wide_number a)
     return root * wide_number::power(half);
 }
 
+#define copysignf copysign
 #define fabsf fabs
 #define sqrtf sqrt
 #define ldexpf ldexp
