@@ -240,11 +240,11 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
 /* footpoint_quad9_place
  *   operations:     133 mul, 1 div, 115 add, 1 sqrt, 0 compare; 66 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  a394606cadc7f39baef2a0c9da1177831b505ca7be5cc65c8f56710164cf10cf
- *   poles:          t61: proved free of zeros, |t61| >= 0.099 (rounding error <= 2.7e-11)
- *   rounding:       phi <= 7.5e-16 proved, 3.6e-16 sampled; r_xi <= 8.8e-15 proved, 2.4e-15 sampled; r_eta <= 8.8e-15
- *     proved, 2.4e-15 sampled; normal <= 2e-09 proved, 1.2e-15 sampled; gap <= 8e-09 proved, 1.1e-15 sampled (10000
- *     points)
+ *   genome_sha256:  27aef4a97cb31d893aa317c0c7f2621d35360b51ddaec7377fba51d1a560d94c
+ *   poles:          t61: proved free of zeros, |t61| >= 0.099 (rounding error <= 2.8e-13)
+ *   rounding:       phi <= 7.5e-16 proved, 3.6e-16 sampled; r_xi <= 8.7e-15 proved, 2.4e-15 sampled; r_eta <= 8.7e-15
+ *     proved, 2.4e-15 sampled; normal <= 3.9e-10 proved, 1.2e-15 sampled; gap <= 2.9e-09 proved, 1.1e-15 sampled
+ *     (10000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -453,13 +453,13 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
 /* footpoint_quad9_gradients
  *   operations:     412 mul, 2 div, 270 add, 1 sqrt, 2 compare; 143 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  f8023f32bac5475bb0eeebfbaf1548aaebcec970509e7712f29c14bad273d7a3
- *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 4.6e-09)
- *   poles:          t96: proved free of zeros, |t96| >= 0.099 (rounding error <= 1.5e-09)
- *   rounding:       phi <= 7.5e-16 proved, 4.7e-16 sampled; r_xi <= 1.4e-14 proved, 2.1e-15 sampled; r_eta <= 1.4e-14
- *     proved, 2.1e-15 sampled; normal <= 4.5e-05 proved, 6.3e-16 sampled; gap <= 0.00022 proved, 7.8e-16 sampled;
- *     d_xi <= 4.5 proved, 8.6e-13 sampled; d_eta <= 4.4 proved, 8.8e-13 sampled; d_gap <= 1.4e-05 proved, 6.9e-16
- *     sampled (5215 points)
+ *   genome_sha256:  02c6a08d663cc2bc614c74df01acc215319ecc012008d972d85574e607546648
+ *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 6e-11)
+ *   poles:          t96: proved free of zeros, |t96| >= 0.099 (rounding error <= 5.7e-12)
+ *   rounding:       phi <= 7.5e-16 proved, 4.7e-16 sampled; r_xi <= 8.9e-15 proved, 2.1e-15 sampled; r_eta <= 8.1e-15
+ *     proved, 2.1e-15 sampled; normal <= 2.9e-07 proved, 6.3e-16 sampled; gap <= 6.8e-07 proved, 7.8e-16 sampled;
+ *     d_xi <= 0.0097 proved, 8.6e-13 sampled; d_eta <= 0.0095 proved, 8.8e-13 sampled; d_gap <= 2.9e-07 proved,
+ *     6.9e-16 sampled (5215 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -806,11 +806,12 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
 /* footpoint_quad9_hessian
  *   operations:     2429 mul, 2 div, 918 add, 1 sqrt, 2 compare; 491 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  c92eb4085c7915e963bf4bd2ebaa2e0b839fa83a6c16f04e730f26fd038cdb80
- *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 3.8e-07)
- *   poles:          t110: proved free of zeros, |t110| >= 25 (rounding error <= 2.6e-06)
- *   rounding:       gap <= 0.23 proved, 4.7e-16 sampled; d_xi 1.1e-13 sampled; d_eta 1.3e-13 sampled; d_gap <= 0.041
- *     proved, 4.6e-16 sampled; d_normal 2.1e-13 sampled; hessian 2.1e-13 sampled (903 points)
+ *   genome_sha256:  c6db2e916249a1390b8a990ffd98fc8f1a306a23ca6ca04da7d100f7ae324a7d
+ *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 5.8e-09)
+ *   poles:          t110: proved free of zeros, |t110| >= 25 (rounding error <= 4.5e-08)
+ *   rounding:       gap <= 2.7e-05 proved, 4.7e-16 sampled; d_xi <= 0.99 proved, 1.1e-13 sampled; d_eta <= 0.99
+ *     proved, 1.3e-13 sampled; d_gap <= 9.1e-06 proved, 4.6e-16 sampled; d_normal 2.1e-13 sampled; hessian 2.1e-13
+ *     sampled (903 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[30 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

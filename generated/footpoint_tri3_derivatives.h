@@ -238,7 +238,7 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   genome_sha256:  b85f1abd3c868c28a510579d72d2cecc462e78d4aa02692dd2a2e94426f7ae1c
  *   poles:          t10: proved free of zeros, |t10| >= 0.35 (rounding error <= 2.7e-15)
  *   rounding:       phi <= 2.6e-16 proved, 2e-16 sampled; r_xi <= 1.4e-16 proved, 1.2e-16 sampled; r_eta <= 1.4e-16
- *     proved, 1.2e-16 sampled; normal <= 1.8e-15 proved, 3e-16 sampled; gap <= 6.1e-15 proved, 1.1e-16 sampled (10000
+ *     proved, 1.2e-16 sampled; normal <= 1.5e-15 proved, 3e-16 sampled; gap <= 3.1e-15 proved, 1.1e-16 sampled (10000
  *     points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
@@ -408,8 +408,8 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
  *   genome_sha256:  5157836f2367485a35a5b605802aac319e475f24affea25ca51b3a599dcc19a4
  *   poles:          t12: proved free of zeros, |t12| >= 0.35 (rounding error <= 2.5e-15)
  *   rounding:       phi <= 3.8e-16 proved, 2.3e-16 sampled; r_xi <= 1.4e-16 proved, 1.2e-16 sampled; r_eta <= 1.4e-16
- *     proved, 1.2e-16 sampled; normal <= 2.5e-15 proved, 3.1e-16 sampled; gap <= 9.2e-15 proved, 1.3e-16 sampled;
- *     d_xi <= 3.7e-14 proved, 9.9e-16 sampled; d_eta <= 3.6e-14 proved, 8.8e-16 sampled; d_gap <= 6e-15 proved,
+ *     proved, 1.2e-16 sampled; normal <= 2.2e-15 proved, 3.1e-16 sampled; gap <= 4.8e-15 proved, 1.3e-16 sampled;
+ *     d_xi <= 2.8e-14 proved, 9.9e-16 sampled; d_eta <= 2.7e-14 proved, 8.8e-16 sampled; d_gap <= 3.3e-15 proved,
  *     4.6e-16 sampled (10000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
@@ -635,10 +635,10 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
  *   operations:     212 mul, 1 div, 108 add, 1 sqrt, 0 compare; 93 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  cea0f9c44952f229080fac9d35f7fe576c26d9c95274afa771f3d4edaf3ce0f8
- *   poles:          t10: proved free of zeros, |t10| >= 0.35 (rounding error <= 2.8e-15)
- *   rounding:       gap <= 1.6e-14 proved, 1.5e-16 sampled; d_xi <= 6.4e-14 proved, 8.8e-16 sampled; d_eta <= 6.4e-14
- *     proved, 9.9e-16 sampled; d_gap <= 1.4e-14 proved, 4.9e-16 sampled; d_normal <= 4.2e-14 proved, 1.2e-15 sampled;
- *     hessian <= 4.3e-13 proved, 1.3e-15 sampled (9852 points)
+ *   poles:          t10: proved free of zeros, |t10| >= 0.35 (rounding error <= 2.7e-15)
+ *   rounding:       gap <= 5.5e-15 proved, 1.5e-16 sampled; d_xi <= 3.7e-14 proved, 8.8e-16 sampled; d_eta <= 3.5e-14
+ *     proved, 9.9e-16 sampled; d_gap <= 3.5e-15 proved, 4.9e-16 sampled; d_normal <= 1.5e-14 proved, 1.2e-15 sampled;
+ *     hessian <= 1.4e-13 proved, 1.3e-15 sampled (9852 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[12 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

@@ -240,10 +240,10 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
  *   operations:     75 mul, 1 div, 72 add, 1 sqrt, 0 compare; 44 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  5382c1d37bb5f33061ef45b57c355f1948838abc216d9bb39ee8219b435473e9
- *   poles:          t39: proved free of zeros, |t39| >= 0.099 (rounding error <= 7.5e-13)
+ *   poles:          t39: proved free of zeros, |t39| >= 0.099 (rounding error <= 4.3e-13)
  *   rounding:       phi <= 3.1e-15 proved, 1.5e-15 sampled; r_xi <= 5.9e-15 proved, 1.8e-15 sampled; r_eta <= 5.4e-15
- *     proved, 1.4e-15 sampled; normal <= 2e-09 proved, 2.1e-15 sampled; gap <= 9.4e-09 proved, 1.1e-15 sampled (10000
- *     points)
+ *     proved, 1.4e-15 sampled; normal <= 1.6e-09 proved, 2.1e-15 sampled; gap <= 6.9e-09 proved, 1.1e-15 sampled
+ *     (10000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -428,12 +428,12 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
  *   operations:     270 mul, 2 div, 152 add, 1 sqrt, 2 compare; 99 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  6204a1f9768e5aea976d24d5964e2ba57e0774f7b6d1551c1f1147c67ed0c35e
- *   poles:          t51: proved free of zeros, |t51| >= 0.0062 (rounding error <= 2.6e-13)
- *   poles:          t48: proved free of zeros, |t48| >= 0.024 (rounding error <= 2.8e-13)
- *   rounding:       phi <= 3.1e-15 proved, 1.5e-15 sampled; r_xi <= 5.6e-15 proved, 1.6e-15 sampled; r_eta <= 5.6e-15
- *     proved, 1.6e-15 sampled; normal <= 4e-09 proved, 1.8e-15 sampled; gap <= 1.7e-08 proved, 8.9e-16 sampled; d_xi
- *     <= 8.2e-05 proved, 6.6e-13 sampled; d_eta <= 8.2e-05 proved, 1.3e-13 sampled; d_gap <= 1.9e-08 proved, 6.9e-15
- *     sampled (7421 points)
+ *   poles:          t51: proved free of zeros, |t51| >= 0.0062 (rounding error <= 1.5e-13)
+ *   poles:          t48: proved free of zeros, |t48| >= 0.024 (rounding error <= 1.4e-13)
+ *   rounding:       phi <= 3.1e-15 proved, 1.5e-15 sampled; r_xi <= 5.5e-15 proved, 1.6e-15 sampled; r_eta <= 5.5e-15
+ *     proved, 1.6e-15 sampled; normal <= 2.5e-09 proved, 1.8e-15 sampled; gap <= 1.1e-08 proved, 8.9e-16 sampled;
+ *     d_xi <= 6.6e-05 proved, 6.6e-13 sampled; d_eta <= 6.6e-05 proved, 1.3e-13 sampled; d_gap <= 1.4e-08 proved,
+ *     6.9e-15 sampled (7421 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -716,11 +716,11 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
  *   operations:     1080 mul, 2 div, 467 add, 1 sqrt, 2 compare; 335 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  8187587f028d96cfd699a7fe8e2030844629436b392f8157503141a973063eeb
- *   poles:          t55: proved free of zeros, |t55| >= 0.0062 (rounding error <= 1.2e-13)
- *   poles:          t61: proved free of zeros, |t61| >= 0.0062 (rounding error <= 4.6e-13)
- *   rounding:       gap <= 1.9e-07 proved, 7.9e-16 sampled; d_xi <= 0.0017 proved, 7.3e-14 sampled; d_eta <= 0.0017
- *     proved, 7.7e-14 sampled; d_gap <= 8.5e-08 proved, 3e-15 sampled; d_normal <= 1.3 proved, 1.8e-13 sampled;
- *     hessian <= 39 proved, 5.9e-13 sampled (1961 points)
+ *   poles:          t55: proved free of zeros, |t55| >= 0.0062 (rounding error <= 4.9e-14)
+ *   poles:          t61: proved free of zeros, |t61| >= 0.0062 (rounding error <= 1.7e-13)
+ *   rounding:       gap <= 2.5e-08 proved, 7.9e-16 sampled; d_xi <= 0.00017 proved, 7.3e-14 sampled; d_eta <= 0.00017
+ *     proved, 7.7e-14 sampled; d_gap <= 3e-08 proved, 3e-15 sampled; d_normal <= 0.2 proved, 1.8e-13 sampled; hessian
+ *     <= 2.5 proved, 5.9e-13 sampled (1961 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[21 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno

@@ -67,7 +67,8 @@ static void print_ranges(const struct genome_file *f, FILE *stream)
 {
     const struct genome_range *r = f->range;
     for (size_t i = 0, n; i < f->inputs; i += n) {
-        const bool vector = f->segment && f->format > 1 && i % 3 == 0 && r[i].given && r[i + 1].given && r[i + 2].given;
+        const bool vector = f->segment && f->format > 1 && i % 3 == 0 && i + 2 < f->inputs && r[i].given &&
+                            r[i + 1].given && r[i + 2].given; /* a face's xi and eta come last */
         n = vector ? 3 : 1;
         if (!r[i].given)
             continue;

@@ -7,6 +7,7 @@
 
 #define double long double
 #define sqrt sqrtl
+#define copysign copysignl
 #define fabs fabsl
 #define frexp frexpl
 #define ldexp ldexpl
