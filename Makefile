@@ -300,6 +300,22 @@ $(OBJ)/tests/bench/bench_calls-%.o: tests/bench/bench_calls.c $(OBJ)/calls.h $(O
 	$(call say,CC,$< ($*))
 	$(Q)$(call compile_isa,$(call calls_opt,$*))
 
+# Members of a scene's fronts, beside what ships, as the methods of a bench of their own.
+FRONT   := $(BIN)/front/$(basename $(notdir $(SCENE)))
+MEMBERS ?= 6
+ifneq ($(SCENE),)
+$(FRONT)/bench_methods.o: tests/bench/bench_methods.c $(FRONT)/methods.h $(FRONT)/methods.inc $(OBJ)/rival_counts.inc \
+                          $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc
+	$(call say,CC,$< (front))
+	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(OPT_release) $(FAST) -march=native -I$(FRONT) -I$(OBJ) \
+	    -DBENCH_ISA=quick -DBENCH_ISA_NAME='"native"' -DBENCH_FLAGS='"$(OPT_release) $(FAST) -march=native"' -c $< -o $@
+
+$(FRONT)/footpoint-bench: $(FRONT)/bench_methods.o $(call object,tests/bench/bench_main.c $(bench_lib)) \
+                          $(OBJ)/support.a $(evolve_parts)
+	$(call say,LD,$@)
+	$(Q)$(link) $(LIBS_evolve)
+endif
+
 # ---- the main job -----------------------------------------------------------------------------------------------------
 
 SCENES := $(patsubst evolve/scenes/%.scene,%,$(sort $(wildcard evolve/scenes/*.scene)))
@@ -314,6 +330,14 @@ regenerate: codegen evolve ## evolve from the committed genomes, then emit the h
 	    $(BIN)/footpoint-codegen --allow-poles codegen/derivatives/$$face.gen -o $$header || exit $$?; \
 	    echo "$$header"; \
 	done
+
+front: codegen evolve ## which members of the fronts to ship as tiers, measured on validation samples: SCENE= MEMBERS= of each tier
+	$(call demand,SCENE,$(SCENE),no scene)
+	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) SEED=$(SEED) MEMBERS=$(MEMBERS) \
+	    sh evolve/emit_front.sh $(SCENE) $(FRONT)
+	$(Q)$(MAKE) --no-print-directory SCENE=$(SCENE) $(FRONT)/footpoint-bench
+	$(Q)$(FRONT)/footpoint-bench --quiet --validation --csv --scene $(SCENE) > $(FRONT)/times.csv
+	$(Q)awk -v id=$(subst -,_,$(basename $(notdir $(SCENE)))) -f evolve/which_ship.awk $(FRONT)/times.csv
 
 # ---- tests ------------------------------------------------------------------------------------------------------------
 
@@ -504,6 +528,6 @@ clean: ## remove everything that was built
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
-.PHONY: all codegen evolve runtime calibrate-program bench-program regenerate check check-long bench calibrate report \
+.PHONY: all codegen evolve runtime calibrate-program bench-program regenerate front check check-long bench calibrate report \
         perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

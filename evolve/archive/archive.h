@@ -135,8 +135,17 @@ bool archive_has(const struct archive *a, size_t tier);
  *  for nothing else. */
 bool archive_write(struct archive *a, const char *path, const struct run_facts *run, const struct heldout *heldout,
                    struct diag *d);
-/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors.  Where the path ends in .csv: a line for each member of all fronts. */
-bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
+/** Members of a tier of programs that may become tiers, by cost: those near its budget or below, each better on the
+ *  judge's samples than all cheaper ones, and of these the `most` dearest; returns how many.
+ *  @param[out] found  room for the front's limit + 1 */
+size_t archive_members(const struct archive *a, struct objective *judge, size_t tier, size_t most,
+                       const struct member **found);
+/** Write the fronts: one genome of one output for each member, <tier>_<output>_c<cost>, with its errors.  Where the path
+ *  ends in .csv: a line for each member of all fronts.
+ *  @param[in] judge  of validation samples; NULL: no programs are bred
+ *  @param[in] most   of each tier of programs archive_members() alone; 0: all */
+bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
+                         struct objective *judge, size_t most, struct diag *d);
 /** The lines. */
 bool archive_write_csv(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d);
 /** Table of tier, output, error and genes, before and after. */

@@ -269,7 +269,26 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
 
 #undef NOTE
 
-bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout, struct diag *d)
+/* Of a front all members, of programs only those that may become tiers where their number is given. */
+static void add_front(const struct archive *a, struct kernel *kernel, size_t tier, int output,
+                      const struct heldout *heldout, struct objective *judge, size_t most, struct genome_file *f)
+{
+    const struct front *front = a->front[tier][output];
+    if (output == TIER_BOTH && most > 0 && judge) {
+        const struct member **chosen = new_array(front->limit + 1, sizeof(struct member *));
+        const size_t n = archive_members(a, judge, tier, most, chosen);
+        for (size_t i = 0; i < n; i++)
+            add_member(a, kernel, chosen[i], tier, output, heldout, f);
+        free(chosen);
+        return;
+    }
+    for (size_t c = 0; c <= front->limit; c++)
+        if (front->member[c].tree.length > 0)
+            add_member(a, kernel, &front->member[c], tier, output, heldout, f);
+}
+
+bool archive_write_front(const struct archive *a, const char *path, const struct heldout *heldout,
+                         struct objective *judge, size_t most, struct diag *d)
 {
     struct outfile out;
     const size_t length = strlen(path);
@@ -287,11 +306,10 @@ bool archive_write_front(const struct archive *a, const char *path, const struct
     add_file_notes(f, a->scene, heldout);
     for (size_t i = 0; i < a->scene->tiers; i++)
         for (int k = 0; k < TIER_OUTPUTS; k++)
-            for (size_t c = 0; a->front[i][k] && c <= a->front[i][k]->limit; c++)
-                if (a->front[i][k]->member[c].tree.length > 0)
-                    add_member(a, kernel, &a->front[i][k]->member[c], i, k, heldout, f);
+            if (a->front[i][k])
+                add_front(a, kernel, i, k, heldout, judge, most, f);
     kernel_free(kernel);
-    if (!programs)
+    if (!programs || most > 0)
         scene_region_add(f, heldout->part, 2);
     genome_print_needed(f, out.stream);
     genome_file_free(f);

@@ -418,21 +418,20 @@ static void say(const struct call *call, const char *phase)
     progress_phase(call->team->rank == 0 && !call->options->quiet, phase);
 }
 
-static void choose_champions(const struct problem *p, const struct columns *validation)
+/* What measures on validation samples; NULL where there are none. */
+static struct objective *judge_new(const struct problem *p, const struct columns *validation)
 {
-    struct objective *judge = NULL;
-    if (validation->n > 0) {
-        judge = objective_new(p->archive->program, validation, p->scene->norm);
-        judge->decimal = true;
-    }
-    archive_choose_champions(p->archive, &p->plan, p->objective, judge);
-    objective_free(judge);
+    if (validation->n == 0)
+        return NULL;
+    struct objective *judge = objective_new(p->archive->program, validation, p->scene->norm);
+    judge->decimal = true;
+    return judge;
 }
 
 /* The fronts of all islands, merged in their order, and the champions chosen from them, on rank 0.
  * Collective. */
 static void collect_fronts(const struct call *call, const struct problem *p, const struct islands *s,
-                           const struct columns *validation)
+                           struct objective *judge)
 {
     struct reports f = islands_reports(s, call->team);
     size_t members = 0;
@@ -456,7 +455,7 @@ static void collect_fronts(const struct call *call, const struct problem *p, con
         lowest = INFINITY;
     }
     if (call->team->rank == 0)
-        choose_champions(p, validation);
+        archive_choose_champions(p->archive, &p->plan, p->objective, judge);
     reports_free(&f);
 }
 
@@ -476,7 +475,7 @@ static bool found(const struct archive *a, bool all, struct diag *d)
 
 /* On rank 0: what was found, to the files and in a table. */
 static bool write_found(const struct call *call, struct archive *a, const char *output, const struct heldout *heldout,
-                        const struct outcome *out, struct diag *d)
+                        struct objective *judge, const struct outcome *out, struct diag *d)
 {
     const struct evolve_options *o = call->options;
     const struct run_facts facts = {o->seed, out->generation, o->islands};
@@ -487,10 +486,13 @@ static bool write_found(const struct call *call, struct archive *a, const char *
     if (!found(a, false, d))
         return false;
     say(call, "measuring on samples held out ...");
-    const bool written = archive_write(a, output, &facts, heldout, d);
-    const bool fronts = written && (!o->front || archive_write_front(a, o->front, heldout, d));
+    struct diag other;
+    const bool fronts = !o->front || archive_write_front(a, o->front, heldout, judge, o->members, &other);
+    const bool written = archive_write(a, output, &facts, heldout, d); /* adds programs to the frame's values */
     say(call, "");
-    if (!fronts)
+    if (written && !fronts)
+        *d = other;
+    if (!written || !fronts)
         return false;
     archive_table(a, stdout);
     if (o->generations > 0)
@@ -542,10 +544,12 @@ bool run_evolution(const struct evolve_options *o, const struct team *team, cons
             start_islands(&r.call, p, &r.islands, d) && evolve_islands(&r.call, p, &r.islands, &r.files, &r.outcome, d);
     }
     if (good) {
-        collect_fronts(&r.call, p, &r.islands, &r.samples.validation);
-        good = team_agree(
-            team, team->rank > 0 || write_found(&r.call, p->archive, r.files.output, &r.samples.heldout, &r.outcome, d),
-            d);
+        struct objective *judge = judge_new(p, &r.samples.validation);
+        collect_fronts(&r.call, p, &r.islands, judge);
+        const bool written = team->rank > 0 ||
+                             write_found(&r.call, p->archive, r.files.output, &r.samples.heldout, judge, &r.outcome, d);
+        good = team_agree(team, written, d);
+        objective_free(judge);
     }
     *status = stop_status(r.outcome.reason);
     run_free(&r);

@@ -17,6 +17,7 @@ struct evolve_options {
     uint64_t seed;
     size_t generations, islands, population, migrate_every, log_every;
     size_t max_length; /* 0: each tier's own */
+    size_t members;    /* of each tier on `front`; 0: all */
     double parsimony, migrate_fraction;
     double checkpoint_every, time_limit; /* seconds; a limit of 0: none */
     enum functions functions;

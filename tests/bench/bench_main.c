@@ -18,7 +18,7 @@
 
 struct bench_options {
     const char *scene, *isa, *map;
-    bool all, csv, contact, quiet;
+    bool all, csv, contact, quiet, validation;
     size_t rounds;
 };
 
@@ -30,6 +30,7 @@ static const struct option_row rows[] = {
      .help = "every method on all held-out samples; otherwise of bare searches the front alone: what no other method "
              "leaves behind in time and error, one at a time or over arrays"},
     {"csv", 0, OPTION_FLAG, AT(csv), .help = "comma-separated values"},
+    {"validation", 0, OPTION_FLAG, AT(validation), .help = "on validation samples instead, to choose functions by"},
     {"isa", 0, OPTION_TEXT, AT(isa), "NAME",
      .help = "run the methods as compiled for x86-64, x86-64-v3 (AVX2, FMA) or x86-64-v4 (AVX-512) (default: the best "
              "that this machine has)"},
@@ -41,13 +42,14 @@ static const struct option_row rows[] = {
      .help = "instead: contact or not, and how deep, by the pinball test; comma-separated values"},
     {"quiet", 0, OPTION_FLAG, AT(quiet),
      .help = "say nothing while working: otherwise, but for --all, which scene is done and what is left"}};
-static const struct option_table options = {.program = "footpoint-bench",
-                                            .usage = "usage: footpoint-bench [--scene NAME] [--all] [--csv] [--isa "
-                                                     "NAME] [--map FOLDER] [--rounds N] [--contact] [--quiet]\n"
-                                                     "Speed against error of every search, on held-out samples.\n",
-                                            .row = rows,
-                                            .rows = sizeof rows / sizeof *rows,
-                                            .surplus = "unexpected argument '%s'"};
+static const struct option_table options = {
+    .program = "footpoint-bench",
+    .usage = "usage: footpoint-bench [--scene NAME] [--all] [--csv] [--isa "
+             "NAME] [--map FOLDER] [--rounds N] [--contact] [--validation] [--quiet]\n"
+             "Speed against error of every search, on held-out samples.\n",
+    .row = rows,
+    .rows = sizeof rows / sizeof *rows,
+    .surplus = "unexpected argument '%s'"};
 
 /* Every method on one part of a scene's samples; maps only where `map` is a folder. */
 static bool bench_part(const struct bench_options *o, const struct bench_table *table, const struct scene *scene,
@@ -55,7 +57,9 @@ static bool bench_part(const struct bench_options *o, const struct bench_table *
 {
     struct sample_set set = {0};
     /* Of a scene that is random anyway, what is held out is off any grid. */
-    const char *sample = part == PART_HELDOUT && scene->source != SOURCE_RANDOM ? "grid" : "random";
+    const char *sample = part == PART_VALIDATION                                  ? "validation"
+                         : part == PART_HELDOUT && scene->source != SOURCE_RANDOM ? "grid"
+                                                                                  : "random";
     bool done = scene_samples(scene, part, &set, d);
     if (done) {
         struct bench_run run = bench_measure(table, scene, training, &set, o->rounds);
@@ -85,7 +89,9 @@ static bool bench_scene(const struct bench_options *o, const struct bench_table 
         return decided;
     }
     bool done = scene_samples(scene, PART_TRAINING, &training, d);
-    if (scene->source != SOURCE_RANDOM)
+    if (o->validation)
+        done = done && bench_part(o, table, scene, &training, PART_VALIDATION, NULL, d);
+    else if (scene->source != SOURCE_RANDOM)
         done = done && (!(o->all || o->csv) || bench_part(o, table, scene, &training, PART_HELDOUT, NULL, d)) &&
                bench_part(o, table, scene, &training, PART_HELDOUT_RANDOM, o->map, d);
     else

@@ -243,7 +243,7 @@ static void fronts_are_written(void **state)
     f->scene.source = SOURCE_RANDOM;
     archive_measure(a, &f->plan, f->objective);
     offer(f, a, (const int[]){GENE_MUL, decimal_gene(0.5), Q}, 3);
-    if (!archive_write_front(a, WRITTEN, &heldout, &d))
+    if (!archive_write_front(a, WRITTEN, &heldout, NULL, 0, &d))
         fail_msg("%s", d.text);
     struct genome_file *g = genome_read(WRITTEN, &d);
     assert_non_null(g);

@@ -1,0 +1,35 @@
+/* Which members of a front may become tiers; see archive.h. */
+#include "archive.h"
+
+#include <math.h>
+
+static const double spare = 1.06; /* of the budget: costs are estimates, times decide */
+
+/* From the cheapest on those that are better, on the judge's samples, than all that are cheaper. */
+static size_t judged_front(const struct archive *a, struct objective *judge, size_t tier, const struct member **found)
+{
+    const struct front *f = a->front[tier][TIER_BOTH];
+    const double budget = a->scene->tier[tier].budget;
+    double least = INFINITY;
+    size_t n = 0;
+    for (size_t c = 0; c <= f->limit; c++) {
+        const struct member *m = &f->member[c];
+        if (m->tree.length == 0 || (budget > 0 && m->cost > spare * budget))
+            continue;
+        const double error = archive_error(a, judge, tier, TIER_BOTH, &m->tree);
+        if (error < least) {
+            least = error;
+            found[n++] = m;
+        }
+    }
+    return n;
+}
+
+size_t archive_members(const struct archive *a, struct objective *judge, size_t tier, size_t most,
+                       const struct member **found)
+{
+    const size_t n = judged_front(a, judge, tier, found), first = n > most ? n - most : 0;
+    for (size_t i = first; i < n; i++)
+        found[i - first] = found[i];
+    return n - first;
+}
