@@ -410,7 +410,8 @@ struct court {
     struct objective *judge; /* not owned; NULL: as they were found */
     size_t target;
     const struct tree *champion; /* not owned; NULL: none within the budget */
-    struct tails tails;          /* the champion's */
+    struct outputs outputs;      /* the champion's, as are these */
+    struct tails tails;
 };
 
 /* INFINITY for what is worse than the champion in anything. */
@@ -418,7 +419,7 @@ static double verdict(const struct court *court, const struct tree *t, double er
 {
     if (!court->judge || !(error < INFINITY))
         return error;
-    if (court->champion && t != court->champion && !objective_no_worse(court->judge, t, court->champion, court->target))
+    if (court->champion && t != court->champion && !objective_no_worse(court->judge, t, court->target, &court->outputs))
         return INFINITY;
     return objective_error_in_tails(court->judge, t, court->target, &court->tails, INFINITY);
 }
@@ -429,12 +430,15 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     const struct front *f = a->front[tier][output];
     const struct champion *c = &a->champion[tier][output];
     const double budget = a->scene->tier[tier].budget;
-    struct court court = {a, output == TIER_BOTH ? judge : NULL, archive_target(a, tier, output), NULL, {0, 0}};
+    struct court court = {
+        .a = a, .judge = output == TIER_BOTH ? judge : NULL, .target = archive_target(a, tier, output)};
     const bool fits = c->tree.length > 0 && merit(plan, budget, c->error, c->cost) < INFINITY;
     if (court.judge && c->tree.length > 0)
         court.tails = objective_tails(judge, &c->tree, court.target);
-    if (court.judge && fits)
+    if (court.judge && fits) {
         court.champion = &c->tree;
+        court.outputs = objective_outputs(judge, &c->tree, court.target);
+    }
     const double error = c->tree.length > 0 ? verdict(&court, &c->tree, c->error) : INFINITY;
     double least = (court.judge ? worth_judged : worth) * merit(plan, budget, error, c->cost);
     const struct member *best = NULL;

@@ -68,33 +68,49 @@ struct tails objective_tails(struct objective *o, const struct tree *t, size_t t
     return (struct tails){errors_p99(o->scratch, n), max};
 }
 
-/* One largest error is chance: of two programs the better one has it in each part of the samples. */
-enum { PARTS = 4, FIGURES = 6 * PARTS };
-
-/* Mean, 99 % and largest error of xi, then of eta, by parts. */
-static void measure_outputs(struct objective *o, const struct tree *t, size_t target, double error[FIGURES])
+static double mean_of(const double *error, size_t n)
 {
-    const size_t n = o->table->n;
-    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
-    for (size_t k = 0; k < 2 * PARTS; k++, error += 3) {
-        const size_t from = k % PARTS * n / PARTS, size = (k % PARTS + 1) * n / PARTS - from;
-        double *e = o->scratch + k / PARTS * n + from, sum = 0;
-        for (size_t i = 0; i < size; i++)
-            sum += fabs(e[i]);
-        error[0] = sum;
-        error[2] = errors_max(e, size);
-        error[1] = errors_p99(e, size);
-    }
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += error[i];
+    return n > 0 ? sum / (double)n : 0;
 }
 
-bool objective_no_worse(struct objective *o, const struct tree *t, const struct tree *than, size_t target)
+/* The errors in o->scratch of one output on one part of the samples, and how many. */
+static double *part_of(const struct objective *o, size_t output, size_t part, size_t *n)
 {
-    double own[FIGURES], other[FIGURES];
-    measure_outputs(o, t, target, own);
-    measure_outputs(o, than, target, other);
-    for (int i = 0; i < FIGURES; i++)
-        if (!(own[i] <= other[i]))
-            return false;
+    const size_t all = o->table->n, from = part * all / OUTPUT_PARTS;
+    *n = (part + 1) * all / OUTPUT_PARTS - from;
+    return o->scratch + output * all + from;
+}
+
+struct outputs objective_outputs(struct objective *o, const struct tree *t, size_t target)
+{
+    struct outputs found;
+    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0; i < OUTPUT_PARTS; i++) {
+            size_t n;
+            double *e = part_of(o, k, i, &n);
+            found.mean[k][i] = mean_of(e, n);
+            found.max[k][i] = errors_max(e, n);
+            found.p99[k][i] = errors_p99(e, n);
+        }
+    return found;
+}
+
+bool objective_no_worse(struct objective *o, const struct tree *t, size_t target, const struct outputs *than)
+{
+    lines_errors(o->lines, t, objective_last(o, target), INFINITY, o->scratch);
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0; i < OUTPUT_PARTS; i++) {
+            size_t n;
+            double *e = part_of(o, k, i, &n);
+            const double p99 = than->p99[k][i];
+            if (!(mean_of(e, n) <= than->mean[k][i]) || !(errors_max(e, n) <= than->max[k][i]) ||
+                !(errors_p99_above(e, n, p99) <= p99))
+                return false;
+        }
     return true;
 }
 

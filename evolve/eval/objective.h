@@ -45,9 +45,15 @@ double objective_error_in_tails(struct objective *o, const struct tree *t, size_
                                 double bound);
 /** 99 % and largest error of a program. */
 struct tails objective_tails(struct objective *o, const struct tree *t, size_t target);
-/** True if no error of a program, mean, 99 % or largest, of xi or of eta, is larger than another program's, in none of
- *  several parts of the samples. */
-bool objective_no_worse(struct objective *o, const struct tree *t, const struct tree *than, size_t target);
+/** Mean, 99 % and largest error of a program, of xi and of eta, in each part of the samples: one largest error is chance,
+ *  and of two programs the better one has it in all parts. */
+enum { OUTPUT_PARTS = 4 };
+struct outputs {
+    double mean[2][OUTPUT_PARTS], p99[2][OUTPUT_PARTS], max[2][OUTPUT_PARTS];
+};
+struct outputs objective_outputs(struct objective *o, const struct tree *t, size_t target);
+/** True if none of a program's is larger. */
+bool objective_no_worse(struct objective *o, const struct tree *t, size_t target, const struct outputs *than);
 
 /** Genes times samples evaluated so far; of programs, lines times samples. */
 double objective_work(const struct objective *o);
