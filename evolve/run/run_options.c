@@ -44,9 +44,9 @@ static const struct option_row rows[] = {
     {"front", 0, OPTION_TEXT, AT(front), "FILE", .role = KEPT,
      .help = "write all of the front of error against cost: a genome for each output and cost, or, where the name ends "
              "in .csv, a line for each"},
-    {"members", 0, OPTION_WHOLE, AT(members), "N", 1, 1000, .role = KEPT,
+    {"members", 0, OPTION_WHOLE, AT(members), "N", 0, 1000, .role = KEPT,
      .help = "of each tier of programs on the front no more than N genomes: within its budget, each the best on "
-             "validation samples of all that are no dearer"},
+             "validation samples of all that are no dearer (default: 0, all of the front)"},
     {"samples", 0, OPTION_TEXT, AT(samples), "FILE", .help = "only write the samples held out, for codegen"},
     {"generations", 0, OPTION_WHOLE, AT(generations), "N", 0, 100000000, .role = KEPT,
      .help = "0: only measure and write (default: 200)"},
