@@ -282,8 +282,7 @@ static double cost_of(const struct archive *a, const struct plan *plan, size_t t
                                : operations_price(&o, &plan->prices) + frame_cost_of(a->frame, t);
 }
 
-/* The error of an output that islands minimise. */
-static double error_of(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t)
+double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t)
 {
     const size_t target = archive_target(a, tier, output);
     return output == TIER_BOTH ? objective_error_in_tails(o, t, target, &a->tails[tier], INFINITY)
@@ -318,7 +317,7 @@ static void measure_champion(struct archive *a, const struct plan *plan, struct 
 {
     struct champion *c = &a->champion[tier][output];
     if (c->tree.length > 0) {
-        c->error = error_of(a, exact, tier, output, &c->tree);
+        c->error = archive_error(a, exact, tier, output, &c->tree);
         c->cost = cost_of(a, plan, tier, output, &c->tree, a->program->constant);
     }
     c->error_before = c->error;
@@ -335,7 +334,7 @@ static void take_exact(struct archive *a, struct objective *exact, size_t tier, 
     free(c->tree.gene);
     c->tree.gene = new_array(1, sizeof *c->tree.gene);
     tree_copy(&value, &c->tree);
-    c->error = error_of(a, exact, tier, output, &c->tree);
+    c->error = archive_error(a, exact, tier, output, &c->tree);
     c->cost = frame_cost_of(a->frame, &c->tree);
     c->bred = true;
 }
@@ -349,7 +348,7 @@ static void start_fronts(struct archive *a, const struct plan *plan, struct obje
     a->old[tier][output] = front_new(plan->front_limit, longest);
     const size_t n = archive_seeds(a, tier, output, &seed);
     for (size_t i = 0; i < n; i++) {
-        const double error = error_of(a, o, tier, output, &seed[i]);
+        const double error = archive_error(a, o, tier, output, &seed[i]);
         const bool start = i == 0 && a->champion[tier][output].length_before > 0;
         archive_offer(a, plan, tier, output, &seed[i], error, start ? ORIGIN_START : ORIGIN_SEED);
     }

@@ -110,6 +110,8 @@ int *archive_symbols(const struct archive *a, size_t tier);
 int archive_last(const struct archive *a, size_t tier);
 /** What an output is measured against (objective.h). */
 size_t archive_target(const struct archive *a, size_t tier, int output);
+/** The error of an output that islands minimise. */
+double archive_error(const struct archive *a, struct objective *o, size_t tier, int output, const struct tree *t);
 
 /** Operations of a tree; of a program with the values of the frame that it needs. */
 struct operation_count archive_operations(const struct archive *a, size_t tier, int output, const struct tree *t,
