@@ -353,7 +353,13 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 
 JOBS ?= $(shell nproc)
 
-# What takes longest to compile comes first.
+# What takes longest comes first, but make comes back to what waits for something only when all others are under way: so
+# what that waits for is made before, in two steps.
+bench_text := $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/rival_counts.inc
+build_tests = for part in codegen bench-text build-tests; do \
+                  $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) $$part || exit; \
+              done
+bench-text: $(bench_text) evolve runtime
 build-tests: $(isa_parts) all $(TESTS)
 
 # The longest first, so that processors are busy to the end.
@@ -366,11 +372,11 @@ run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 isa_objects = $(wildcard $(ALL_ISAS:%=$(OBJ)/tests/bench/bench_methods-%.o))
 check: export ISAS := $(or $(isa_objects:$(OBJ)/tests/bench/bench_methods-%.o=%),quick)
 check: ## run the tests, less those that take long (some minutes; JOBS= at a time)
-	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
+	$(Q)$(build_tests)
 	$(Q)JOBS=$(JOBS) $(run_tests) $(in_order)
 
 check-long: ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
-	$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) build-tests
+	$(Q)$(build_tests)
 	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(wildcard tests/long/*.sh) --alone $(wildcard tests/timed/*.sh)
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
@@ -529,5 +535,5 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate front check check-long bench calibrate report \
-        perceptrons paper rivals build-tests deps deps-long deps-rivals install install-runtime uninstall \
+        perceptrons paper rivals bench-text build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE

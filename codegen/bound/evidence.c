@@ -12,8 +12,10 @@
 enum { MOST_NAME = 60, POINTS = 8, POINT_BITS = 6, TRIES_A_SAMPLE = 20 };
 enum { BOXES_FOR_EMPTY = 200 };
 
-/* Limits of work, in operations on coefficients (about a nanosecond) and in Arb's operations. */
+/* Limits of work, in operations on coefficients (about a nanosecond), where so many boxes or more are allowed, and in Arb's
+ * operations. */
 #define MOST_WORK 1.5e9
+#define BOXES_FOR_MOST 2000.0
 #define DRAW 16.0 /* a random coordinate */
 #define MOST_BALLS 4e6
 
@@ -220,7 +222,8 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
 {
     struct evidence *e = new_array(1, sizeof *e);
     struct region *r = region_new(f, p);
-    struct search s = {.region = r, .boxes = options->boxes, .work = MOST_WORK};
+    struct search s = {
+        .region = r, .boxes = options->boxes, .work = MOST_WORK * fmin(1, (double)options->boxes / BOXES_FOR_MOST)};
     find_denominators(e, f, genome, p);
     e->region = r->known->complete;
     e->empty = region_is_empty(r, BOXES_FOR_EMPTY);
