@@ -18,7 +18,7 @@ FOOTPOINT_PART REAL footpoint_detail_KIND_bend(const REAL k[9], REAL u, REAL v, 
 
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
  * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  Bends as they are
- * without bends, then three of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
+ * without bends, then a few of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
  * that the next one would be of the size of rounding errors, and the face is far from folded there. */
 FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const REAL p[3],
                                                      REAL at[3], int *status)
@@ -46,7 +46,7 @@ FOOTPOINT_PART REAL_BITS footpoint_detail_KIND_along(const REAL *const *x, const
     u = k[0] - footpoint_detail_KIND_bend(k, k[0], l[0], f);
     v = l[0] - footpoint_detail_KIND_bend(l, k[0], l[0], g);
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
+    for (i = 0; i < (NODES > 6 ? 4 : 3); i++) {
         s = k[0] - u - footpoint_detail_KIND_bend(k, u, v, f);
         t = l[0] - v - footpoint_detail_KIND_bend(l, u, v, g);
         folds = (1.0 + f[0]) * (1.0 + g[1]) - f[1] * g[0];
