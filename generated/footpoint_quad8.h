@@ -2342,7 +2342,7 @@ FOOTPOINT_PART double footpoint_detail_quad8_bend(const double k[9], double u, d
 
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
  * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  Bends as they are
- * without bends, then three or four of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
+ * without bends, then a few of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
  * that the next one would be of the size of rounding errors, and the face is far from folded there. */
 FOOTPOINT_PART unsigned long long footpoint_detail_quad8_along(const double *const *x, const double p[3],
                                                                double at[3], int *status)

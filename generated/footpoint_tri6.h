@@ -1976,7 +1976,7 @@ FOOTPOINT_PART double footpoint_detail_tri6_bend(const double k[9], double u, do
 
 /* at = {xi, eta, distance times |p|}; status FOOTPOINT_OK or FOOTPOINT_OUTSIDE.  c2 x p and p x c1 are at right angles to p;
  * along them, over the product of c1, c2 and p, the equations are u + bend = k[0] and v + bend = l[0].  Bends as they are
- * without bends, then three of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
+ * without bends, then a few of Newton's steps.  The highest bit of what it returns is set unless the last one is so short
  * that the next one would be of the size of rounding errors, and the face is far from folded there. */
 FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *const *x, const double p[3],
                                                               double at[3], int *status)
@@ -2004,7 +2004,7 @@ FOOTPOINT_PART unsigned long long footpoint_detail_tri6_along(const double *cons
     u = k[0] - footpoint_detail_tri6_bend(k, k[0], l[0], f);
     v = l[0] - footpoint_detail_tri6_bend(l, k[0], l[0], g);
     FOOTPOINT_UNROLL
-    for (i = 0; i < 3; i++) {
+    for (i = 0; i < (6 > 6 ? 4 : 3); i++) {
         s = k[0] - u - footpoint_detail_tri6_bend(k, u, v, f);
         t = l[0] - v - footpoint_detail_tri6_bend(l, u, v, g);
         folds = (1.0 + f[0]) * (1.0 + g[1]) - f[1] * g[0];
