@@ -351,13 +351,13 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_test)
 
-JOBS ?= $(shell nproc)
+jobs := $(or $(JOBS),$(shell nproc))
 
 # What takes longest comes first, but make comes back to what waits for something only when all others are under way: so
 # what that waits for is made before, in two steps.
 bench_text := $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OBJ)/rival_counts.inc
 build_tests = for part in codegen bench-text build-tests; do \
-                  $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) $$part || exit; \
+                  $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(jobs)) $$part || exit; \
               done
 bench-text: $(bench_text) evolve runtime
 build-tests: $(isa_parts) all $(TESTS)

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), as many at a time as there are processors
-# (JOBS=), those after the word --alone one by one; a program that prints no plan, or dies, fails.  Prints of each how long it took and the processor time in
-# that.  Closes with both of all of them and "N passed, N failed"; exits 1 if anything failed.
+# Runs test programs and scripts that print TAP ("ok ...", "not ok ..."), JOBS= at a time, else one more than there are
+# processors, as some wait; those after the word --alone one by one.  A program that prints no plan, or dies, fails.
+# Prints of each how long it took and the processor time in that.  Closes with both of all of them and
+# "N passed, N failed"; exits 1 if anything failed.
 if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed seconds" to a file of counts
     counts=$2 test=$3
     out=$(mktemp) || exit 3
@@ -26,11 +27,11 @@ if [ "$1" = --one ]; then # prints one test's result, and adds "passed failed se
     echo "$good $bad $seconds" >> "$counts"
     exit 0
 fi
-export CMOCKA_MESSAGE_OUTPUT=TAP
+export CMOCKA_MESSAGE_OUTPUT=TAP OMPI_MCA_mpi_yield_when_idle=1 # ranks that wait give way to other tests
 counts=$(mktemp) || exit 3
 trap 'rm -f "$counts"' EXIT
 begin=$(date +%s)
-at_a_time=${JOBS:-$(nproc)} tests=0
+at_a_time=${JOBS:-$(($(nproc) + 1))} tests=0
 for test; do
     [ "$test" != --alone ] || continue
     tests=$((tests + 1))

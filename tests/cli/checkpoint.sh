@@ -6,7 +6,7 @@ export OMPI_MCA_btl_base_warn_component_unused=0 OMPI_MCA_ess_singleton_isolated
 mpirun="mpirun -q --oversubscribe"
 [ "$(id -u)" != 0 ] || mpirun="$mpirun --allow-run-as-root"
 cp tests/scenes/small.scene "$work/"
-options="--scene $work/small.scene --seed 5 --from-scratch --islands 3 --population 60 --quiet"
+options="--scene $work/small.scene --seed 5 --from-scratch --islands 3 --population 60 --migrate-every 3 --quiet"
 paper="$options --breeding paper" # trees
 same() { cmp -s "$1" "$2"; report $((! $?)) "$3"; }
 
@@ -21,19 +21,19 @@ usage 'more migrants than individuals' '--migrate-fraction 1.5 is out of range (
 usage 'one file for two things' '--checkpoint and --log are one file: f' '--checkpoint f --log f'
 
 # Without interruption, then in two parts on other numbers of ranks: genomes and log.
-"$evolve" $options --generations 24 -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
+"$evolve" $options --generations 12 -o "$work/whole.gen" --log "$work/whole.csv" > /dev/null 2>&1
 cp "$work/whole.csv" "$work/log.csv" && head -1 "$work/log.csv" | grep -q '^generation,island,tier,output,place,best_error,' &&
-    [ "$(wc -l < "$work/log.csv")" = $((1 + 24 * 6)) ]; report $((! $?)) 'a line for each generation and island'
-$mpirun -n 3 "$evolve" $options --generations 24 -o "$work/o.gen" --log "$work/log.csv" > /dev/null 2>&1
+    [ "$(wc -l < "$work/log.csv")" = $((1 + 12 * 6)) ]; report $((! $?)) 'a line for each generation and island'
+$mpirun -n 3 "$evolve" $options --generations 12 -o "$work/o.gen" --log "$work/log.csv" > /dev/null 2>&1
 same "$work/whole.csv" "$work/log.csv" 'the same log from 3 ranks'
-$mpirun -n 3 "$evolve" $options --generations 12 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
+$mpirun -n 3 "$evolve" $options --generations 6 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
 mv "$work/ck" "$work/three"
-"$evolve" $options --generations 12 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
+"$evolve" $options --generations 6 -o "$work/parts.gen" --log "$work/parts.csv" --checkpoint "$work/ck" > /dev/null 2>&1
 same "$work/ck" "$work/three" 'the same checkpoint from 1 and 3 ranks'
 cp "$work/ck" "$work/good"; echo rubbish >> "$work/parts.csv"
 look=$(sed -n 's/^# submit it again .*until `\(.*\) run\.ckpt` says 100000$/\1/p' evolve/README.md)
-expect 'the generation, as the README'"'"'s job asks for it' 0 'generation 12' '' sh -c "$look '$work/good'"
-$mpirun -n 2 "$evolve" --resume "$work/ck" --generations 24 --quiet > /dev/null 2>&1
+expect 'the generation, as the README'"'"'s job asks for it' 0 'generation 6' '' sh -c "$look '$work/good'"
+$mpirun -n 2 "$evolve" --resume "$work/ck" --generations 12 --quiet > /dev/null 2>&1
 same "$work/whole.gen" "$work/parts.gen" 'begun on 3 ranks, resumed on 2: the same genomes'
 same "$work/whole.csv" "$work/parts.csv" 'and the same log'
 later "checkpoint: two topologies, SIGUSR1"
@@ -105,7 +105,7 @@ resealed 's/^islands 3/islands x/'; refused 'no number' 2 "footpoint-evolve: err
 resealed '/^scene /d'; refused 'no scene' 2 'footpoint-evolve: error: --scene is missing; see --help'
 resealed ''; refused 'another seed' 2 'footpoint-evolve: error: --seed 6 contradicts the checkpoint, which has 5' --seed 6
 refused 'another preset' 2 'footpoint-evolve: error: --islands 5 contradicts the checkpoint, which has 3' --preset paper
-refused 'too few generations' 2 "$work/bad: error: checkpoint of generation 12, beyond --generations 10" --generations 10
+refused 'too few generations' 2 "$work/bad: error: checkpoint of generation 6, beyond --generations 5" --generations 5
 sed 's/^seed .*/seed = 4;/' "$work/small.scene" > "$work/other.scene"
 sum=$(sed -n 's/^scene-sha256 //p' "$work/good" | cut -c1-12)
 other=$("$evolve" --scene "$work/other.scene" --resume "$work/bad" 2>&1 | sed -n 's/.*, not \(.*\)\.\.\.$/\1/p')

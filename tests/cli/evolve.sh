@@ -82,21 +82,21 @@ refused 'no pair is near enough' "$work/m.inp: error: no slave node within a dis
 
 scene ''
 cp tests/scenes/small.scene "$work/"
-run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 "$@"; }
-expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 10 --islands 3 -o "$work/r1.gen"
+run() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 --migrate-every 2 "$@"; }
+expect 'from scratch on 1 rank' 0 '*' '' run 1 --from-scratch --generations 5 --islands 3 -o "$work/r1.gen"
 for ranks in 2 3 ${FOOTPOINT_LONG:+4}; do
-    run $ranks --from-scratch --generations 10 --islands 3 -o "$work/r$ranks.gen" > /dev/null
+    run $ranks --from-scratch --generations 5 --islands 3 -o "$work/r$ranks.gen" > /dev/null
     cmp -s "$work/r1.gen" "$work/r$ranks.gen"; report $((! $?)) "$ranks ranks, the same bytes"
 done
-expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 --from-scratch \
-    --generations 10 --islands 3 -o "$work/r0.gen"
+expect 'without mpirun' 0 '*' '' "$evolve" --scene "$work/small.scene" --quiet --seed 5 --population 60 --migrate-every 2 --from-scratch \
+    --generations 5 --islands 3 -o "$work/r0.gen"
 cmp -s "$work/r1.gen" "$work/r0.gen"; report $((! $?)) 'and the same bytes'
 run 2 --start "$work/r1.gen" --generations 0 -o "$work/again.gen" > /dev/null
 cmp -s "$work/r1.gen" "$work/again.gen"; report $((! $?)) 'no generations: the same file again'
 run 2 --start "$work/r1.gen" --generations 15 -o "$work/later.gen" > "$work/table"
 worse=$(awk '/->/ && $5 + 0 > $3 + 0' "$work/table")
 [ -z "$worse" ] && grep -q -- '->' "$work/table"; report $((! $?)) 'a second run makes nothing worse'
-"$BIN/footpoint-codegen" --effort 10 --allow-poles "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
+"$BIN/footpoint-codegen" --effort 1 --allow-poles "$work/later.gen" -o "$work/small.h" --prefix small 2> /dev/null &&
     grep -q 'small_paper_at' "$work/small.h"; report $((! $?)) 'both frames end in a header'
 
 sed 's/^xi = .*/xi = + p/' "$work/r1.gen" > "$work/bad.gen"
