@@ -1,4 +1,5 @@
 /* Faces of every kind; see footpoint_face.h. */
+#include "../certain/quadratic.h"
 #include "../footpoint_face.h"
 #include "face_table.h"
 
@@ -57,6 +58,47 @@ int footpoint_face_closest(enum footpoint_face face, const double *x, double loc
         return FOOTPOINT_ERR_ARGUMENT;
     const struct rows r = rows_of(f, x);
     return f->closest(r.x, r.s, loc, distance, region);
+}
+
+/* Edges that a place is on, bit by bit, as a region of footpoint_face.h. */
+static int region_of(int corners, int edges)
+{
+    for (int k = 0; k < corners; k++)
+        if (edges >> k & edges >> (k + corners - 1) % corners & 1)
+            return 5 + k;
+    for (int k = 0; k < corners; k++)
+        if (edges >> k & 1)
+            return 1 + k;
+    return 0;
+}
+
+int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region)
+{
+    const struct face *const f = face_of(face);
+    const int triangle = face == FOOTPOINT_TRI3 || face == FOOTPOINT_TRI6;
+    struct quadratic_answer answer;
+    int status;
+    if (!f)
+        return FOOTPOINT_ERR_ARGUMENT;
+    const struct rows r = rows_of(f, x);
+    if (face == FOOTPOINT_QUAD4) {
+        double *const at = answer.loc;
+        status = footpoint_robust(r.x[0], r.x[1], r.x[2], r.x[3], r.s, at, &answer.distance);
+        if (status >= FOOTPOINT_OK)
+            answer.edges = (at[1] <= -1.0) | (at[0] >= 1.0) << 1 | (at[1] >= 1.0) << 2 | (at[0] <= -1.0) << 3;
+    } else {
+        double start[2] = {triangle ? 1.0 / 3.0 : 0.0, triangle ? 1.0 / 3.0 : 0.0}, guess;
+        int where;
+        (void)f->closest(r.x, r.s, start, &guess, &where);
+        status = footpoint_quadratic_closest(f->pairs.nodes, x, start, &answer);
+    }
+    if (status < FOOTPOINT_OK)
+        return status;
+    loc[0] = answer.loc[0];
+    loc[1] = answer.loc[1];
+    *distance = answer.distance;
+    *region = region_of(triangle ? 3 : 4, answer.edges);
+    return status;
 }
 
 int footpoint_face_place(enum footpoint_face face, const double *x, const double loc[2], double *phi, double *r_xi,

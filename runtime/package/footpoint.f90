@@ -208,6 +208,15 @@ module footpoint
       integer(c_int) :: status
     end function
 
+    function footpoint_face_robust(face, x, loc, distance, region) bind(C) result(status)
+      import :: c_int, c_double
+      integer(c_int), value :: face
+      real(c_double), intent(in) :: x(3, *)
+      real(c_double), intent(inout) :: loc(2), distance
+      integer(c_int), intent(inout) :: region
+      integer(c_int) :: status
+    end function
+
     function footpoint_face_select(face, xyz, candidates, seg, xS, chosen, loc, distance, region) bind(C) result(status)
       import :: c_int, c_size_t, c_double
       integer(c_int), value :: face

@@ -25,7 +25,7 @@ runtime/geometry:   runtime
 runtime/certain:    runtime/geometry runtime generated
 runtime/search:     runtime/certain runtime/geometry runtime generated
 runtime/batch:      runtime/search runtime/certain runtime/geometry runtime generated
-runtime/faces:      runtime generated
+runtime/faces:      runtime/certain runtime/geometry runtime generated
 runtime/calculix:   runtime/certain runtime/geometry runtime generated
 runtime/replace:    runtime generated                           # C, Fortran and C++
 evolve/common:      codegen/genome

@@ -1,0 +1,77 @@
+/* Faces of degree 2 in each of two coordinates u and v from 0 to 1, for quadratic.c and subdivide.c alone: those of four,
+ * eight and nine nodes, with xi = 2 u - 1 and eta = 2 v - 1, and triangles of three and six, with xi = u and eta = v.
+ *     r - xS = sum b_ij B_i(u) B_j(v)
+ * with Bernstein's polynomials B of degree 2 and the control points b_ij.  So that all faces are the square of a and b
+ * from 0 to 1, u = a (1 - b) and v = b of a triangle, which is turned so that the point in question is nearest to its
+ * first corner, in u and v: far from where a is lost.
+ *
+ * The unit of length is a power of two for which the largest component of a control point, extrapolated ones of a
+ * triangle included, is from 1/2 to 1.  In this unit control points are within 64 u of what the nodes say, u = 2^-53:
+ * each is a sum of differences xS - x, right to u, with factors that add up to 40 at most, in 10 operations at most. */
+#ifndef FOOTPOINT_QUADRATIC_H
+#define FOOTPOINT_QUADRATIC_H
+
+#include "../footpoint.h"
+#include "../geometry/vector.h"
+#include "ieee.h"
+
+#define QUADRATIC_TOLERANCE                                                                                            \
+    0x1p-38 /* distances are right to that; 1e-10 of the farthest node's, as |b_ij| < 20 of it */
+
+struct quadratic {
+    double net[9][3]; /* b_ij at 3 i + j */
+    int triangle, exponent;
+};
+
+/* Coefficients [i][j] of s^i t^j of r - xS around a point, s and t being the way from there in u and v. */
+struct quadratic_taylor {
+    double c[3][3][3];
+};
+
+/* The closest point: on which edges it lies, bit k being edge k in the order AB, BC, CD, DA, or AB, BC, CA. */
+struct quadratic_answer {
+    double loc[2], distance;
+    int edges;
+};
+
+enum quadratic_proof { QUADRATIC_PROVED, QUADRATIC_TIED, QUADRATIC_NEARER, QUADRATIC_GIVEN_UP };
+
+static inline double quadratic_larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* u and v of (a,b) = at. */
+static inline double quadratic_u(const struct quadratic *f, const double at[2])
+{
+    return f->triangle ? at[0] * (1.0 - at[1]) : at[0];
+}
+
+#ifdef __GNUC__
+#pragma GCC visibility push(hidden)
+#endif
+
+/** The closest point of the face, with certainty.
+ *  @param[in] nodes  3, 6, 8 or 9
+ *  @param[in] x      their coordinates and xS's
+ *  @param[in] start  {xi, eta} to begin from
+ *  @return as footpoint_face_robust */
+int footpoint_quadratic_closest(int nodes, const double *x, const double start[2], struct quadratic_answer *answer);
+
+/** Errors: c00 10 u; c10, c01 34 u; c20, c02 27 u; c11, c21, c12, c22 84 u at most. */
+void footpoint_quadratic_taylor(const struct quadratic *f, double u, double v, struct quadratic_taylor *t);
+
+/** That no point of the face is nearer than the local minimum `at`, where the expansion is t, by more than half of the
+ *  tolerance; or a point that is.
+ *  @param[in,out] boxes  how many may be looked at still
+ *  @param[out]    start  (a,b) of the nearer point
+ *  @return QUADRATIC_PROVED (nor is any other point as near), QUADRATIC_TIED (one may be), QUADRATIC_NEARER,
+ *          QUADRATIC_GIVEN_UP */
+enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const double at[2],
+                                               const struct quadratic_taylor *t, int *boxes, double start[2]);
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
+
+#endif
