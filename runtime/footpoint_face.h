@@ -53,7 +53,7 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
  *  right to the rounding of their distances; inside it is the foot point, unless one of an edge is nearer.
  *  @param[out] distance  |xS - r|, mesh length; < 0 behind the face
  *  @param[out] region    where r lies: 0 inside, 1 to 4 edge AB, BC, CD, DA, 5 to 8 corner A, B, C, D; of a triangle
- *                        1 to 3 and 5 to 7
+ *                        1 to 3 and 4 to 6
  *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long */
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 

@@ -235,14 +235,22 @@ static void descend(const struct quadratic *f, double at[2], struct quadratic_ta
 
 /* ---- the closest point ---- */
 
-static void write_answer(const struct quadratic *f, int first, const double at[2], const struct quadratic_taylor *t,
-                         struct quadratic_answer *answer)
+/* As in generated/, by the normal that is an eighth of the way to the middle, where collapsed corners have one, too. */
+static double signed_distance(const struct quadratic *f, const double at[2], const double r[3])
 {
-    const double *const r = t->c[0][0];
-    const int low = at[0] <= 0.0, high = at[0] >= 1.0, bottom = at[1] <= 0.0, top = at[1] >= 1.0;
+    const double middle = f->triangle ? 1.0 / 3.0 : 0.5, u = quadratic_u(f, at), v = at[1];
+    const double distance = ldexp(sqrt(vector_dot(r, r)), f->exponent);
+    struct quadratic_taylor t;
     double n[3];
-    vector_cross(t->c[1][0], t->c[0][1], n);
-    answer->distance = ldexp(vector_dot(n, r) > 0.0 ? -sqrt(vector_dot(r, r)) : sqrt(vector_dot(r, r)), f->exponent);
+    footpoint_quadratic_taylor(f, u + 0.125 * (middle - u), v + 0.125 * (middle - v), &t);
+    vector_cross(t.c[1][0], t.c[0][1], n);
+    return vector_dot(n, r) > 0.0 ? -distance : distance;
+}
+
+/* (xi,eta) and edges of a place of the face that begins at a corner `first`. */
+static void write_place(const struct quadratic *f, int first, const double at[2], struct quadratic_answer *answer)
+{
+    const int low = at[0] <= 0.0, high = at[0] >= 1.0, bottom = at[1] <= 0.0, top = at[1] >= 1.0;
     answer->edges = bottom | high << 1 | top << 2 | low << 3;
     answer->loc[0] = 2.0 * at[0] - 1.0;
     answer->loc[1] = 2.0 * at[1] - 1.0;
@@ -291,12 +299,12 @@ int footpoint_quadratic_closest(int nodes, const double *x, const double start[2
         const int first = place_of(triangle, answer->loc, at);
         face_of(nodes, (const double(*)[3])y, first, exponent, &f);
         descend(&f, at, &t);
-        write_answer(&f, first, at, &t, answer);
+        write_place(&f, first, at, answer);
         if (triangle && turns < TURNS && (1.0 - at[0]) * (1.0 - at[1]) < 0.25)
             continue;
         const enum quadratic_proof proof = footpoint_quadratic_prove(&f, at, &t, &boxes, nearer);
         if (proof == QUADRATIC_NEARER) {
-            write_answer(&f, first, nearer, &t, answer);
+            write_place(&f, first, nearer, answer);
             starts++;
             turns = -1;
             continue;
@@ -305,6 +313,7 @@ int footpoint_quadratic_closest(int nodes, const double *x, const double start[2
             status = proof == QUADRATIC_TIED ? FOOTPOINT_NOT_UNIQUE : answer->edges ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
         break;
     }
+    answer->distance = signed_distance(&f, at, t.c[0][0]);
     if (!isfinite(answer->distance))
         return FOOTPOINT_ERR_DOMAIN;
     if (status != FOOTPOINT_UNPROVED && all_on_a_line(&f)) {

@@ -65,7 +65,7 @@ static int region_of(int corners, int edges)
 {
     for (int k = 0; k < corners; k++)
         if (edges >> k & edges >> (k + corners - 1) % corners & 1)
-            return 5 + k;
+            return 1 + corners + k;
     for (int k = 0; k < corners; k++)
         if (edges >> k & 1)
             return 1 + k;

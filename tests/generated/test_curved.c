@@ -1,12 +1,14 @@
-/* Faces of six, eight and nine nodes: closest points, NAME_closest, and projection along a direction, of faces as scenes
- * draw them, against searches that are certain and share no code with them, tests/support/curved_face.h.  Slave nodes lie in the
- * ranges of the scenes and up to an edge beside the face.  1,000 of each scene, 1e6 with FOOTPOINT_LONG. */
+/* Faces of six, eight and nine nodes: closest points, NAME_closest and footpoint_face_robust, and projection along a
+ * direction, of faces as scenes draw them, against searches that are certain and share no code with them,
+ * tests/support/curved_face.h.  Slave nodes lie in the ranges of the scenes and up to an edge beside the face.  1,000 of
+ * each scene, 1e6 with FOOTPOINT_LONG; and footpoint_face_robust on 1,000 strongly curved faces of each kind, or 1e5. */
 #include "../../codegen/genome/genome.h"
 #include "../../evolve/common/stream.h"
 #include "../../evolve/samples/samples.h"
 #include "../../generated/footpoint_quad8.h"
 #include "../../generated/footpoint_quad9.h"
 #include "../../generated/footpoint_tri6.h"
+#include "../../runtime/footpoint_face.h"
 #include "../support/curved_face.h"
 
 #include <gsl/gsl_randist.h>
@@ -21,7 +23,8 @@
 
 #include <cmocka.h>
 
-enum { SAMPLES = 1000, SAMPLES_LONG = 1000000, SEED = 20131, VECTORS = SEGMENT_VECTORS + 1 };
+enum { SAMPLES = 1000, SAMPLES_LONG = 1000000, STRONG = 1000, STRONG_LONG = 100000 };
+enum { SEED = 20131, SEED_STRONG = 20132, VECTORS = SEGMENT_VECTORS + 1 };
 #define TIE 1e-6 /* of xi and eta: where rounding hides which region it is */
 
 #define N6(x) x[0], x[1], x[2], x[3], x[4], x[5]
@@ -55,12 +58,13 @@ ALONG(9, quad9)
 
 static const struct kind {
     const char *scene;
+    enum footpoint_face face;
     int nodes, corners;
     closest *exact, *coarse;
     along *along;
-} kinds[] = {{"tri6", 6, 3, closest_tri6_accurate, closest_tri6_coarse, along_tri6},
-             {"quad8", 8, 4, closest_quad8_full, closest_quad8_coarse, along_quad8},
-             {"quad9", 9, 4, closest_quad9_full, closest_quad9_coarse, along_quad9}};
+} kinds[] = {{"tri6", FOOTPOINT_TRI6, 6, 3, closest_tri6_accurate, closest_tri6_coarse, along_tri6},
+             {"quad8", FOOTPOINT_QUAD8, 8, 4, closest_quad8_full, closest_quad8_coarse, along_quad8},
+             {"quad9", FOOTPOINT_QUAD9, 9, 4, closest_quad9_full, closest_quad9_coarse, along_quad9}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static long samples(void)
@@ -147,10 +151,58 @@ static int region_of(int corners, double xi, double eta, double *margin)
     return on[edges];
 }
 
+/* Of footpoint_face_robust: answers by status. */
+struct robust {
+    long status[FOOTPOINT_STATUS_MOST + 1], wrong, apart;
+    double longer;
+};
+
 struct tally {
+    struct robust robust;
     long answers, far, wrong, regions, sides, twice, outside, none;
     double off, longer, coarse;
 };
+
+/* Distances are right to 1e-10 of the largest difference of coordinates, and what is said to be the only closest point is. */
+static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, const struct curved_face *f,
+                       const double certain[2], double least, struct robust *t)
+{
+    double all[3 * VECTORS], loc[2], dist, at[3], nearest[3], span = 0, apart = 0, off = 0, margin;
+    int region;
+    for (int i = 0; i < 3 * k->nodes + 3; i++) {
+        all[i] = i < 3 * k->nodes ? x[i / 3][i % 3] : xs[i % 3];
+        span = fmax(span, fabs(all[i] - xs[i % 3]));
+    }
+    const int status = footpoint_face_robust(k->face, all, loc, &dist, &region);
+    assert_in_range(status, 0, FOOTPOINT_STATUS_MOST);
+    t->status[status]++;
+    curved_face_point(f, loc[0], loc[1], at);
+    curved_face_point(f, certain[0], certain[1], nearest);
+    for (int j = 0; j < 3; j++) {
+        off += at[j] * at[j];
+        apart = fmax(apart, fabs(at[j] - nearest[j]));
+    }
+    const double known = sqrt(nearest[0] * nearest[0] + nearest[1] * nearest[1] + nearest[2] * nearest[2]);
+    const double longer = (fabs(dist) - fmin(least, known)) / span;
+    const int claims = region_of(k->corners, loc[0], loc[1], &margin);
+    t->apart += status <= FOOTPOINT_OUTSIDE && apart > 1e-4 * span;
+    t->longer = status == FOOTPOINT_UNPROVED ? t->longer : fmax(t->longer, longer);
+    if ((status == FOOTPOINT_UNPROVED || fabs(longer) <= 1e-10) && fabs(sqrt(off) - fabs(dist)) <= 1e-12 * span &&
+        (margin < TIE || claims == region) &&
+        (status > FOOTPOINT_OUTSIDE || (status == FOOTPOINT_OUTSIDE) == (region > 0)))
+        return;
+    if (t->wrong++ < 5)
+        printf("# %s: robust, status %d, %.12g %.12g %.17g, certain %.12g %.12g %.17g\n", k->scene, status, loc[0],
+               loc[1], dist, certain[0], certain[1], least);
+}
+
+static void print_robust(const struct kind *k, const char *of, const struct robust *t)
+{
+    printf("# %s, robust%s: %ld inside, %ld outside, %ld not unique, %ld unproved; %ld wrong, %ld not the only one; "
+           "distance by %.1e\n",
+           k->scene, of, t->status[FOOTPOINT_OK], t->status[FOOTPOINT_OUTSIDE], t->status[FOOTPOINT_NOT_UNIQUE],
+           t->status[FOOTPOINT_UNPROVED], t->wrong, t->apart, t->longer);
+}
 
 static void ask_closest(const struct kind *k, struct question *q, gsl_rng *stream, void *to)
 {
@@ -161,6 +213,7 @@ static void ask_closest(const struct kind *k, struct question *q, gsl_rng *strea
     (void)stream;
     curved_face_of(&f, k->nodes, q->x, q->xs);
     const double least = curved_face_closest(&f, certain);
+    ask_robust(k, q->x, q->xs, &f, certain, least, &t->robust);
     const int status = k->exact(q->x, q->xs, loc, &dist, &region);
     if (status == FOOTPOINT_ERR_DOMAIN) {
         t->far++;
@@ -199,8 +252,91 @@ static void closest_points_are_right(void **state)
         printf("# %s: %ld answers, %ld far, %ld wrong, %ld regions, %ld sides; off by %.1e, distance by %.1e, coarse "
                "%.1e\n",
                kinds[k].scene, t.answers, t.far, t.wrong, t.regions, t.sides, t.off, t.longer, t.coarse);
+        print_robust(&kinds[k], "", &t.robust);
         assert_true(t.wrong == 0 && t.regions == 0 && t.sides == 0 && t.answers > samples() * 9 / 10);
+        assert_true(t.robust.wrong == 0 && t.robust.apart == 0 && t.robust.status[FOOTPOINT_UNPROVED] == 0);
     }
+}
+
+/* ---- strongly curved faces ---- */
+
+enum bend { LOOSE, ROUND, TUBE, FOLDED, BENDS };
+
+/* Nodes at places p from -1/2 to 1/2: moved, middles of edges by up to half an edge; on arcs of up to a half circle in
+ * one direction or both; with C near A. */
+static void bend(const struct kind *k, enum bend how, gsl_rng *stream, double (*x)[3], double angle[2])
+{
+    static const double square[9][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
+    static const double three[6][2] = {{-1, -1}, {1, -1}, {-1, 1}, {0, -1}, {0, 0}, {-1, 0}};
+    const double middle =
+        how == FOLDED || how == LOOSE ? gsl_ran_flat(stream, 0.3, 0.5) : 0.1 * (double)gsl_rng_uniform_int(stream, 2);
+    angle[0] = gsl_ran_flat(stream, 0.5, M_PI);
+    angle[1] = how == ROUND ? gsl_ran_flat(stream, 0.5, M_PI) : 1e-6;
+    for (int n = 0; n < k->nodes; n++) {
+        const double *const p = k->corners == 3 ? three[n] : square[n], move = n < k->corners ? 0.4 * middle : middle;
+        for (int j = 0; j < 2; j++)
+            x[n][j] = how == ROUND || how == TUBE ? sin(0.5 * angle[j] * p[j]) / angle[j] : 0.5 * p[j];
+        x[n][2] = 0;
+        for (int j = 0; j < 2 && how != LOOSE && how != FOLDED; j++)
+            x[n][2] += (cos(0.5 * angle[j] * p[j]) - 1) / angle[j];
+        for (int j = 0; j < 3; j++)
+            x[n][j] = (how == FOLDED && n == 2 ? x[0][j] : x[n][j]) + gsl_ran_flat(stream, -move, move);
+    }
+}
+
+/* Up to two edges away, near the face, as near to one node as to another, or near an axis of the arcs. */
+static void put(const struct kind *k, enum bend how, gsl_rng *stream, double (*x)[3], const double angle[2], double *xs)
+{
+    const double none[3] = {0, 0, 0}, near = pow(10, gsl_ran_flat(stream, -10, 0));
+    const int where = (int)gsl_rng_uniform_int(stream, 4);
+    struct curved_face f;
+    for (int j = 0; j < 3; j++)
+        xs[j] = gsl_ran_flat(stream, -2, 2);
+    if (where == 1) {
+        const double u = gsl_rng_uniform(stream), v = gsl_rng_uniform(stream);
+        double r[3];
+        curved_face_of(&f, k->nodes, x, none);
+        curved_face_point(&f, k->corners == 3 ? u * (1 - v) : 2 * u - 1, k->corners == 3 ? v : 2 * v - 1, r);
+        for (int j = 0; j < 3; j++)
+            xs[j] = r[j] + near * xs[j];
+    } else if (where == 2) {
+        const int a = (int)gsl_rng_uniform_int(stream, (unsigned long)k->nodes), b = (a + 2) % k->nodes;
+        double across = 0, length = 0;
+        for (int j = 0; j < 3; j++) {
+            across += (x[b][j] - x[a][j]) * (xs[j] - 0.5 * (x[a][j] + x[b][j]));
+            length += pow(x[b][j] - x[a][j], 2);
+        }
+        for (int j = 0; j < 3; j++)
+            xs[j] -= across / length * (x[b][j] - x[a][j]);
+    } else if (where == 3 && (how == ROUND || how == TUBE)) {
+        xs[0] = near * xs[0];
+        xs[1] = how == TUBE ? 0.5 * xs[1] : near * xs[1];
+        xs[2] = -1 / angle[0] + near * xs[2];
+    }
+}
+
+static void strongly_curved_faces(void **state)
+{
+    const long count = getenv("FOOTPOINT_LONG") ? STRONG_LONG : STRONG;
+    gsl_rng *stream = stream_new();
+    (void)state;
+    for (int k = 0; k < KINDS; k++) {
+        struct robust t = {0};
+        for (long i = 0; i < count; i++) {
+            const enum bend how = (enum bend)(i % BENDS);
+            double x[VECTORS][3], xs[3], angle[2], certain[2];
+            struct curved_face f;
+            stream_key(stream, SEED_STRONG, (uint64_t)k, (uint64_t)i, 0);
+            bend(&kinds[k], how, stream, x, angle);
+            put(&kinds[k], how, stream, x, angle, xs);
+            curved_face_of(&f, kinds[k].nodes, x, xs);
+            const double least = curved_face_closest(&f, certain);
+            ask_robust(&kinds[k], x, xs, &f, certain, least, &t);
+        }
+        print_robust(&kinds[k], ", strongly curved", &t);
+        assert_true(t.wrong == 0 && t.apart == 0 && t.status[FOOTPOINT_UNPROVED] <= count / 100);
+    }
+    gsl_rng_free(stream);
 }
 
 /* ---- along a direction ---- */
@@ -262,6 +398,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closest_points_are_right),
+        cmocka_unit_test(strongly_curved_faces),
         cmocka_unit_test(lines_meet_the_face),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
