@@ -15,6 +15,7 @@ static double control(double low, double middle, double high)
     return 2.0 * middle - 0.5 * (low + high);
 }
 
+/* To a unit in which the largest is from 1/2 to 1. */
 static void scale(double *x, int n, int *exponent)
 {
     double most = 0.0;
@@ -22,9 +23,15 @@ static void scale(double *x, int n, int *exponent)
     for (int i = 0; i < n; i++)
         most = quadratic_larger(most, fabs(x[i]));
     (void)frexp(most, &e);
-    for (int i = 0; i < n; i++)
-        x[i] = ldexp(x[i], -e);
     *exponent += e;
+    if (e < -1000) { /* the factor would be too large */
+        for (int i = 0; i < n; i++)
+            x[i] *= 0x1p1000;
+        e += 1000;
+    }
+    const double by = ldexp(1.0, -e);
+    for (int i = 0; i < n; i++)
+        x[i] *= by;
 }
 
 static void square_of(int nodes, const double y[][3], struct quadratic *f)

@@ -58,7 +58,8 @@ static inline double quadratic_u(const struct quadratic *f, const double at[2])
  *  @return as footpoint_face_robust */
 int footpoint_quadratic_closest(int nodes, const double *x, const double start[2], struct quadratic_answer *answer);
 
-/** Errors: c00 10 u; c10, c01 34 u; c20, c02 27 u; c11, c21, c12, c22 84 u at most. */
+/** Errors are at most 20 u of c00; 44 u of c10, 64 u of c01; 48 u of c20 and c02; 144 u of c11, 128 u of c21, 112 u of
+ *  c12, 64 u of c22; but for them it is the face that the control points as they are make. */
 void footpoint_quadratic_taylor(const struct quadratic *f, double u, double v, struct quadratic_taylor *t);
 
 /** That no point of the face is nearer than the local minimum `at`, where the expansion is t, by more than half of the

@@ -25,10 +25,11 @@ enum { DEPTH = 80 };
  * of at most DEPTH halvings and 8 u for a triangle's folding in, in each of three coordinates; and of the distance of p. */
 #define ASTRAY (1024.0 * UNIT)
 
-/* Bounds on rounding errors of g . c10 and g . c01, and of h11, h12 and e with |s|, |t| <= 1, from those of c_ij in
- * quadratic.h and |c_ij| <= 2^(i + j) in each coordinate. */
-#define SLOPE_ERROR (128.0 * UNIT)
-#define FORM_ERROR 0x1p-38
+/* Bounds on rounding errors of g . c10 and g . c01, and of h11, h12 and e with |s|, |t| <= 1: from those of c_ij in
+ * quadratic.h, as |c_ij| <= 2^(i + j) in each coordinate, at most 330 u and, of e, 33,000 u; 10,000 u of e from its own
+ * products and sums. */
+#define SLOPE_ERROR (512.0 * UNIT)
+#define FORM_ERROR 0x1p-37
 #define PRODUCT_ERROR 0x1p-48 /* relative, of the determinant and what it is compared with */
 #define RANGE_ERROR 0x1p-50   /* of ends of boxes, in u and v */
 
@@ -46,6 +47,7 @@ struct form {
     double u, v, q[4][4];
     double down[2], up[2], room;   /* of the square of the distance */
     double nearer, farther, alone; /* squares of distances: below, a point is nearer; above, none is; none is as near */
+    int touching;                  /* p is xS, to the tolerance: other points may be as near, not nearer */
 };
 
 static double smaller(double a, double b)
@@ -81,9 +83,10 @@ static void form_of(const struct quadratic *f, const double at[2], const struct 
     m->q[1][3] = product(t, 0, 1, 1, 2);
     m->q[3][2] = product(t, 1, 0, 2, 2);
     m->q[2][3] = product(t, 0, 1, 2, 2);
-    const double distance = sqrt(vector_dot(t->c[0][0], t->c[0][0])),
-                 far = quadratic_larger(distance, QUADRATIC_TOLERANCE);
+    const double distance = sqrt(vector_dot(t->c[0][0], t->c[0][0]));
+    const double far = quadratic_larger(distance, QUADRATIC_TOLERANCE);
     const double near = far - 0.25 * QUADRATIC_TOLERANCE, floor = far - QUADRATIC_TOLERANCE + 2.0 * ASTRAY;
+    m->touching = distance < QUADRATIC_TOLERANCE;
     m->room = 0.5 * QUADRATIC_TOLERANCE * far;
     m->nearer = near * near;
     m->farther = floor * floor;
@@ -250,8 +253,12 @@ enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const 
         if (is_box_settled(f, &m, x))
             continue;
         const double error = coefficients_of((const double(*)[3])x->net, c);
-        if (has_nearer(&m, at, x, c, start, &own))
-            return QUADRATIC_NEARER;
+        if (has_nearer(&m, at, x, c, start, &own)) {
+            if (!m.touching)
+                return QUADRATIC_NEARER;
+            proof = QUADRATIC_TIED;
+            continue;
+        }
         const double bound = bound_of(c, own, error);
         if (bound >= m.farther) {
             if (bound <= m.alone)

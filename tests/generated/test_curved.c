@@ -284,7 +284,7 @@ static void bend(const struct kind *k, enum bend how, gsl_rng *stream, double (*
     }
 }
 
-/* Up to two edges away, near the face, as near to one node as to another, or near an axis of the arcs. */
+/* Up to two edges away, on the face or near it, as near to one node as to another, or near an axis of the arcs. */
 static void put(const struct kind *k, enum bend how, gsl_rng *stream, double (*x)[3], const double angle[2], double *xs)
 {
     const double none[3] = {0, 0, 0}, near = pow(10, gsl_ran_flat(stream, -10, 0));
@@ -298,7 +298,7 @@ static void put(const struct kind *k, enum bend how, gsl_rng *stream, double (*x
         curved_face_of(&f, k->nodes, x, none);
         curved_face_point(&f, k->corners == 3 ? u * (1 - v) : 2 * u - 1, k->corners == 3 ? v : 2 * v - 1, r);
         for (int j = 0; j < 3; j++)
-            xs[j] = r[j] + near * xs[j];
+            xs[j] = near < 1e-9 ? r[j] : r[j] + near * xs[j];
     } else if (where == 2) {
         const int a = (int)gsl_rng_uniform_int(stream, (unsigned long)k->nodes), b = (a + 2) % k->nodes;
         double across = 0, length = 0;

@@ -1,5 +1,6 @@
 /* The library's faces of every kind: foot points and derivatives against quadruple precision, closest points against
- * points all over the face, many pairs to the bits of single ones, and statuses. */
+ * points all over the face, many pairs to the bits of single ones, and statuses.  footpoint_face_robust on strongly curved
+ * faces is in generated/test_curved.c. */
 #include "../../runtime/footpoint_face.h"
 #include "../support/quad_precision.h"
 
@@ -239,6 +240,104 @@ static void the_nearest_face_is_chosen(void **state)
     }
 }
 
+/* ---- with certainty ---- */
+
+static double largest(const double *x, const double *xS, int n)
+{
+    double most = 0.0;
+    for (int i = 0; i < n; i++)
+        most = fmax(most, fabs(x[i] - xS[i % 3]));
+    return most;
+}
+
+/* Of any size, from any corner on. */
+static void robust_is_closest(void **state)
+{
+    uint64_t stream = 7;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const int nodes = footpoint_face_nodes(face), corners = face <= FOOTPOINT_TRI6 ? 3 : 4;
+        for (int sample = 0; sample < 4 * SAMPLES; sample++) {
+            double x[C], y[C], loc[2], at[2], distance, d;
+            int region, where;
+            draw(&stream, face, x);
+            assert_int_equal(footpoint_face_closest(face, x, loc, &distance, &region), FOOTPOINT_OK);
+            const int status = footpoint_face_robust(face, x, at, &d, &where);
+            assert_int_equal(status, where ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK);
+            expect_near(d, distance, 1e-10, "robust", face);
+            expect_near(at[0], loc[0], 1e-6, "xi", face);
+            expect_near(at[1], loc[1], 1e-6, "eta", face);
+            assert_int_equal(where, region);
+            for (int exponent = -1000; exponent <= 1000; exponent += 400) {
+                for (int i = 0; i < 3 * nodes + 3; i++)
+                    y[i] = ldexp(x[i], exponent);
+                assert_int_equal(footpoint_face_robust(face, y, loc, &distance, &region), status);
+                assert_true(region == where);
+                expect_near(ldexp(distance, -exponent), d, 1e-15, "in another unit", face);
+            }
+            for (int k = 0; k < nodes; k++) /* A is what was B, and so on */
+                memcpy(y + 3 * k,
+                       x + 3 * (k < corners       ? (k + 1) % corners
+                                : k < 2 * corners ? corners + (k + 1) % corners
+                                                  : k),
+                       3 * sizeof *y);
+            memcpy(y + 3 * nodes, x + 3 * nodes, 3 * sizeof *y);
+            assert_int_equal(footpoint_face_robust(face, y, loc, &distance, &region), status);
+            expect_near(fabs(distance), fabs(d), 1e-14, "from another corner", face);
+            const int turned = where == 0         ? 0
+                               : where <= corners ? 1 + (where + corners - 2) % corners
+                                                  : corners + 1 + (where - 2) % corners;
+            assert_int_equal(region, turned);
+        }
+    }
+}
+
+/* What has no area, no single answer, or is far away. */
+static void robust_is_sure_or_says_so(void **state)
+{
+    uint64_t stream = 11;
+    (void)state;
+    for (enum footpoint_face face = FOOTPOINT_TRI3; face < FOOTPOINT_FACES; face++) {
+        const struct exact_face f = exact_face_of(footpoint_face_nodes(face));
+        double x[C], loc[2], distance;
+        int region;
+        for (int flat = 0; flat < 2; flat++) { /* a point, a line; xS 5 away */
+            for (int i = 0; i < 3 * f.nodes; i++)
+                x[i] = i % 3 < 1 + flat ? 3.0 : 2.0 * (flat ? f.place[i / 3][0] + f.place[i / 3][1] : 0.0) + 1.0;
+            x[3 * f.nodes] = 6.0, x[3 * f.nodes + 1] = flat ? 7.0 : 1.0, x[3 * f.nodes + 2] = flat ? 1.0 : 5.0;
+            const int status = footpoint_face_robust(face, x, loc, &distance, &region);
+            assert_true(status == FOOTPOINT_NO_AREA || (flat && status == FOOTPOINT_UNPROVED));
+            expect_near(distance, 5.0, 1e-9, "without area", face);
+        }
+        for (double far = 1e3; far < 1e12; far *= 1e3) {
+            draw(&stream, face, x);
+            for (int i = 0; i < 3; i++)
+                x[3 * f.nodes + i] += far * (i - 1.2);
+            const int status = footpoint_face_robust(face, x, loc, &distance, &region);
+            assert_true(status >= FOOTPOINT_OK && status != FOOTPOINT_UNPROVED);
+            assert_true(far > 1e4 || status <= FOOTPOINT_OUTSIDE);
+            const double span = largest(x, x + 3 * f.nodes, 3 * f.nodes);
+            for (int i = 0; i < f.nodes; i++)
+                assert_true(fabs(distance) <= distance_to(&f, x, f.place[i][0], f.place[i][1]) + 1e-10 * span);
+            expect_near(distance_to(&f, x, loc[0], loc[1]), fabs(distance), 1e-12 * span, "from afar", face);
+        }
+    }
+    double dome[C], loc[2], distance; /* its corners are equally near to what lies on the axis far below */
+    int region;
+    const struct exact_face f = exact_face_of(9);
+    for (int i = 0; i < 27; i++)
+        dome[i] = i % 3 < 2 ? f.place[i / 3][i % 3]
+                            : -0.3 * (f.place[i / 3][0] * f.place[i / 3][0] + f.place[i / 3][1] * f.place[i / 3][1]);
+    dome[27] = dome[28] = 0.0, dome[29] = -4.0;
+    assert_int_equal(footpoint_face_robust(FOOTPOINT_QUAD9, dome, loc, &distance, &region), FOOTPOINT_NOT_UNIQUE);
+    expect_near(distance, -sqrt(2.0 + 3.4 * 3.4), 1e-12, "corners of a dome", FOOTPOINT_QUAD9);
+    assert_true(region >= 5);
+    dome[29] = -1.0 / 0.6; /* the centre of curvature of its top */
+    const int status = footpoint_face_robust(FOOTPOINT_QUAD9, dome, loc, &distance, &region);
+    assert_true(status == FOOTPOINT_NOT_UNIQUE || status == FOOTPOINT_OK);
+    expect_near(distance, dome[29], 1e-10, "top of a dome", FOOTPOINT_QUAD9);
+}
+
 static void statuses(void **state)
 {
     double x[C] = {0}, loc[2] = {0, 0}, gap = UNTOUCHED;
@@ -251,6 +350,7 @@ static void statuses(void **state)
         assert_int_equal(footpoint_face_nodes(no), 0);
         assert_int_equal(footpoint_face_locate(no, x, loc, &gap), FOOTPOINT_ERR_ARGUMENT);
         assert_int_equal(footpoint_face_closest(no, x, loc, &gap, &region), FOOTPOINT_ERR_ARGUMENT);
+        assert_int_equal(footpoint_face_robust(no, x, loc, &gap, &region), FOOTPOINT_ERR_ARGUMENT);
         assert_int_equal(footpoint_face_select(no, x, 1, none, x, &chosen, loc, &gap, &region), FOOTPOINT_ERR_ARGUMENT);
         assert_int_equal(footpoint_face_place(no, x, loc, NULL, NULL, NULL, NULL, &gap), FOOTPOINT_ERR_ARGUMENT);
         assert_int_equal(footpoint_face_differentiate(no, x, loc, NULL, NULL, NULL, NULL, NULL, x, x, x),
@@ -270,6 +370,7 @@ static void statuses(void **state)
         x[4] = INFINITY;
         assert_int_equal(footpoint_face_locate(face, x, loc, &gap), FOOTPOINT_ERR_NOT_FINITE);
         assert_int_equal(footpoint_face_closest(face, x, loc, &gap, &region), FOOTPOINT_ERR_NOT_FINITE);
+        assert_int_equal(footpoint_face_robust(face, x, loc, &gap, &region), FOOTPOINT_ERR_NOT_FINITE);
         assert_int_equal(footpoint_face_differentiate(face, x, loc, NULL, NULL, NULL, NULL, &gap, NULL, NULL, NULL),
                          FOOTPOINT_ERR_NOT_FINITE);
     }
@@ -283,6 +384,8 @@ int main(void)
         cmocka_unit_test(nothing_is_closer),
         cmocka_unit_test(pairs_are_single_ones),
         cmocka_unit_test(the_nearest_face_is_chosen),
+        cmocka_unit_test(robust_is_closest),
+        cmocka_unit_test(robust_is_sure_or_says_so),
         cmocka_unit_test(statuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
