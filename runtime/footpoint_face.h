@@ -5,9 +5,9 @@
  * corners counter-clockwise seen from where slave nodes come, then the middles of edges from AB on, then the middle.  A
  * triangle has 0 <= xi, eta and xi + eta <= 1, a quadrilateral xi and eta in [-1,1].
  *
- * Statuses and the rest as in footpoint.h; what footpoint_locate and footpoint_robust prove of four-node segments,
- * nobody proves here.  With d_gap, d_normal and hessian, footpoint_element_normal and footpoint_element_friction give
- * force and tangent of a contact element. */
+ * Statuses and the rest as in footpoint.h; what footpoint_locate proves of four-node segments, nobody proves here, but
+ * closest points footpoint_face_robust does.  With d_gap, d_normal and hessian, footpoint_element_normal and
+ * footpoint_element_friction give force and tangent of a contact element. */
 #ifndef FOOTPOINT_FACE_INCLUDED
 #define FOOTPOINT_FACE_INCLUDED
 
@@ -57,7 +57,7 @@ size_t footpoint_face_locate_pairs(enum footpoint_face face, size_t n, const dou
  *  @return as footpoint_face_locate; FOOTPOINT_ERR_DOMAIN: farther off than the longest edge is long */
 int footpoint_face_closest(enum footpoint_face face, const double *x, double loc[2], double *distance, int *region);
 
-/** Closest point of the face, whatever face and slave node, with certainty: from the answer of footpoint_face_closest by
+/** Closest point of the face, whatever face and slave node, with certainty: from the answer of footpoint_face_locate by
  *  Newton's method to a minimum of the distance, then a proof that no point of the face is nearer, by bounds over the
  *  whole face, or over ever smaller parts of it; where one is nearer, on from there.  Of quad4 it is footpoint_robust.
  *  The distance is right to 1e-10 of the largest difference of a coordinate of xS and a node's, rounding included, with

@@ -1,6 +1,7 @@
 /* The closest point of a face of degree 2; see quadratic.h: Newton's method for half the square of the distance over the
  * square of (a,b), then the proof of subdivide.c, which may know of a point that is nearer, and so on from there. */
 #include "quadratic.h"
+#include "ieee.h"
 
 enum { STEPS = 40, HALVINGS = 30, STARTS = 50, TURNS = 3, MOST_BOXES = 20000, MOST_NODES = 9 };
 

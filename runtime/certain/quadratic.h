@@ -13,7 +13,6 @@
 
 #include "../footpoint.h"
 #include "../geometry/vector.h"
-#include "ieee.h"
 
 #define QUADRATIC_TOLERANCE                                                                                            \
     0x1p-38 /* distances are right to that; 1e-10 of the farthest node's, as |b_ij| < 20 of it */

@@ -12,6 +12,7 @@
  * than the least of its Bernstein coefficients; these are formed for each box from its own control points, so that their
  * errors are of the size of the box and its distance.  A box is dropped if it is settled as above, or if its bound says
  * that it is farther away than p, or nearer by less than the tolerance. */
+#include "ieee.h"
 #include "quadratic.h"
 
 #include <float.h>
@@ -106,29 +107,22 @@ static double widest(const double range[2])
     return quadratic_larger(fabs(range[0]), fabs(range[1]));
 }
 
-static int is_settled(const struct form *m, const double s[2], const double t[2])
-{
-    const double S = widest(s), T = widest(t);
-    const double h11 = m->q[2][0] + least(m->q[3][0], s) + least(m->q[2][1], t) + m->up[0] / S - FORM_ERROR;
-    const double h22 = m->q[0][2] + least(m->q[0][3], t) + least(m->q[1][2], s) + m->up[1] / T - FORM_ERROR;
-    const double spread = S * S * (fabs(m->q[3][1]) + T * fabs(m->q[3][2])) + S * T * fabs(m->q[2][2]) +
-                          T * T * (fabs(m->q[1][3]) + S * fabs(m->q[2][3])) + FORM_ERROR;
-    const double e = fabs(m->q[1][1]) + spread;
-    const double det = (1.0 - PRODUCT_ERROR) * (h11 * h22) - 0.25 * (e * e);
-    if (!(h11 > 0.0 && h22 > 0.0 && det > 0.0))
-        return 0;
-    const double p = m->down[0], q = m->down[1]; /* the form less 2 (p |s| + q |t|) loses so much: */
-    return h22 * (p * p) + e * (p * q) + h11 * (q * q) <= (1.0 - PRODUCT_ERROR) * (m->room * det);
-}
-
-static int is_box_settled(const struct quadratic *f, const struct form *m, const struct box *x)
+/* Whether no point of the box is nearer than p, nor as near. */
+static int is_settled(const struct quadratic *f, const struct form *m, const struct box *x)
 {
     const double *const low = x->low, b = low[1] + x->wide[1];
     const double first = f->triangle ? low[0] * (1.0 - b) : low[0];
     const double last = (low[0] + x->wide[0]) * (f->triangle ? 1.0 - low[1] : 1.0);
-    const double s[2] = {first - m->u - RANGE_ERROR, last - m->u + RANGE_ERROR};
-    const double t[2] = {low[1] - m->v - RANGE_ERROR, b - m->v + RANGE_ERROR};
-    return is_settled(m, s, t);
+    const double s[2] = {first - m->u - RANGE_ERROR, last - m->u + RANGE_ERROR}, S = widest(s);
+    const double t[2] = {low[1] - m->v - RANGE_ERROR, b - m->v + RANGE_ERROR}, T = widest(t);
+    const double h11 = m->q[2][0] + least(m->q[3][0], s) + least(m->q[2][1], t) + m->up[0] / S - FORM_ERROR;
+    const double h22 = m->q[0][2] + least(m->q[0][3], t) + least(m->q[1][2], s) + m->up[1] / T - FORM_ERROR;
+    const double e = fabs(m->q[1][1]) + S * S * (fabs(m->q[3][1]) + T * fabs(m->q[3][2])) + S * T * fabs(m->q[2][2]) +
+                     T * T * (fabs(m->q[1][3]) + S * fabs(m->q[2][3])) + FORM_ERROR;
+    const double det = (1.0 - PRODUCT_ERROR) * (h11 * h22) - 0.25 * (e * e);
+    const double p = m->down[0], q = m->down[1]; /* what the form less 2 (p |s| + q |t|) loses must be small: */
+    return h11 > 0.0 && h22 > 0.0 && det > 0.0 &&
+           h22 * (p * p) + e * (p * q) + h11 * (q * q) <= (1.0 - PRODUCT_ERROR) * (m->room * det);
 }
 
 /* ---- boxes ---- */
@@ -240,8 +234,6 @@ enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const 
     struct form m;
     enum quadratic_proof proof = QUADRATIC_PROVED;
     form_of(f, at, t, &m);
-    if (is_settled(&m, (const double[2]){-m.u, 1.0 - m.u}, (const double[2]){-m.v, 1.0 - m.v}))
-        return proof;
     box_of(f, &stack[0]);
     for (int top = 0; top >= 0; --*boxes) {
         struct box *const x = &stack[top];
@@ -250,7 +242,7 @@ enum quadratic_proof footpoint_quadratic_prove(const struct quadratic *f, const 
         if (*boxes <= 0)
             return QUADRATIC_GIVEN_UP;
         top--;
-        if (is_box_settled(f, &m, x))
+        if (is_settled(f, &m, x))
             continue;
         const double error = coefficients_of((const double(*)[3])x->net, c);
         if (has_nearer(&m, at, x, c, start, &own)) {

@@ -88,8 +88,7 @@ int footpoint_face_robust(enum footpoint_face face, const double *x, double loc[
             answer.edges = (at[1] <= -1.0) | (at[0] >= 1.0) << 1 | (at[1] >= 1.0) << 2 | (at[0] <= -1.0) << 3;
     } else {
         double start[2] = {triangle ? 1.0 / 3.0 : 0.0, triangle ? 1.0 / 3.0 : 0.0}, guess;
-        int where;
-        (void)f->closest(r.x, r.s, start, &guess, &where);
+        (void)f->pairs.locate(r.x, r.s, start, &guess);
         status = footpoint_quadratic_closest(f->pairs.nodes, x, start, &answer);
     }
     if (status < FOOTPOINT_OK)

@@ -8,6 +8,7 @@
 
 #include "../../runtime/footpoint.h"
 #include "../../runtime/footpoint_batch.h"
+#include "../../runtime/footpoint_face.h"
 #include "../../runtime/geometry/footpoint-quad8-geometry.h"
 #include "../../runtime/geometry/footpoint-quad9-geometry.h"
 #include "../../runtime/geometry/footpoint-tri3-geometry.h"
@@ -188,6 +189,12 @@ BATCH_FN(footpoint_locate)
     }
 }
 DEFINE_ONE(footpoint_robust, (void)footpoint_robust(NODES(quad4), loc, &gap))
+#define FACE_ROBUST(kind, KIND)                                                                                        \
+    DEFINE_ONE(kind##_robust, int region; (void)footpoint_face_robust(FOOTPOINT_##KIND, x[0], loc, &gap, &region))
+FACE_ROBUST(tri3, TRI3)
+FACE_ROBUST(tri6, TRI6)
+FACE_ROBUST(quad8, QUAD8)
+FACE_ROBUST(quad9, QUAD9)
 DEFINE_ONE(tri6_attach_2d, attach(x, 6, loc, &gap))
 DEFINE_ONE(quad8_attach_2d, attach(x, 8, loc, &gap))
 DEFINE_ONE(footpoint_differentiate, {
@@ -262,6 +269,10 @@ static const struct bench_method calls[] = {
     BY_HAND(ROW){OURS("quad4", quad4, footpoint_locate, ASK_CHECKED), .batch = batch_footpoint_locate},
     {OURS("quad4", quad4, footpoint_robust, ASK_CLOSEST)},
     {OURS("quad4", quad4, footpoint_differentiate, ASK_DERIVATIVES)},
+    {OURS("tri3", tri3, tri3_robust, ASK_CLOSEST)},
+    {OURS("tri6", tri6, tri6_robust, ASK_CLOSEST)},
+    {OURS("quad8", quad8, quad8_robust, ASK_CLOSEST)},
+    {OURS("quad9", quad9, quad9_robust, ASK_CLOSEST)},
     {OURS("tri6", tri6, tri6_attach_2d, ASK_CLOSEST)},
     {OURS("quad8", quad8, quad8_attach_2d, ASK_CLOSEST)},
 #include "calls.inc"
