@@ -163,7 +163,8 @@ struct tally {
     double off, longer, coarse;
 };
 
-/* Distances are right to 1e-10 of the largest difference of coordinates, and what is said to be the only closest point is. */
+/* The distance is that of loc, and longer than the certain one by 1e-10 of the largest difference of coordinates at most;
+ * what is said to be the only closest point is. */
 static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, const struct curved_face *f,
                        const double certain[2], double least, struct robust *t)
 {
@@ -187,7 +188,7 @@ static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, c
     const int claims = region_of(k->corners, loc[0], loc[1], &margin);
     t->apart += status <= FOOTPOINT_OUTSIDE && apart > 1e-4 * span;
     t->longer = status == FOOTPOINT_UNPROVED ? t->longer : fmax(t->longer, longer);
-    if ((status == FOOTPOINT_UNPROVED || fabs(longer) <= 1e-10) && fabs(sqrt(off) - fabs(dist)) <= 1e-12 * span &&
+    if ((status == FOOTPOINT_UNPROVED || longer <= 1e-10) && fabs(sqrt(off) - fabs(dist)) <= 1e-12 * span &&
         (margin < TIE || claims == region) &&
         (status > FOOTPOINT_OUTSIDE || (status == FOOTPOINT_OUTSIDE) == (region > 0)))
         return;
