@@ -6,6 +6,7 @@
 enum { STEPS = 40, HALVINGS = 30, STARTS = 50, TURNS = 3, MOST_BOXES = 20000, MOST_NODES = 9 };
 
 #define SETTLED 0x1p-46 /* of a and b: steps below change no digit of the distance */
+#define FLAT 0x1p-84    /* squares of areas below: nodes may be on a line */
 #define SHORT 1e-6      /* steps that need no look at the distance, which may hide what they gain */
 
 /* ---- the face ---- */
@@ -122,7 +123,7 @@ static int all_on_a_line(const struct quadratic *f)
                 most = square;
                 vector_sub(f->net[i], f->net[0], along);
             }
-            if (pass == 1 && vector_dot(n, n) > 0x1p-84 * most * most)
+            if (pass == 1 && vector_dot(n, n) > FLAT * most * most)
                 return 0;
         }
     return 1;
@@ -243,16 +244,13 @@ static void descend(const struct quadratic *f, double at[2], struct quadratic_ta
 
 /* ---- the closest point ---- */
 
-/* As in generated/, by the normal that is an eighth of the way to the middle, where collapsed corners have one, too. */
-static double signed_distance(const struct quadratic *f, const double at[2], const double r[3])
+/* r_u x r_v an eighth of the way to the middle, as in generated/: there collapsed corners have a normal, too. */
+static void normal_beside(const struct quadratic *f, const double at[2], double n[3])
 {
     const double middle = f->triangle ? 1.0 / 3.0 : 0.5, u = quadratic_u(f, at), v = at[1];
-    const double distance = ldexp(sqrt(vector_dot(r, r)), f->exponent);
     struct quadratic_taylor t;
-    double n[3];
     footpoint_quadratic_taylor(f, u + 0.125 * (middle - u), v + 0.125 * (middle - v), &t);
     vector_cross(t.c[1][0], t.c[0][1], n);
-    return vector_dot(n, r) > 0.0 ? -distance : distance;
 }
 
 /* (xi,eta) and edges of a place of the face that begins at a corner `first`. */
@@ -302,7 +300,7 @@ int footpoint_quadratic_closest(int nodes, const double *x, const double start[2
         return wrong;
     answer->loc[0] = start[0];
     answer->loc[1] = start[1];
-    for (int starts = 0, turns = 0; starts < STARTS; turns++) {
+    for (int starts = 0, turns = 0;; turns++) {
         double nearer[2];
         const int first = place_of(triangle, answer->loc, at);
         face_of(nodes, (const double(*)[3])y, first, exponent, &f);
@@ -311,22 +309,25 @@ int footpoint_quadratic_closest(int nodes, const double *x, const double start[2
         if (triangle && turns < TURNS && (1.0 - at[0]) * (1.0 - at[1]) < 0.25)
             continue;
         const enum quadratic_proof proof = footpoint_quadratic_prove(&f, at, &t, &boxes, nearer);
-        if (proof == QUADRATIC_NEARER) {
+        if (proof == QUADRATIC_NEARER && starts++ < STARTS) {
             write_place(&f, first, nearer, answer);
-            starts++;
             turns = -1;
             continue;
         }
-        if (proof != QUADRATIC_GIVEN_UP)
-            status = proof == QUADRATIC_TIED ? FOOTPOINT_NOT_UNIQUE : answer->edges ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+        if (proof == QUADRATIC_PROVED)
+            status = answer->edges ? FOOTPOINT_OUTSIDE : FOOTPOINT_OK;
+        else if (proof == QUADRATIC_TIED)
+            status = FOOTPOINT_NOT_UNIQUE;
         break;
     }
-    answer->distance = signed_distance(&f, at, t.c[0][0]);
-    if (!isfinite(answer->distance))
+    const double *const r = t.c[0][0], distance = ldexp(sqrt(vector_dot(r, r)), f.exponent);
+    if (!isfinite(distance))
         return FOOTPOINT_ERR_DOMAIN;
-    if (status != FOOTPOINT_UNPROVED && all_on_a_line(&f)) {
-        answer->distance = fabs(answer->distance);
-        return FOOTPOINT_NO_AREA;
-    }
-    return status;
+    double n[3];
+    normal_beside(&f, at, n);
+    answer->distance = vector_dot(n, r) > 0.0 ? -distance : distance;
+    if (status == FOOTPOINT_UNPROVED || vector_dot(n, n) > FLAT || !all_on_a_line(&f))
+        return status;
+    answer->distance = distance;
+    return FOOTPOINT_NO_AREA;
 }

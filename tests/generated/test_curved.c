@@ -183,8 +183,7 @@ static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, c
         off += at[j] * at[j];
         apart = fmax(apart, fabs(at[j] - nearest[j]));
     }
-    const double known = sqrt(nearest[0] * nearest[0] + nearest[1] * nearest[1] + nearest[2] * nearest[2]);
-    const double longer = (fabs(dist) - fmin(least, known)) / span;
+    const double longer = (fabs(dist) - least) / span;
     const int claims = region_of(k->corners, loc[0], loc[1], &margin);
     t->apart += status <= FOOTPOINT_OUTSIDE && apart > 1e-4 * span;
     t->longer = status == FOOTPOINT_UNPROVED ? t->longer : fmax(t->longer, longer);

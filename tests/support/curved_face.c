@@ -185,6 +185,21 @@ static void polish(struct nearest *n)
     }
 }
 
+/* Of the distance of the point itself: the search's own has lost the digits of what is near. */
+static real square_at(const struct nearest *n)
+{
+    real p[3][3], q[3][3], square = 0;
+    basis(n->a, p);
+    basis(n->b, q);
+    for (int k = 0; k < 3; k++) {
+        real r = 0;
+        for (int i = 0; i < 9; i++)
+            r += p[0][i / 3] * q[0][i % 3] * n->face->net[i / 3][i % 3][k];
+        square += r * r;
+    }
+    return square;
+}
+
 double curved_face_closest(const struct curved_face *f, double loc[2])
 {
     static const real two[3] = {1, 2, 1}, four[5] = {1, 4, 6, 4, 1};
@@ -198,9 +213,10 @@ double curved_face_closest(const struct curved_face *f, double loc[2])
         }
     struct nearest n = {f, INFINITY, 0, 0};
     search_nearest(&n, &(struct box){0, 0, 1, 1}, c);
+    const real found = square_at(&n);
     polish(&n);
     point_of(f, n.a, n.b, loc);
-    return (double)sqrtl(fmaxl(n.square, 0));
+    return (double)sqrtl(fminl(found, square_at(&n)));
 }
 
 /* ---- along a direction ---- */
