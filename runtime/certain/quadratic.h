@@ -6,16 +6,18 @@
  * first corner, in u and v: far from where a is lost.
  *
  * The unit of length is a power of two for which the largest component of a control point, extrapolated ones of a
- * triangle included, is from 1/2 to 1.  In this unit control points are within 64 u of what the nodes say, u = 2^-53:
- * each is a sum of differences xS - x, right to u, with factors that add up to 40 at most, in 10 operations at most. */
+ * triangle included, is from 1/2 to 1.  In this unit control points are within 64 u, u = 2^-53, of what the nodes say, whose
+ * differences from xS are right to u: 60 u of the middle one of eight nodes, 59 u of a triangle's last one, less of all
+ * others. */
 #ifndef FOOTPOINT_QUADRATIC_H
 #define FOOTPOINT_QUADRATIC_H
 
 #include "../footpoint.h"
 #include "../geometry/vector.h"
 
-#define QUADRATIC_TOLERANCE                                                                                            \
-    0x1p-38 /* distances are right to that; 1e-10 of the farthest node's, as |b_ij| < 20 of it */
+/* Distances are right to that: 8.4e-11 of the largest difference of a coordinate of xS and a node's, as components of control
+ * points are at most 23 times that, and the unit of length at most twice as large as they are. */
+#define QUADRATIC_TOLERANCE 0x1p-39
 
 struct quadratic {
     double net[9][3]; /* b_ij at 3 i + j */
