@@ -15,8 +15,8 @@
 #include "../footpoint.h"
 #include "../geometry/vector.h"
 
-/* Distances are right to that: 8.4e-11 of the largest difference of a coordinate of xS and a node's, as components of control
- * points are at most 23 times that, and the unit of length at most twice as large as they are. */
+/* Distances are right to that: 6.2e-11 of the largest difference of a coordinate of xS and a node's, as components of control
+ * points are at most 17 times that, and the unit of length at most twice as large as they are. */
 #define QUADRATIC_TOLERANCE 0x1p-39
 
 struct quadratic {
