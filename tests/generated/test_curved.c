@@ -151,9 +151,9 @@ static int region_of(int corners, double xi, double eta, double *margin)
     return on[edges];
 }
 
-/* Of footpoint_face_robust: answers by status. */
+/* Of footpoint_face_robust: answers by status; of footpoint_face_closest: answers that are longer. */
 struct robust {
-    long status[FOOTPOINT_STATUS_MOST + 1], wrong, apart;
+    long status[FOOTPOINT_STATUS_MOST + 1], wrong, apart, closest;
     double longer;
 };
 
@@ -185,6 +185,10 @@ static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, c
     }
     const double longer = (fabs(dist) - least) / span;
     const int claims = region_of(k->corners, loc[0], loc[1], &margin);
+    double there[2], other;
+    int part;
+    t->closest +=
+        footpoint_face_closest(k->face, all, there, &other, &part) >= FOOTPOINT_OK && fabs(other) - least > 1e-8 * span;
     t->apart += status <= FOOTPOINT_OUTSIDE && apart > 1e-4 * span;
     t->longer = status == FOOTPOINT_UNPROVED ? t->longer : fmax(t->longer, longer);
     if ((status == FOOTPOINT_UNPROVED || longer <= 1e-10) && fabs(sqrt(off) - fabs(dist)) <= 1e-12 * span &&
@@ -199,9 +203,9 @@ static void ask_robust(const struct kind *k, double (*x)[3], const double *xs, c
 static void print_robust(const struct kind *k, const char *of, const struct robust *t)
 {
     printf("# %s, robust%s: %ld inside, %ld outside, %ld not unique, %ld unproved; %ld wrong, %ld not the only one; "
-           "distance by %.1e\n",
+           "distance longer by %.1e, on %ld by more than 1e-8 that of footpoint_face_closest\n",
            k->scene, of, t->status[FOOTPOINT_OK], t->status[FOOTPOINT_OUTSIDE], t->status[FOOTPOINT_NOT_UNIQUE],
-           t->status[FOOTPOINT_UNPROVED], t->wrong, t->apart, t->longer);
+           t->status[FOOTPOINT_UNPROVED], t->wrong, t->apart, t->longer, t->closest);
 }
 
 static void ask_closest(const struct kind *k, struct question *q, gsl_rng *stream, void *to)
