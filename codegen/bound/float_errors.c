@@ -17,6 +17,15 @@ bool measure_error_read(const char *text, struct measure_error *e)
            text[end] == '\0';
 }
 
+bool measure_errors_read(const char *text, struct measure_error e[2])
+{
+    int end = 0;
+    const int read = sscanf(text, "n %zu mean %lf %lf p99 %lf %lf max %lf %lf%n", &e[0].n, &e[0].mean, &e[1].mean,
+                            &e[0].p99, &e[1].p99, &e[0].max, &e[1].max, &end);
+    e[1].n = e[0].n;
+    return read == 7 && text[end] == '\0';
+}
+
 static bool far_apart(double a, double b)
 {
     return a > 1.5 * b || b > 1.5 * a;

@@ -30,13 +30,6 @@ static void print_line(const char *text, FILE *stream)
     fputc('\n', stream);
 }
 
-static void print_expr(const struct genome_file *f, const char *head, const struct genome_expr *e, FILE *stream)
-{
-    char *text = genome_expr_text(f, head, e);
-    print_line(text, stream);
-    free(text);
-}
-
 static void print_notes(const struct genome_note *note, size_t n, FILE *stream)
 {
     for (size_t i = 0; i < n; i++)
@@ -79,7 +72,34 @@ static void print_ranges(const struct genome_file *f, FILE *stream)
     }
 }
 
-/* The lets of a function's body stand further in.  Names before "->" and "=" stay on one line: the reader wants it. */
+/* A keyword and its items, parted by commas, on as many lines as it takes: those that fit behind the one before share its
+ * line.  Names before "->" and "=" are not broken: the reader wants it. */
+static void print_items(const char *line, const char *indent, FILE *stream)
+{
+    const int keyword = (int)strcspn(line, " ");
+    char *broken = new_joined("\n    ", indent, "");
+    size_t used = 0;
+    for (const char *item = line + keyword, *end; *item; item = end + (*end == ',')) {
+        end = item + strcspn(item, ",");
+        const size_t length = (size_t)(end - item);
+        if (used > 0 && used + 1 + length > PRINT_WIDTH) {
+            fputc('\n', stream);
+            used = 0;
+        }
+        used += (size_t)(used > 0 ? fprintf(stream, ",") : fprintf(stream, "%s%.*s", indent, keyword, line));
+        char *text = new_text(item, length);
+        const char *equals = strstr(text, " = ");
+        const size_t head = equals ? (size_t)(equals - text) + 2 : *line == 'f' ? length : 0;
+        fprintf(stream, "%.*s", (int)head, text);
+        print_broken(text + head, used + head, PRINT_WIDTH, broken, NULL, stream);
+        used += length;
+        free(text);
+    }
+    fputs(line[keyword] ? "\n" : "end\n", stream);
+    free(broken);
+}
+
+/* The lets of a function's body stand further in. */
 static void print_statement(const char *text, FILE *stream)
 {
     char *copy = new_text(text, strlen(text));
@@ -87,14 +107,56 @@ static void print_statement(const char *text, FILE *stream)
         next = strchr(line, '\n');
         if (next)
             *next++ = '\0';
-        const bool inside = line > copy && next;
-        const char *equals = strstr(line, " = ");
-        const size_t head = equals ? (size_t)(equals - line) + 2 : strlen(line);
-        const int column = fprintf(stream, "%s%.*s", inside ? "    " : "", (int)head, line);
-        print_broken(line + head, (size_t)column, PRINT_WIDTH, inside ? "\n        " : "\n    ", NULL, stream);
-        fputc('\n', stream);
+        print_items(line, line > copy && next ? "    " : "", stream);
     }
     free(copy);
+}
+
+/* Statements that stand on one line go together, as far as they are needed (NULL: all are). */
+static void print_statements(const struct genome_file *f, const bool *needed, FILE *stream)
+{
+    struct growing line = {NULL, 0, 0};
+    for (size_t i = 0; i <= f->statements; i++) {
+        const struct genome_statement *s = i < f->statements ? &f->statement[i] : NULL;
+        if (line.text && !(s && s->joined)) {
+            print_statement(line.text, stream);
+            free(line.text);
+            line = (struct growing){NULL, 0, 0};
+        }
+        if (!s || (needed && !needed[i]))
+            continue;
+        if (line.text)
+            growing_add(&line, ",");
+        growing_add(&line, line.text ? s->text + strcspn(s->text, " ") : s->text);
+    }
+}
+
+/* n items of a keyword; lines of version 1 have one item each. */
+static void print_list(const struct genome_file *f, const char *keyword, size_t n,
+                       char *(*text_of)(const struct genome_file *f, const char *head, size_t k), FILE *stream)
+{
+    struct growing line = {NULL, 0, 0};
+    for (size_t i = 0; i < n; i++) {
+        char *text = text_of(f, line.text ? "," : keyword, i);
+        growing_add(&line, text);
+        free(text);
+        if (f->format == 1 || i + 1 == n) {
+            print_items(line.text, "", stream);
+            free(line.text);
+            line = (struct growing){NULL, 0, 0};
+        }
+    }
+}
+
+static char *require_text(const struct genome_file *f, const char *head, size_t k)
+{
+    return genome_expr_text(f, head, &f->require[k]);
+}
+
+static char *exchange_text(const struct genome_file *f, const char *head, size_t k)
+{
+    return new_format("%s %s %s", head, genome_symbol_name(f, f->exchange[k][0]),
+                      genome_symbol_name(f, f->exchange[k][1]));
 }
 
 /* Outputs from the k-th on that are elements of one row, or one output; returns the next. */
@@ -162,14 +224,10 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
     else if (f->segment)
         fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
     print_ranges(f, stream);
-    for (size_t i = 0; i < f->statements; i++)
-        if (!needed || needed[i])
-            print_statement(f->statement[i].text, stream);
-    for (size_t i = 0; !needed && i < f->exchanges; i++)
-        fprintf(stream, "exchange %s %s\n", genome_symbol_name(f, f->exchange[i][0]),
-                genome_symbol_name(f, f->exchange[i][1]));
-    for (size_t i = 0; i < f->requires; i++)
-        print_expr(f, "require", &f->require[i], stream);
+    print_statements(f, needed, stream);
+    if (!needed)
+        print_list(f, "exchange", f->exchanges, exchange_text, stream);
+    print_list(f, "require", f->requires, require_text, stream);
     for (size_t i = 0; i < f->genomes; i++)
         print_genome(f, &f->genome[i], stream);
 }

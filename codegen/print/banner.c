@@ -37,17 +37,21 @@ static void print_errors(const struct measured *m, FILE *out)
     }
 }
 
-/* Where note `key` stands in the table; NULL if nowhere. */
-static struct measure_error *place_of(struct measured *m, const char *key)
+/* Takes a note about errors of both outputs, or of one, into the table; false if it is none. */
+static bool take_errors(const struct genome_note *note, struct measured *m)
 {
-    for (int part = 0; part < MEASURE_PARTS; part++)
-        for (int k = 0; k < 2; k++) {
-            const size_t length = strlen(measure_part[part]);
-            if (strncmp(key, measure_part[part], length) == 0 && key[length] == '_' &&
-                strcmp(key + length + 1, output[k]) == 0)
-                return &m->error[part][k];
-        }
-    return NULL;
+    for (int part = 0; part < MEASURE_PARTS; part++) {
+        const size_t length = strlen(measure_part[part]);
+        const char *of = note->key + length + 1;
+        if (strncmp(note->key, measure_part[part], length) != 0 || note->key[length] != '_')
+            continue;
+        if (strcmp(of, "both") == 0 && measure_errors_read(note->text, m->error[part]))
+            return true;
+        for (int k = 0; k < 2; k++)
+            if (strcmp(of, output[k]) == 0 && measure_error_read(note->text, &m->error[part][k]))
+                return true;
+    }
+    return false;
 }
 
 /* The text of the note about output k that goes with `key`, a note about the other one; NULL if there is none. */
@@ -87,11 +91,9 @@ static void print_notes(const struct function *f, FILE *out)
 {
     const struct genome *g = f->genome;
     struct measured m = {.worst = 0};
-    for (size_t k = 0; k < g->notes; k++) {
-        struct measure_error *place = place_of(&m, g->note[k].key);
-        if (!place || !measure_error_read(g->note[k].text, place))
+    for (size_t k = 0; k < g->notes; k++)
+        if (!take_errors(&g->note[k], &m))
             print_note(g, &g->note[k], out);
-    }
     print_errors(f->measured ? f->measured : &m, out);
 }
 
