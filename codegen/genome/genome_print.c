@@ -95,68 +95,51 @@ static void print_items(const char *line, const char *indent, FILE *stream)
         used += length;
         free(text);
     }
-    fputs(line[keyword] ? "\n" : "end\n", stream);
+    fprintf(stream, "%s\n", line[keyword] ? "" : line);
     free(broken);
 }
 
-/* The lets of a function's body stand further in. */
-static void print_statement(const char *text, FILE *stream)
+/* The lines of a text, which is empty then; the lets of a function's body stand further in. */
+static void print_lines(struct growing *text, FILE *stream)
 {
-    char *copy = new_text(text, strlen(text));
-    for (char *line = copy, *next; line; line = next) {
+    for (char *line = text->text, *next; line; line = next) {
         next = strchr(line, '\n');
         if (next)
             *next++ = '\0';
-        print_items(line, line > copy && next ? "    " : "", stream);
+        print_items(line, line > text->text && next ? "    " : "", stream);
     }
-    free(copy);
+    free(text->text);
+    *text = (struct growing){NULL, 0, 0};
 }
 
 /* Statements that stand on one line go together, as far as they are needed (NULL: all are). */
 static void print_statements(const struct genome_file *f, const bool *needed, FILE *stream)
 {
     struct growing line = {NULL, 0, 0};
-    for (size_t i = 0; i <= f->statements; i++) {
-        const struct genome_statement *s = i < f->statements ? &f->statement[i] : NULL;
-        if (line.text && !(s && s->joined)) {
-            print_statement(line.text, stream);
-            free(line.text);
-            line = (struct growing){NULL, 0, 0};
-        }
-        if (!s || (needed && !needed[i]))
+    for (size_t i = 0; i < f->statements; i++) {
+        const char *text = f->statement[i].text;
+        if (!f->statement[i].joined)
+            print_lines(&line, stream);
+        if (needed && !needed[i])
             continue;
         if (line.text)
             growing_add(&line, ",");
-        growing_add(&line, line.text ? s->text + strcspn(s->text, " ") : s->text);
+        growing_add(&line, line.text ? strchr(text, ' ') : text);
     }
+    print_lines(&line, stream);
 }
 
-/* n items of a keyword; lines of version 1 have one item each. */
-static void print_list(const struct genome_file *f, const char *keyword, size_t n,
-                       char *(*text_of)(const struct genome_file *f, const char *head, size_t k), FILE *stream)
+/* Lines of version 1 have one item each. */
+static void print_requires(const struct genome_file *f, FILE *stream)
 {
     struct growing line = {NULL, 0, 0};
-    for (size_t i = 0; i < n; i++) {
-        char *text = text_of(f, line.text ? "," : keyword, i);
+    for (size_t i = 0; i < f->requires; i++) {
+        char *text = genome_expr_text(f, line.text ? "," : "require", &f->require[i]);
         growing_add(&line, text);
         free(text);
-        if (f->format == 1 || i + 1 == n) {
-            print_items(line.text, "", stream);
-            free(line.text);
-            line = (struct growing){NULL, 0, 0};
-        }
+        if (f->format == 1 || i + 1 == f->requires)
+            print_lines(&line, stream);
     }
-}
-
-static char *require_text(const struct genome_file *f, const char *head, size_t k)
-{
-    return genome_expr_text(f, head, &f->require[k]);
-}
-
-static char *exchange_text(const struct genome_file *f, const char *head, size_t k)
-{
-    return new_format("%s %s %s", head, genome_symbol_name(f, f->exchange[k][0]),
-                      genome_symbol_name(f, f->exchange[k][1]));
 }
 
 /* Outputs from the k-th on that are elements of one row, or one output; returns the next. */
@@ -225,9 +208,10 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
         fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
     print_ranges(f, stream);
     print_statements(f, needed, stream);
-    if (!needed)
-        print_list(f, "exchange", f->exchanges, exchange_text, stream);
-    print_list(f, "require", f->requires, require_text, stream);
+    for (size_t i = 0; !needed && i < f->exchanges; i++)
+        fprintf(stream, "exchange %s %s\n", genome_symbol_name(f, f->exchange[i][0]),
+                genome_symbol_name(f, f->exchange[i][1]));
+    print_requires(f, stream);
     for (size_t i = 0; i < f->genomes; i++)
         print_genome(f, &f->genome[i], stream);
 }

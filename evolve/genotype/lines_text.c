@@ -169,34 +169,36 @@ static int add_let(struct writer *w, const char *name, size_t *number)
     return GENE_SYMBOL + (int)genome_find_symbol(w->file, own);
 }
 
-/* The gene of a let that was written, not read, and says what has been put: one of another program's; 0 if there is none. */
-static int find_let(const struct writer *w)
+/* The first let from the given one on that was written, not read, and says what has been put: one of another program's;
+ * the number of lets if there is none. */
+static size_t find_let(const struct writer *w, size_t from)
 {
     const struct genome_file *f = w->file;
-    for (size_t i = 0; i < f->lets; i++)
-        if (f->let[i].line == 0 && f->let[i].length == w->genes &&
-            memcmp(f->let[i].gene, w->gene, w->genes * sizeof *w->gene) == 0)
-            return GENE_SYMBOL + (int)(f->inputs + i);
-    return 0;
+    while (from < f->lets && (f->let[from].line > 0 || f->let[from].length != w->genes ||
+                              memcmp(f->let[from].gene, w->gene, w->genes * sizeof *w->gene) != 0))
+        from++;
+    return from;
 }
 
-/* Lets for what is used twice, and for divisors: lines of them. */
+/* Lets for what is used twice, and for divisors: lines of them.  Those that a program begins with may be another's, but
+ * they keep their order, as codegen's choices depend on it. */
 static void write_lets(struct writer *w, const char *name)
 {
     const struct lines *c = w->code;
-    size_t number = 0;
-    bool joined = false;
+    size_t number = 0, known = 0;
     for (size_t i = 0; i < c->lines; i++) {
         if (!c->needed[i] || c->line[i].a < 0 || (w->users[i] < 2 && !c->divides[i]))
             continue;
         w->genes = 0;
         write_operation(w, &c->line[i]);
-        const int known = find_let(w);
-        w->symbol[i] = known ? known : add_let(w, name, &number);
-        if (!known) {
-            w->file->statement[w->file->statements - 1].joined = joined;
-            joined = true;
+        known = number == 0 ? find_let(w, known) : w->file->lets;
+        if (known < w->file->lets) {
+            w->symbol[i] = GENE_SYMBOL + (int)(w->file->inputs + known);
+            continue;
         }
+        const bool joined = number > 0;
+        w->symbol[i] = add_let(w, name, &number);
+        w->file->statement[w->file->statements - 1].joined = joined;
     }
 }
 

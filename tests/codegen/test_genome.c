@@ -198,7 +198,7 @@ static void test_lists(void **state)
     struct genome_file *g = read_needed(f, &needed);
     assert_string_equal(needed, expected);
     all = print(f, &size);
-    assert_non_null(strstr(all, "\nexchange a b, c d\n") && strstr(all, "\nleast / c d, c\n") ? all : NULL);
+    assert_non_null(strstr(all, "\nleast / c d, c\n"));
     free(needed);
     free(all);
     genome_file_free(f);
