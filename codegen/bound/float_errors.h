@@ -18,9 +18,7 @@ struct measure_error {
     double mean, p99, max; /* infinite if a value is not finite */
 };
 
-/** Reads "n %zu mean %.3e p99 %.3e max %.3e", evolution's words; those of two outputs have two numbers behind each word
- *  but n. */
-bool measure_error_read(const char *text, struct measure_error *e);
+/** Reads "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", evolution's words about xi and eta. */
 bool measure_errors_read(const char *text, struct measure_error e[2]);
 
 /** True if mean or 99 % is another one by a factor of more than 1.5. */

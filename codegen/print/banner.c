@@ -26,30 +26,23 @@ static void print_errors(const struct measured *m, FILE *out)
         const struct measure_error *e = m->error[part], *first = m->error[0];
         const bool same =
             part == MEASURE_EVEN && !measure_differs(&e[0], &first[0]) && !measure_differs(&e[1], &first[1]);
-        if (e[0].n + e[1].n == 0 || same)
+        if (e[0].n == 0 || same)
             continue;
         struct banner_line l = banner_about_function(measure_part[part], out);
         for (int k = 0; k < 2; k++)
-            if (e[k].n > 0)
-                banner_add(&l, "%s %.3e %.3e %.3e,", output[k], e[k].mean, e[k].p99, e[k].max);
-        banner_add(&l, "samples %zu", e[0].n > 0 ? e[0].n : e[1].n);
+            banner_add(&l, "%s %.3e %.3e %.3e,", output[k], e[k].mean, e[k].p99, e[k].max);
+        banner_add(&l, "samples %zu", e[0].n);
         banner_end(&l);
     }
 }
 
-/* Takes a note about errors of both outputs, or of one, into the table; false if it is none. */
+/* Takes a note about errors into the table; false if it is none. */
 static bool take_errors(const struct genome_note *note, struct measured *m)
 {
     for (int part = 0; part < MEASURE_PARTS; part++) {
         const size_t length = strlen(measure_part[part]);
-        const char *of = note->key + length + 1;
-        if (strncmp(note->key, measure_part[part], length) != 0 || note->key[length] != '_')
-            continue;
-        if (strcmp(of, "both") == 0 && measure_errors_read(note->text, m->error[part]))
-            return true;
-        for (int k = 0; k < 2; k++)
-            if (strcmp(of, output[k]) == 0 && measure_error_read(note->text, &m->error[part][k]))
-                return true;
+        if (strncmp(note->key, measure_part[part], length) == 0 && strcmp(note->key + length, "_both") == 0)
+            return measure_errors_read(note->text, m->error[part]);
     }
     return false;
 }
