@@ -10,11 +10,14 @@
 
 const char *const measure_part[MEASURE_PARTS] = {"heldout", "heldout_random", "heldout_even"};
 
-bool measure_error_read(const char *text, struct measure_error *e)
+bool measure_errors_read(const char *text, struct measure_error e[2])
 {
     int end = 0;
-    return sscanf(text, "n %zu mean %lf p99 %lf max %lf%n", &e->n, &e->mean, &e->p99, &e->max, &end) == 4 &&
-           text[end] == '\0';
+    const int read = sscanf(text, "n %zu mean %lf %lf p99 %lf %lf max %lf %lf%n", &e[0].n, &e[0].mean, &e[1].mean,
+                            &e[0].p99, &e[1].p99, &e[0].max, &e[1].max, &end);
+    const bool good = read == 7 && text[end] == '\0';
+    e[0].n = e[1].n = good ? e[0].n : 0;
+    return good;
 }
 
 static bool far_apart(double a, double b)

@@ -18,8 +18,8 @@ struct measure_error {
     double mean, p99, max; /* infinite if a value is not finite */
 };
 
-/** Reads "n %zu mean %.3e p99 %.3e max %.3e", evolution's words. */
-bool measure_error_read(const char *text, struct measure_error *e);
+/** Reads "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", evolution's words about xi and eta. */
+bool measure_errors_read(const char *text, struct measure_error e[2]);
 
 /** True if mean or 99 % is another one by a factor of more than 1.5. */
 bool measure_differs(const struct measure_error *a, const struct measure_error *b);

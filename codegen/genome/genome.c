@@ -96,6 +96,7 @@ void genome_file_free(struct genome_file *f)
     free_notes(f->note, f->notes);
     free_exprs(f->let, f->lets);
     free_exprs(f->require, f->requires);
+    free_exprs(f->least, f->leasts);
     for (size_t i = 0; i < f->functions; i++)
         genome_free_function(&f->function[i]);
     free(f->function);

@@ -19,8 +19,10 @@
  *     end
  *     let ju = derivative j xC             the derivative of a value by another
  *     let u2 j2 = step 0.5 * 2 c11 - S A   the values of a function
+ *     let p = * c11 xS, q = * c11 yS       several lets in a line
  *     exchange u2 c11                      of a frame: exchanging xi and eta turns the one number into the other
- *     require - xC xD                      an expression that is > 0 on the region; any number
+ *     least c11                            of a frame: an expression whose least value on samples bounds the region
+ *     require - xC xD, - 5 abs u2          expressions that are > 0 on the region; any number
  *     genome fast                          a function to be made
  *     note training_xi genes 5 mean 1e-3   its own provenance
  *     xi = + * 0.05 c1x yA                 an output: one expression; any number
@@ -28,7 +30,8 @@
  *     end
  *
  *     file       = "footpoint-genome" "2" { line | function | genome }
- *     line       = note | input | segment | face | range | let | exchange | require
+ *     line       = note | input | segment | face | range | list
+ *     list       = ( let | exchange | least | require ) { "," item }      an item is such a line without its first word
  *     note       = "note" KEY text-to-the-end-of-the-line
  *     input      = "input" NAME { NAME }                       before the first let and the first genome; no segment
  *     segment    = "segment" KIND ORDER                        at most one, before the first let, function and genome;
@@ -39,8 +42,9 @@
  *     let        = "let" NAME "=" expression                   before the first genome
  *                | "let" NAME { NAME } "=" FUNCTION { expression }
  *                | "let" NAME "=" "derivative" SYMBOL SYMBOL   outside functions
- *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let } "end"
- *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one such line at most
+ *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let { "," item } } "end"
+ *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one exchange at most
+ *     least      = "least" expression
  *     require    = "require" expression
  *     genome     = "genome" NAME newline { note | output } "end"
  *     output     = NAME "=" expression
@@ -50,12 +54,12 @@
  *     OP2        = "+" | "-" | "*" | "/" | "%" | "min" | "max" | "dot" | "cross"
  *     OP1        = "neg" | "sqrt" | "abs"
  *
- * Words are parted by blanks.  Each of the lines above is one line of the file, but expressions may go on over several:
- * an expression is complete when its stack count reaches 1 (an operator of two operands counts -1, of one operand 0, a
- * leaf +1), and nothing may follow it on its line, but for the next argument of a function.  / is the quotient, % the
- * protected quotient, which is 1 where the divisor is 0.  A NAME has letters, digits and underscores, 63 at most, does
- * not begin with a digit and is no operator or keyword; a SYMBOL is the name of an input or of an earlier let.  A NUMBER
- * is decimal, has an exponent if need be (1e-3), and is exact: 0.05 means 1/20.
+ * Words are parted by blanks; a comma is a word.  Each of the lines above is one line of the file, but expressions may
+ * go on over several: an expression is complete when its stack count reaches 1 (an operator of two operands counts -1,
+ * of one operand 0, a leaf +1), and nothing may follow it on its line, but for the next argument of a function or, in a
+ * list, a comma.  / is the quotient, % the protected quotient, which is 1 where the divisor is 0.  A NAME has letters,
+ * digits and underscores, 63 at most, does not begin with a digit and is no operator or keyword; a SYMBOL is the name of
+ * an input or of an earlier let.  A NUMBER is decimal, has an exponent if need be (1e-3), and is exact: 0.05 means 1/20.
  *
  * A value is a number or a vector of three: + - and neg take either, * also a number and a vector in any order, dot and
  * cross two vectors, all else numbers, as do exchange, require and outputs.  The components of a vector e are the
@@ -78,8 +82,8 @@
  * eta.  The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are
  * > 0.
  *
- * Version 1 has no vectors, "vector", "face", "derivative", "dot" and "cross" are names like others, `input` lines name the inputs of a
- * segment, too, and what a function is made of are lets of the file:
+ * Version 1 has no vectors and no lists, "vector", "face", "derivative", "least", "dot" and "cross" are names like others,
+ * `input` lines name the inputs of a segment, too, and what a function is made of are lets of the file:
  *
  *     function newton u v un vn            newton of a pair (a,b) is what the values un and vn are where a stands for u
  *                                          and b for v */
@@ -173,12 +177,13 @@ struct genome_function {
     void *names;   /* owned: its own; see names.h */
 };
 
-/** A let or a function as it is written, its words parted by single blanks. */
+/** A let, a function or a least as it is written, its words parted by single blanks. */
 struct genome_statement {
-    char *name, *text; /* owned; the first name that it defines */
+    char *name, *text; /* owned; the first name that it defines, or "" */
     size_t *need;      /* owned: the statements whose names it uses */
     size_t needs;
     int line;
+    bool joined; /* stands on the line of the one before it */
 };
 
 /** Closed interval of an input: constants of the file's table. */
@@ -209,8 +214,8 @@ struct genome_file {
     size_t exchanges, exchange_room;
     struct genome_function *function; /* owned */
     size_t functions, function_room;
-    struct genome_expr *require; /* owned; without names */
-    size_t requires, require_room;
+    struct genome_expr *require, *least; /* owned; without names */
+    size_t requires, require_room, leasts, least_room;
     struct genome *genome;
     size_t genomes, genome_room;
     void *names, *constant_names; /* owned; see names.h */
@@ -222,7 +227,7 @@ struct genome_file *genome_read(const char *path, struct diag *d);
 struct genome_file *genome_parse(const char *path, const char *text, size_t size, struct diag *d);
 /** A let or a function, read as if it stood behind the file's. */
 bool genome_read_statement(struct genome_file *f, const char *text, struct diag *d);
-/** Statement k with a suffix to all names that statements define.  Caller frees. */
+/** Statement k with a suffix to all names of the file that statements define.  Caller frees. */
 char *genome_statement_suffixed(const struct genome_file *f, size_t k, const char *suffix);
 /** The statement that defines a name, or NULL. */
 const struct genome_statement *genome_find_statement(const struct genome_file *f, const char *name);

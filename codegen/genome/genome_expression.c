@@ -94,7 +94,7 @@ bool read_expression(struct reader *r, const char *name, bool more)
     long missing = 1;
     r->nodes = 0;
     while (missing > 0) {
-        if (!next_word(r, false) || word_is_keyword(r) || word_is(&r->w, "="))
+        if (!next_word(r, false) || word_is_keyword(r) || word_is(&r->w, "=") || word_is(&r->w, ","))
             return diag_at(r->d, r->file->path, r->w.word_line, r->w.word_column,
                            "the expression of '%s' ends early: %ld operand%s missing", name, missing,
                            missing == 1 ? " is" : "s are");
@@ -106,8 +106,10 @@ bool read_expression(struct reader *r, const char *name, bool more)
         n->vector = n->gene >= GENE_VECTOR;
         missing += arity(n->gene) - 1;
     }
-    if (!more && next_word(r, true))
+    const struct words end = r->w;
+    if (!more && !next_is_comma(r) && next_word(r, true))
         return reader_fail(r, "gene '%s' follows a complete expression");
+    r->w = end;
     return find_types(r);
 }
 

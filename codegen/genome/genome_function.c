@@ -29,7 +29,7 @@ static bool read_body(struct reader *r, const char *name)
             return true;
         if (!word_is(&r->w, "let"))
             return reader_fail(r, "expected 'let' or 'end', not '%s'");
-        if (!read_let(r))
+        if (!read_list(r, read_let))
             return false;
     }
     return reader_fail_text(r, "the file ends inside function '%s'", name, strlen(name));
@@ -125,7 +125,7 @@ static bool read_function_name(struct reader *r, char name[NAME_ROOM])
 bool read_function(struct reader *r)
 {
     struct genome_file *f = r->file;
-    const char *start = r->w.word;
+    const char *start = r->w.at;
     const int line = r->w.word_line;
     char name[NAME_ROOM];
     if (f->genomes > 0 && f->format > 1 && !r->alone)
@@ -143,6 +143,6 @@ bool read_function(struct reader *r)
     names_add(&f->names, name, NAME_FUNCTION, (int)f->functions, f->statements);
     grow_array(&f->function, f->functions, &f->function_room, sizeof *f->function);
     f->function[f->functions++] = x;
-    add_statement(r, name, start, line);
+    add_statement(r, "function", name, start, line);
     return true;
 }

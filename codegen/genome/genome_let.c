@@ -92,7 +92,7 @@ static bool read_derivative(struct reader *r, const struct target *t)
         return false;
     if (of_vector && by_vector)
         return reader_fail(r, "derivative of a vector by the vector '%s'");
-    if (!end_of_line(r))
+    if (!end_of_item(r))
         return false;
     const int components = of_vector || by_vector ? 3 : 1;
     for (int c = 0; good && c < components; c++)
@@ -224,7 +224,7 @@ static bool read_call(struct reader *r, const struct genome_function *x, const s
     bool good = target->n == x->results || reader_fail(r, "'%s' has another number of values");
     for (size_t k = 0; good && k < x->parameters; k++)
         good = read_argument(r, &call, k);
-    good = good && end_of_line(r) && copy_body(r, &call);
+    good = good && end_of_item(r) && copy_body(r, &call);
     for (size_t k = 0; good && k < x->results; k++)
         good = name_result(r, &call, k);
     free(call.gene);
@@ -293,14 +293,14 @@ static bool read_definition(struct reader *r, struct targets *t)
 
 bool read_let(struct reader *r)
 {
-    const char *start = r->w.word;
+    const char *start = r->w.at;
     const int line = r->w.word_line;
     struct targets t = {0};
     if (r->file->genomes > 0 && !r->alone)
         return reader_fail(r, "'let' must stand before the genomes");
     const bool good = read_definition(r, &t);
     if (good && !r->function)
-        add_statement(r, t.item[0].name, start, line);
+        add_statement(r, "let", t.item[0].name, start, line);
     free(t.item);
     return good;
 }

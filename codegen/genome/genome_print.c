@@ -30,13 +30,6 @@ static void print_line(const char *text, FILE *stream)
     fputc('\n', stream);
 }
 
-static void print_expr(const struct genome_file *f, const char *head, const struct genome_expr *e, FILE *stream)
-{
-    char *text = genome_expr_text(f, head, e);
-    print_line(text, stream);
-    free(text);
-}
-
 static void print_notes(const struct genome_note *note, size_t n, FILE *stream)
 {
     for (size_t i = 0; i < n; i++)
@@ -79,22 +72,74 @@ static void print_ranges(const struct genome_file *f, FILE *stream)
     }
 }
 
-/* The lets of a function's body stand further in.  Names before "->" and "=" stay on one line: the reader wants it. */
-static void print_statement(const char *text, FILE *stream)
+/* A keyword and its items, parted by commas, on as many lines as it takes: those that fit behind the one before share its
+ * line.  Names before "->" and "=" are not broken: the reader wants it. */
+static void print_items(const char *line, const char *indent, FILE *stream)
 {
-    char *copy = new_text(text, strlen(text));
-    for (char *line = copy, *next; line; line = next) {
+    const int keyword = (int)strcspn(line, " ");
+    char *broken = new_joined("\n    ", indent, "");
+    size_t used = 0;
+    for (const char *item = line + keyword, *end; *item; item = end + (*end == ',')) {
+        end = item + strcspn(item, ",");
+        const size_t length = (size_t)(end - item);
+        if (used > 0 && used + 1 + length > PRINT_WIDTH) {
+            fputc('\n', stream);
+            used = 0;
+        }
+        used += (size_t)(used > 0 ? fprintf(stream, ",") : fprintf(stream, "%s%.*s", indent, keyword, line));
+        char *text = new_text(item, length);
+        const char *equals = strstr(text, " = ");
+        const size_t head = equals ? (size_t)(equals - text) + 2 : *line == 'f' ? length : 0;
+        fprintf(stream, "%.*s", (int)head, text);
+        print_broken(text + head, used + head, PRINT_WIDTH, broken, NULL, stream);
+        used += length;
+        free(text);
+    }
+    fprintf(stream, "%s\n", line[keyword] ? "" : line);
+    free(broken);
+}
+
+/* The lines of a text, which is empty then; the lets of a function's body stand further in. */
+static void print_lines(struct growing *text, FILE *stream)
+{
+    for (char *line = text->text, *next; line; line = next) {
         next = strchr(line, '\n');
         if (next)
             *next++ = '\0';
-        const bool inside = line > copy && next;
-        const char *equals = strstr(line, " = ");
-        const size_t head = equals ? (size_t)(equals - line) + 2 : strlen(line);
-        const int column = fprintf(stream, "%s%.*s", inside ? "    " : "", (int)head, line);
-        print_broken(line + head, (size_t)column, PRINT_WIDTH, inside ? "\n        " : "\n    ", NULL, stream);
-        fputc('\n', stream);
+        print_items(line, line > text->text && next ? "    " : "", stream);
     }
-    free(copy);
+    free(text->text);
+    *text = (struct growing){NULL, 0, 0};
+}
+
+/* Statements that stand on one line go together, as far as they are needed (NULL: all are). */
+static void print_statements(const struct genome_file *f, const bool *needed, FILE *stream)
+{
+    struct growing line = {NULL, 0, 0};
+    for (size_t i = 0; i < f->statements; i++) {
+        const char *text = f->statement[i].text;
+        if (!f->statement[i].joined)
+            print_lines(&line, stream);
+        if (needed && !needed[i])
+            continue;
+        if (line.text)
+            growing_add(&line, ",");
+        growing_add(&line, line.text ? strchr(text, ' ') : text);
+    }
+    print_lines(&line, stream);
+}
+
+/* Lines of version 1 have one item each. */
+static void print_requires(const struct genome_file *f, FILE *stream)
+{
+    struct growing line = {NULL, 0, 0};
+    for (size_t i = 0; i < f->requires; i++) {
+        char *text = genome_expr_text(f, line.text ? "," : "require", &f->require[i]);
+        growing_add(&line, text);
+        free(text);
+        if (f->format == 1 || i + 1 == f->requires)
+            print_lines(&line, stream);
+    }
 }
 
 /* Outputs from the k-th on that are elements of one row, or one output; returns the next. */
@@ -162,14 +207,11 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
     else if (f->segment)
         fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
     print_ranges(f, stream);
-    for (size_t i = 0; i < f->statements; i++)
-        if (!needed || needed[i])
-            print_statement(f->statement[i].text, stream);
+    print_statements(f, needed, stream);
     for (size_t i = 0; !needed && i < f->exchanges; i++)
         fprintf(stream, "exchange %s %s\n", genome_symbol_name(f, f->exchange[i][0]),
                 genome_symbol_name(f, f->exchange[i][1]));
-    for (size_t i = 0; i < f->requires; i++)
-        print_expr(f, "require", &f->require[i], stream);
+    print_requires(f, stream);
     for (size_t i = 0; i < f->genomes; i++)
         print_genome(f, &f->genome[i], stream);
 }

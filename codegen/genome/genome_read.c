@@ -179,7 +179,7 @@ static bool read_exchange(struct reader *r)
             if (r->file->exchange[i][k] == a || r->file->exchange[i][k] == b)
                 return reader_fail(r, "'%s' or its partner is exchanged already");
     genome_add_exchange(r->file, a, b);
-    return end_of_line(r);
+    return end_of_item(r);
 }
 
 static bool read_inputs(struct reader *r)
@@ -238,11 +238,24 @@ static bool read_range(struct reader *r)
 
 static bool read_require(struct reader *r)
 {
-    const int line = r->w.word_line;
     if (!read_expression(r, "require", false) || !expand_number(r, "require"))
         return false;
     genome_add_require(r->file, r->gene, r->genes);
-    r->file->require[r->file->requires - 1].line = line;
+    r->file->require[r->file->requires - 1].line = r->node[0].line;
+    return true;
+}
+
+/* Of a frame; a statement, so that it goes wherever the lets go. */
+static bool read_least(struct reader *r)
+{
+    struct genome_file *f = r->file;
+    const char *start = r->w.at;
+    if (f->format == 1)
+        return reader_fail(r, "unknown keyword '%s'");
+    if (!read_expression(r, "least", false) || !expand_number(r, "least"))
+        return false;
+    genome_add_expr(&f->least, &f->leasts, &f->least_room, "", r->gene, r->genes);
+    add_statement(r, "least", "", start, r->node[0].line);
     return true;
 }
 
@@ -266,10 +279,11 @@ static bool read_lines(struct reader *r)
                           : word_is(&r->w, "segment")  ? read_segment(r)
                           : word_is(&r->w, "face")     ? read_face(r)
                           : word_is(&r->w, "range")    ? read_range(r)
-                          : word_is(&r->w, "let")      ? read_let(r)
-                          : word_is(&r->w, "exchange") ? read_exchange(r)
+                          : word_is(&r->w, "let")      ? read_list(r, read_let)
+                          : word_is(&r->w, "exchange") ? read_list(r, read_exchange)
                           : word_is(&r->w, "function") ? read_function(r)
-                          : word_is(&r->w, "require")  ? read_require(r)
+                          : word_is(&r->w, "require")  ? read_list(r, read_require)
+                          : word_is(&r->w, "least")    ? read_list(r, read_least)
                           : word_is(&r->w, "genome")   ? read_genome(r)
                                                        : reader_fail(r, "unknown keyword '%s'");
         if (!good)

@@ -10,9 +10,9 @@
 
 enum { MAX_NAME = NAME_ROOM - 2, MAX_NUMBER = 63, MAX_EXPONENT = 330 };
 
-static const char *const keywords[] = {"note",    "input",  "segment", "range",  "let",  "exchange",  "function",
-                                       "require", "genome", "end",     "vector", "face", "derivative"};
-enum { NEW_KEYWORDS = 3 }; /* the last ones are version 2's */
+static const char *const keywords[] = {"note",    "input",  "segment", "range",  "let",  "exchange",   "function",
+                                       "require", "genome", "end",     "vector", "face", "derivative", "least"};
+enum { NEW_KEYWORDS = 4 }; /* the last ones are version 2's */
 
 bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)
 {
@@ -37,6 +37,34 @@ bool next_word(struct reader *r, bool same_line)
 bool end_of_line(struct reader *r)
 {
     return !next_word(r, true) || reader_fail(r, "'%s' is too much here");
+}
+
+bool next_is_comma(struct reader *r)
+{
+    const struct words before = r->w;
+    if (r->file->format > 1 && next_word(r, true) && word_is(&r->w, ","))
+        return true;
+    r->w = before;
+    return false;
+}
+
+bool end_of_item(struct reader *r)
+{
+    const struct words before = r->w;
+    const bool more = next_is_comma(r);
+    r->w = before;
+    return more || end_of_line(r);
+}
+
+bool read_list(struct reader *r, bool (*read_item)(struct reader *))
+{
+    bool good = read_item(r);
+    while (good && next_is_comma(r)) {
+        r->joined = true;
+        good = read_item(r);
+    }
+    r->joined = false;
+    return good;
 }
 
 bool word_is_keyword(const struct reader *r)
@@ -130,23 +158,26 @@ bool read_number(struct reader *r, int *gene)
     return true;
 }
 
-/* A line for each let of a function. */
-static char *plain_text(const struct reader *r, const char *start)
+/* A line for each "let" of a function. */
+static char *plain_text(const struct reader *r, const char *keyword, const char *start)
 {
     struct memory *m = memory_open();
     struct words w = words_of(start, (size_t)(r->w.at - start));
-    for (bool first = true; words_next(&w, false); first = false) {
-        if (!first)
+    fputs(keyword, m->stream);
+    while (words_next(&w, false)) {
+        if (!word_is(&w, ","))
             fputc(word_is(&w, "let") || word_is(&w, "end") ? '\n' : ' ', m->stream);
         fwrite(w.word, 1, w.length, m->stream);
     }
     return memory_close(m);
 }
 
-void add_statement(struct reader *r, const char *name, const char *start, int line)
+void add_statement(struct reader *r, const char *keyword, const char *name, const char *start, int line)
 {
-    genome_add_statement(r->file, (struct genome_statement){new_text(name, strlen(name)), plain_text(r, start), r->need,
-                                                            r->needs, line});
+    char *text = plain_text(r, keyword, start);
+    genome_add_statement(r->file, (struct genome_statement){.name = new_text(name, strlen(name)), .text = text,
+                                                            .need = r->need, .needs = r->needs, .line = line,
+                                                            .joined = r->joined});
     r->need = NULL;
     r->needs = r->need_room = 0;
 }

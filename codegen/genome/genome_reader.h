@@ -38,7 +38,8 @@ struct reader {
     size_t tasks, task_room;
     size_t *need; /* owned: the statements whose names this line uses */
     size_t needs, need_room;
-    bool alone; /* a statement by itself, which may follow genomes */
+    bool alone;  /* a statement by itself, which may follow genomes */
+    bool joined; /* an item of a list that is not its first */
 };
 
 /** Fills the diagnostic; %s in the format is the current word. */
@@ -48,6 +49,12 @@ bool reader_fail_text(struct reader *r, const char *format, const char *text, si
 
 bool next_word(struct reader *r, bool same_line);
 bool end_of_line(struct reader *r);
+/** A comma, or the end of the line; the comma is still to be read. */
+bool end_of_item(struct reader *r);
+/** Whether a comma comes next; it is read then. */
+bool next_is_comma(struct reader *r);
+/** The items of a line, of which commas part all but the first. */
+bool read_list(struct reader *r, bool (*read_item)(struct reader *));
 bool word_is_keyword(const struct reader *r);
 
 /** The current word as a name that is neither keyword nor operator, or one that is new, too. */
@@ -66,7 +73,7 @@ bool read_number(struct reader *r, int *gene);
 bool read_gene(struct reader *r, int *gene);
 /** The next word, the name of a number. */
 bool read_symbol(struct reader *r, int *gene);
-/** An expression, to the node array.  Unless `more` may follow, it ends its line.
+/** An expression, to the node array.  Unless `more` may follow, it ends its line or its item of a list.
  *  @param[in] name  whose it is, for messages */
 bool read_expression(struct reader *r, const char *name, bool more);
 /** A component of the expression that was read, or its number, to the gene array. */
@@ -84,8 +91,8 @@ struct target {
 };
 /** Says what the name, and the names of a vector's components, stand for from here on. */
 bool add_name(struct reader *r, const struct target *t, bool vector, int gene);
-/** Appends the words from `start` to here as a statement. */
-void add_statement(struct reader *r, const char *name, const char *start, int line);
+/** Appends a keyword and the words from `start` to here as a statement; its name is empty if it defines none. */
+void add_statement(struct reader *r, const char *keyword, const char *name, const char *start, int line);
 
 /** Appends what is in the gene array as a let of the function or the file; its gene. */
 bool add_number(struct reader *r, const char *name, int line, int *gene);
@@ -94,7 +101,7 @@ bool add_number(struct reader *r, const char *name, int line, int *gene);
  *  no text can name. */
 bool derive(struct reader *r, int of, int by, const char *target, int line, int *gene);
 
-/** Lines "let ..." and "function ...", at the keyword. */
+/** An item of a line "let ...", and a "function ...", behind the keyword. */
 bool read_let(struct reader *r);
 bool read_function(struct reader *r);
 

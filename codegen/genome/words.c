@@ -33,8 +33,11 @@ bool words_next(struct words *w, bool same_line)
     w->word = w->at;
     w->word_line = w->line;
     w->word_column = (int)(w->at - w->line_start) + 1;
-    while (w->at < w->end && (*w->at == '\0' || !strchr(" \t\r\n#", *w->at))) /* NUL inside a word is refused later */
+    if (w->at < w->end && *w->at == ',')
         w->at++;
+    else
+        while (w->at < w->end && (*w->at == '\0' || !strchr(" \t\r\n#,", *w->at))) /* NUL in a word is refused later */
+            w->at++;
     w->length = (size_t)(w->at - w->word);
     return w->length > 0;
 }

@@ -77,7 +77,7 @@ static void coordinate_value(const struct found *w, size_t vector, size_t i, siz
 }
 
 /* The power of 2, with a sign, that an operation is times the targets, one a point; 0 if it is none. */
-static double factor_of(const struct found *w, size_t op, fmpq_t target[POINTS])
+static double factor_of(const struct found *w, size_t op, const fmpq *target)
 {
     double factor = 0.0;
     fmpq_t product;
@@ -87,9 +87,9 @@ static double factor_of(const struct found *w, size_t op, fmpq_t target[POINTS])
             bool same = true;
             for (size_t point = 0; point < POINTS && same; point++) {
                 if (power < 0)
-                    fmpq_div_2exp(product, target[point], (ulong)-power);
+                    fmpq_div_2exp(product, target + point, (ulong)-power);
                 else
-                    fmpq_mul_2exp(product, target[point], (ulong)power);
+                    fmpq_mul_2exp(product, target + point, (ulong)power);
                 if (sign < 0)
                     fmpq_neg(product, product);
                 same = w->known[point][op] && fmpq_equal(product, w->value[point] + op);
@@ -101,7 +101,7 @@ static double factor_of(const struct found *w, size_t op, fmpq_t target[POINTS])
 }
 
 /* The first operation that is a multiple of the targets. */
-static struct coordinate search_operation(const struct found *w, const struct program *p, fmpq_t target[POINTS])
+static struct coordinate search_operation(const struct found *w, const struct program *p, const fmpq *target)
 {
     struct coordinate c = {-1, 0.0};
     for (size_t op = p->inputs; op < p->ops && c.op < 0; op++)
@@ -112,23 +112,21 @@ static struct coordinate search_operation(const struct found *w, const struct pr
 
 static void search_squares(struct found *w, const struct program *p)
 {
-    fmpq_t target[POINTS], x, scale;
+    fmpq_t x, scale;
     fmpq_init(x);
     fmpq_init(scale);
     double_rational(scale, w->factor[0]);
     for (size_t v = 0; v < VECTORS; v++) {
-        for (size_t point = 0; point < POINTS; point++) {
-            fmpq_init(target[point]);
+        fmpq *target = _fmpq_vec_init(POINTS);
+        for (size_t point = 0; point < POINTS; point++)
             for (size_t i = 0; i < 3; i++) {
                 coordinate_value(w, v, i, point, p->inputs, x);
                 fmpq_mul(x, x, scale);
-                fmpq_addmul(target[point], x, x);
+                fmpq_addmul(target + point, x, x);
             }
-        }
         const struct coordinate c = search_operation(w, p, target);
         w->square[v] = c.factor == 1.0 ? c.op : -1;
-        for (size_t point = 0; point < POINTS; point++)
-            fmpq_clear(target[point]);
+        _fmpq_vec_clear(target, POINTS);
     }
     fmpq_clear(scale);
     fmpq_clear(x);
@@ -138,16 +136,11 @@ static void search_vectors(struct found *w, const struct program *p)
 {
     for (size_t v = 0; v < VECTORS; v++)
         for (size_t i = 0; i < 3; i++) {
-            fmpq_t target[POINTS];
-            for (size_t point = 0; point < POINTS; point++) {
-                fmpq_init(target[point]);
-                coordinate_value(w, v, i, point, p->inputs, target[point]);
-            }
-            w->at[v][i] = (struct coordinate){-1, 0.0};
-            if (*w->vector[v].text)
-                w->at[v][i] = search_operation(w, p, target);
+            fmpq *target = _fmpq_vec_init(POINTS);
             for (size_t point = 0; point < POINTS; point++)
-                fmpq_clear(target[point]);
+                coordinate_value(w, v, i, point, p->inputs, target + point);
+            w->at[v][i] = *w->vector[v].text ? search_operation(w, p, target) : (struct coordinate){-1, 0.0};
+            _fmpq_vec_clear(target, POINTS);
         }
     for (size_t v = 0; v < VECTORS; v += VECTORS - 1) { /* c1 and d say how all are taken */
         const struct coordinate *c = w->at[v];
@@ -160,19 +153,13 @@ static void find_values(struct found *w, const struct program *p)
 {
     uint64_t stream = 1;
     for (size_t point = 0; point < POINTS; point++) {
-        fmpq *input = new_array(p->inputs, sizeof *input);
-        w->value[point] = new_array(p->ops, sizeof *w->value[point]);
+        fmpq *input = _fmpq_vec_init((slong)p->inputs);
+        w->value[point] = _fmpq_vec_init((slong)p->ops);
         w->known[point] = new_array(p->ops, sizeof *w->known[point]);
-        for (size_t i = 0; i < p->inputs; i++) {
-            fmpq_init(input + i);
-            fmpq_set_si(input + i, (slong)(random_next(&stream) >> 40), 1);
-        }
-        for (size_t i = 0; i < p->ops; i++)
-            fmpq_init(w->value[point] + i);
-        point_rational(p, p->ops, input, w->value[point], w->known[point]);
         for (size_t i = 0; i < p->inputs; i++)
-            fmpq_clear(input + i);
-        free(input);
+            fmpq_set_si(input + i, (slong)(random_next(&stream) >> 40), 1);
+        point_rational(p, p->ops, input, w->value[point], w->known[point]);
+        _fmpq_vec_clear(input, (slong)p->inputs);
     }
 }
 
@@ -197,9 +184,7 @@ static void mark_needed(struct found *w, const struct program *p)
 static void found_clear(struct found *w, const struct program *p)
 {
     for (size_t point = 0; point < POINTS; point++) {
-        for (size_t i = 0; i < p->ops; i++)
-            fmpq_clear(w->value[point] + i);
-        free(w->value[point]);
+        _fmpq_vec_clear(w->value[point], (slong)p->ops);
         free(w->known[point]);
     }
     free(w->needed);

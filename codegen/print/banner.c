@@ -26,28 +26,25 @@ static void print_errors(const struct measured *m, FILE *out)
         const struct measure_error *e = m->error[part], *first = m->error[0];
         const bool same =
             part == MEASURE_EVEN && !measure_differs(&e[0], &first[0]) && !measure_differs(&e[1], &first[1]);
-        if (e[0].n + e[1].n == 0 || same)
+        if (e[0].n == 0 || same)
             continue;
         struct banner_line l = banner_about_function(measure_part[part], out);
         for (int k = 0; k < 2; k++)
-            if (e[k].n > 0)
-                banner_add(&l, "%s %.3e %.3e %.3e,", output[k], e[k].mean, e[k].p99, e[k].max);
-        banner_add(&l, "samples %zu", e[0].n > 0 ? e[0].n : e[1].n);
+            banner_add(&l, "%s %.3e %.3e %.3e,", output[k], e[k].mean, e[k].p99, e[k].max);
+        banner_add(&l, "samples %zu", e[0].n);
         banner_end(&l);
     }
 }
 
-/* Where note `key` stands in the table; NULL if nowhere. */
-static struct measure_error *place_of(struct measured *m, const char *key)
+/* Takes a note about errors into the table; false if it is none. */
+static bool take_errors(const struct genome_note *note, struct measured *m)
 {
-    for (int part = 0; part < MEASURE_PARTS; part++)
-        for (int k = 0; k < 2; k++) {
-            const size_t length = strlen(measure_part[part]);
-            if (strncmp(key, measure_part[part], length) == 0 && key[length] == '_' &&
-                strcmp(key + length + 1, output[k]) == 0)
-                return &m->error[part][k];
-        }
-    return NULL;
+    for (int part = 0; part < MEASURE_PARTS; part++) {
+        const size_t length = strlen(measure_part[part]);
+        if (strncmp(note->key, measure_part[part], length) == 0 && strcmp(note->key + length, "_both") == 0)
+            return measure_errors_read(note->text, m->error[part]);
+    }
+    return false;
 }
 
 /* The text of the note about output k that goes with `key`, a note about the other one; NULL if there is none. */
@@ -87,11 +84,9 @@ static void print_notes(const struct function *f, FILE *out)
 {
     const struct genome *g = f->genome;
     struct measured m = {.worst = 0};
-    for (size_t k = 0; k < g->notes; k++) {
-        struct measure_error *place = place_of(&m, g->note[k].key);
-        if (!place || !measure_error_read(g->note[k].text, place))
+    for (size_t k = 0; k < g->notes; k++)
+        if (!take_errors(&g->note[k], &m))
             print_note(g, &g->note[k], out);
-    }
     print_errors(f->measured ? f->measured : &m, out);
 }
 

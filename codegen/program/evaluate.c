@@ -251,25 +251,17 @@ void point_rational(const struct program *p, size_t ops, const fmpq *input, fmpq
 /* Exact all the way: for what no precision tells from 0. */
 static bool rational_outputs(const struct program *p, const double *input, arb_ptr output)
 {
-    fmpq *point = new_array(p->inputs, sizeof *point), *value = new_array(p->ops, sizeof *value);
+    fmpq *point = _fmpq_vec_init((slong)p->inputs), *value = _fmpq_vec_init((slong)p->ops);
     bool good = true, *defined = new_array(p->ops, sizeof *defined);
-    for (size_t i = 0; i < p->inputs; i++) {
-        fmpq_init(&point[i]);
+    for (size_t i = 0; i < p->inputs; i++)
         double_rational(&point[i], input[i]);
-    }
-    for (size_t i = 0; i < p->ops; i++)
-        fmpq_init(&value[i]);
     point_rational(p, p->ops, point, value, defined);
     for (size_t i = 0; i < p->outputs; i++) {
         good = good && defined[p->output[i]];
         arb_set_fmpq(output + i, &value[p->output[i]], FIRST_BITS);
     }
-    for (size_t i = 0; i < p->inputs; i++)
-        fmpq_clear(&point[i]);
-    for (size_t i = 0; i < p->ops; i++)
-        fmpq_clear(&value[i]);
-    free(point);
-    free(value);
+    _fmpq_vec_clear(point, (slong)p->inputs);
+    _fmpq_vec_clear(value, (slong)p->ops);
     free(defined);
     return good;
 }

@@ -1,28 +1,22 @@
 /* Reader of the emitted statements; see program.h.  Operators wait on a stack (Dijkstra's shunting yard), not in the
  * frames of a recursive descent, so that neither long chains nor deep parentheses have a limit. */
-#define _GNU_SOURCE /* tdestroy */
 #include "program.h"
 
+#include "../genome/names.h"
 #include "../graph/constant_text.h"
 
 #include <ctype.h>
-#include <search.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { MOST_WORD = 79 };
-
-struct named_op {
-    char *name; /* owned */
-    int op;
-};
 
 struct reader {
     const struct genome_file *file;
     const struct genome *genome;
     struct program *program;
     const char *at;
-    void *names;  /* tsearch tree of named_op, owned */
+    void *names;  /* owned: of operations */
     int *value;   /* owned: operations that wait for their operator */
     int *waiting; /* owned: operators that wait for their operands: an op_kind, or OPEN */
     size_t values, value_room, waits, wait_room;
@@ -147,11 +141,6 @@ static int read_quotient(struct reader *r)
     return op;
 }
 
-static int compare_names(const void *a, const void *b)
-{
-    return strcmp(((const struct named_op *)a)->name, ((const struct named_op *)b)->name);
-}
-
 /* Input zA of a segment, which is xA[2] in the text; "" if the word is none. */
 static void read_coordinate(const char *word, char input[5])
 {
@@ -164,11 +153,11 @@ static void read_coordinate(const char *word, char input[5])
 /* A named value or an input: in_NAME; of a segment xA[2], which is its input zA. */
 static int find_name(const struct reader *r, char *word)
 {
-    const struct named_op key = {word, -1}, *const *found = tfind(&key, &r->names, compare_names);
+    const struct name *found = names_find(&r->names, word);
     char coordinate[5];
     const char *input = coordinate;
     if (found)
-        return (*found)->op;
+        return found->gene;
     if (!r->file->segment)
         input = strncmp(word, "in_", 3) == 0 ? word + 3 : "";
     else if (r->file->face && (strcmp(word, "xi") == 0 || strcmp(word, "eta") == 0))
@@ -358,19 +347,6 @@ void program_add_statement(struct program *p, const char *name, int op, size_t f
     p->statement[p->statements++] = (struct statement){new_text(name, strlen(name)), op, (int)first, output};
 }
 
-/* False if the name is taken. */
-static bool add_name(struct reader *r, const char *name, int op)
-{
-    struct named_op *n = new_array(1, sizeof *n), *const * slot;
-    *n = (struct named_op){new_text(name, strlen(name)), op};
-    slot = tsearch(n, &r->names, compare_names);
-    if (slot && *slot == n)
-        return true;
-    free(n->name);
-    free(n);
-    return false;
-}
-
 /* "*out_NAME" (of a segment "*NAME", of a face "NAME[0]"): the genome's outputs, in its order. */
 static bool is_next_output(const struct reader *r, const char *word)
 {
@@ -404,17 +380,14 @@ static bool read_statement(struct reader *r)
         return false;
     if (!output) {
         program_add_statement(p, word, op, first, -1);
-        return find_name(r, word) < 0 && add_name(r, word, op);
+        const bool new = find_name(r, word) < 0;
+        if (new)
+            names_add(&r->names, word, NAME_NUMBER, op, NO_STATEMENT);
+        return new;
     }
     program_add_statement(p, r->genome->out[p->outputs].name, op, first, (long)p->outputs);
     p->output[p->outputs++] = op;
     return true;
-}
-
-static void free_name(void *name)
-{
-    free(((struct named_op *)name)->name);
-    free(name);
 }
 
 struct program *program_read(const struct genome_file *f, const struct genome *genome, const char *statements,
@@ -429,7 +402,7 @@ struct program *program_read(const struct genome_file *f, const struct genome *g
         good = read_statement(&r);
     }
     good = good && p->outputs == genome->outs;
-    tdestroy(r.names, free_name);
+    names_free(r.names);
     free(r.value);
     free(r.waiting);
     if (good)

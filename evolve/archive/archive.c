@@ -2,6 +2,7 @@
  * bred from it has its constants rounded. */
 #include "archive.h"
 
+#include "../../codegen/genome/text.h"
 #include "../common/decimal.h"
 #include "../eval/frame.h"
 #include "../genotype/lines_text.h"
@@ -62,27 +63,21 @@ static const struct genome_expr *output_of(const struct genome *g, int output)
 static bool read_champion(struct archive *a, size_t tier, int output, struct diag *d)
 {
     const struct genome *g = archive_start_genome(a, tier);
+    const struct genome_expr *e = g ? output_of(g, output) : NULL;
+    struct champion *c = &a->champion[tier][output];
+    bool good = true;
     if (g && output == TIER_BOTH) {
-        struct champion *c = &a->champion[tier][output];
         c->tree = read_program(a, a->start, output_of(g, 0), output_of(g, 1), tier);
-        c->length_before = c->tree.length;
-        return true;
-    }
-    for (size_t i = 0; g && i < g->outs; i++) {
-        const struct genome_expr *e = &g->out[i];
-        if (strcmp(e->name, frame_output[output]) != 0)
-            continue;
-        struct champion *c = &a->champion[tier][output];
+    } else if (e) {
         c->tree = (struct tree){new_array(e->length, sizeof *e->gene), e->length};
-        if (frame_rebind(a->start, e, a->program, c->tree.gene, d)) {
-            c->length_before = e->length;
-            return true;
-        }
+        good = frame_rebind(a->start, e, a->program, c->tree.gene, d);
+    }
+    if (!good) {
         free(c->tree.gene);
         c->tree = (struct tree){NULL, 0};
-        return a->shipped;
     }
-    return true;
+    c->length_before = c->tree.length;
+    return good || a->shipped;
 }
 
 /* Constants of the program become decimal numbers. */
@@ -104,18 +99,6 @@ static void seed_champion(struct archive *a, size_t tier, int output)
         round_constants(a->program, &a->seed[a->seeds - 1].tree);
 }
 
-static char *text_of(const struct genome_file *program)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *f = open_memstream(&text, &size);
-    if (!f)
-        return NULL;
-    genome_print(program, f);
-    fclose(f);
-    return text;
-}
-
 struct archive *archive_new(const struct scene *s, struct genome_file *program, const char *start, bool shipped,
                             struct diag *d)
 {
@@ -126,10 +109,11 @@ struct archive *archive_new(const struct scene *s, struct genome_file *program, 
     a->counter = lines_counter_new(a->rules);
     a->lines = lines_new(a->rules);
     a->tails = new_array(s->tiers, sizeof *a->tails);
-    a->bare = text_of(program);
+    struct memory *bare = memory_open();
+    genome_print(program, bare->stream);
+    a->bare = memory_close(bare);
     a->start = start ? genome_read(start, d) : NULL;
-    bool good = a->bare || diag_system(d, program->path, "cannot keep the program");
-    good = good && (a->start || !start);
+    bool good = a->start || !start;
     for (size_t i = 0; good && i < s->tiers; i++)
         for (int k = tier_first(&s->tier[i]); good && k <= tier_last(&s->tier[i]); k++) {
             good = read_champion(a, i, k, d);
@@ -185,22 +169,20 @@ static long tier_of_name(const struct scene *s, const char *name)
     return -1;
 }
 
-static bool read_seed(struct archive *a, const struct genome_file *f, const struct genome *g,
-                      const struct genome_expr *e, struct diag *d)
+static bool read_seed(struct archive *a, const struct genome_file *f, const struct genome *g, int output,
+                      struct diag *d)
 {
-    for (int k = 0; k < 2; k++) {
-        if (strcmp(e->name, frame_output[k]) != 0)
-            continue;
-        struct tree t = {new_array(e->length, sizeof *e->gene), e->length};
-        const bool good = frame_rebind(f, e, a->program, t.gene, d);
-        if (good) {
-            round_constants(a->program, &t);
-            archive_add_seed(a, tier_of_name(a->scene, g->name), k, &t);
-        }
-        free(t.gene);
-        return good;
+    const struct genome_expr *e = output_of(g, output);
+    if (!e)
+        return true;
+    struct tree t = {new_array(e->length, sizeof *e->gene), e->length};
+    const bool good = frame_rebind(f, e, a->program, t.gene, d);
+    if (good) {
+        round_constants(a->program, &t);
+        archive_add_seed(a, tier_of_name(a->scene, g->name), output, &t);
     }
-    return true;
+    free(t.gene);
+    return good;
 }
 
 /* A genome's outputs, and the programs that these make for the tiers of such. */
@@ -219,10 +201,7 @@ static bool read_seeds(struct archive *a, const struct genome_file *f, const str
     }
     if (programs || (own >= 0 && a->scene->tier[own].program))
         return true;
-    for (size_t k = 0; k < g->outs; k++)
-        if (!read_seed(a, f, g, &g->out[k], d))
-            return false;
-    return true;
+    return read_seed(a, f, g, 0, d) && read_seed(a, f, g, 1, d);
 }
 
 bool archive_read_seeds(struct archive *a, const char *path, struct diag *d)

@@ -183,10 +183,11 @@ static void add_errors(struct genome *g, const struct archive *a, size_t tier, c
         NOTE(key, "genes %zu %s %.3e", c->tree.length, norm_name[a->scene->norm], c->error);
     }
     for (int part = 0; part < HELDOUT_PARTS; part++)
-        for (int k = 0; k < 2 && w->found[part]; k++) {
-            const struct errors *e = &w->found[part][at + (size_t)k];
-            note_key(heldout_part[part].name, k, key);
-            NOTE(key, "n %zu mean %.3e p99 %.3e max %.3e", e->n, e->mean, e->p99, e->max);
+        if (w->found[part]) {
+            const struct errors *e = &w->found[part][at];
+            note_key(heldout_part[part].name, TIER_BOTH, key);
+            NOTE(key, "n %zu mean %.3e %.3e p99 %.3e %.3e max %.3e %.3e", e[0].n, e[0].mean, e[1].mean, e[0].p99,
+                 e[1].p99, e[0].max, e[1].max);
         }
 }
 

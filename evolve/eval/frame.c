@@ -77,6 +77,8 @@ static bool add_statement(const struct genome_file *frame, size_t k, const struc
         known ? strcmp(known->text, text) == 0 || diag_at(d, frame->path, frame->statement[k].line, 0,
                                                           "'%s' is another value in another frame of the scene", name)
               : genome_read_statement(program, text, d);
+    if (good && !known)
+        program->statement[program->statements - 1].joined = frame->statement[k].joined;
     free(text);
     return good;
 }

@@ -42,7 +42,7 @@ static void similar(const struct segment_kind *kind, const struct sample *s, str
 
 /* ---- extremes ---- */
 
-/* Of the columns of a table, inputs and lets, and behind them of the genomes' outputs. */
+/* Of the columns of a table, inputs and lets, and behind them of the genomes' outputs and of what frames measure. */
 struct extremes {
     double *lo, *hi; /* owned */
     bool *sized;     /* owned: by column of the table, it changes with the segment's size */
@@ -62,18 +62,15 @@ static void take_in(struct extremes *e, const struct columns *table)
         take_in_column(e, j, columns_at(table, j), table->n);
 }
 
-static void take_in_outputs(struct extremes *e, struct kernel *kernel, const struct genome_file *f,
-                            const struct columns *table)
+static void take_in_expressions(struct extremes *e, size_t j, struct kernel *kernel, const struct genome_file *f,
+                                const struct genome_expr *x, size_t n, const struct columns *table)
 {
     double *value = new_array(table->n, sizeof *value);
-    size_t j = table->count;
-    for (size_t g = 0; g < f->genomes; g++)
-        for (size_t k = 0; k < f->genome[g].outs; k++) {
-            const struct genome_expr *out = &f->genome[g].out[k];
-            const struct kernel_task task = {out->gene, out->length, f->constant, table};
-            kernel_values(kernel, &task, value);
-            take_in_column(e, j++, value, table->n);
-        }
+    for (size_t k = 0; k < n; k++) {
+        const struct kernel_task task = {x[k].gene, x[k].length, f->constant, table};
+        kernel_values(kernel, &task, value);
+        take_in_column(e, j + k, value, table->n);
+    }
     free(value);
 }
 
@@ -95,11 +92,18 @@ static void find_sized(struct extremes *e, struct kernel *kernel, const struct g
     columns_free(&twice);
 }
 
+/* Where the extremes of what frames measure begin. */
+static size_t first_least(const struct genome_file *f)
+{
+    size_t j = frame_target(f, 2);
+    for (size_t g = 0; g < f->genomes; g++)
+        j += f->genome[g].outs;
+    return j;
+}
+
 static struct extremes measure(const struct genome_file *f, const struct sample_set *set, size_t sets)
 {
-    size_t count = frame_target(f, 2);
-    for (size_t g = 0; g < f->genomes; g++)
-        count += f->genome[g].outs;
+    const size_t least = first_least(f), count = least + f->leasts;
     struct extremes e = {new_array(count, sizeof *e.lo), new_array(count, sizeof *e.hi),
                          new_array(count, sizeof *e.sized)};
     struct sample *moved = new_array(PIECE, sizeof *moved);
@@ -113,7 +117,10 @@ static struct extremes measure(const struct genome_file *f, const struct sample_
                 similar(f->segment, &set[k].s[first + i], &moved[i]);
             struct columns table = frame_columns(kernel, f, moved, n);
             take_in(&e, &table);
-            take_in_outputs(&e, kernel, f, &table);
+            size_t j = table.count;
+            for (size_t g = 0; g < f->genomes; j += f->genome[g++].outs)
+                take_in_expressions(&e, j, kernel, f, f->genome[g].out, f->genome[g].outs, &table);
+            take_in_expressions(&e, least, kernel, f, f->least, f->leasts, &table);
             if (first == 0)
                 find_sized(&e, kernel, f, moved, &table);
             columns_free(&table);
@@ -133,13 +140,17 @@ static void add_range(struct genome_file *f, size_t input, double lo, double hi)
     genome_add_range(f, input, text[0], text[1]);
 }
 
-/* let > half of the least it is on the samples, in two digits */
-static void require_above(struct genome_file *f, size_t let, double least)
+/* expression > half of the least it is on the samples, in two digits */
+static void require_above(struct genome_file *f, const struct genome_expr *x, double least)
 {
     char text[32];
+    int *require = new_array(x->length + 2, sizeof *require);
     snprintf(text, sizeof text, "%.2g", 0.5 * least);
-    const int gene[] = {GENE_SUB, GENE_SYMBOL + (int)(f->inputs + let), -1 - (int)genome_add_constant(f, text)};
-    genome_add_require(f, gene, sizeof gene / sizeof *gene);
+    require[0] = GENE_SUB;
+    memcpy(require + 1, x->gene, x->length * sizeof *require);
+    require[x->length + 1] = -1 - (int)genome_add_constant(f, text);
+    genome_add_require(f, require, x->length + 2);
+    free(require);
 }
 
 /* |expression| < twice the most it is on the samples, in two digits */
@@ -214,14 +225,13 @@ static void require_coordinates(struct genome_file *f, const struct extremes *e,
     free(quotient);
 }
 
-/* A let that frames measure, of lets that the genomes depend on. */
-static bool is_measured(const struct genome_file *f, size_t let, const bool *used)
+/* An expression of lets that the genomes depend on. */
+static bool is_used(const struct genome_file *f, const struct genome_expr *e, const bool *used)
 {
-    const struct genome_expr *e = &f->let[let];
-    bool measured = strncmp(e->name, "least_", 6) == 0;
-    for (size_t i = 0; i < e->length && measured; i++)
-        measured = e->gene[i] < GENE_SYMBOL + (int)f->inputs || used[e->gene[i] - GENE_SYMBOL - (int)f->inputs];
-    return measured;
+    bool all = true;
+    for (size_t i = 0; i < e->length && all; i++)
+        all = e->gene[i] < GENE_SYMBOL + (int)f->inputs || used[e->gene[i] - GENE_SYMBOL - (int)f->inputs];
+    return all;
 }
 
 void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
@@ -236,9 +246,10 @@ void scene_region_add(struct genome_file *f, const struct sample_set *set, size_
         const double at = j == 3 ? 1 : 0;
         add_range(f, j, fixed ? at : e.lo[j], fixed ? at : e.hi[j]);
     }
-    for (size_t i = 0; i < f->lets; i++)
-        if (e.lo[inputs + i] > 0 && isfinite(e.lo[inputs + i]) && is_measured(f, i, used))
-            require_above(f, i, e.lo[inputs + i]);
+    const double *lo = e.lo + first_least(f);
+    for (size_t i = 0; i < f->leasts; i++)
+        if (lo[i] > 0 && isfinite(lo[i]) && is_used(f, &f->least[i], used))
+            require_above(f, &f->least[i], lo[i]);
     require_coordinates(f, &e, used);
     free(used);
     free(e.lo);

@@ -6,7 +6,7 @@
 #include "../surface/sample.h"
 
 /** Adds ranges of all inputs from samples, moved to A at the origin, B = (1,0,0), the last corner in the x-y plane, y >
- *  0; for each let of a frame that is named least_... and made of what the genomes need, where it is > 0 on all
+ *  0; for each expression of the file's `least` lines that is made of what the genomes need, where it is > 0 on all
  *  samples, the require that it is at least half of the least it is there; and for each quotient, or what is made of
  *  quotients, that does not change with the segment's size, local coordinates on the way to the result and the result
  *  itself, the require that it is at most twice as large as it is there.  The genome's expressions do not change under

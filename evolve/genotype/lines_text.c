@@ -169,28 +169,50 @@ static int add_let(struct writer *w, const char *name, size_t *number)
     return GENE_SYMBOL + (int)genome_find_symbol(w->file, own);
 }
 
-/* Lets for what is used twice, and for divisors. */
+/* The first let from the given one on that was written, not read, and says what has been put: one of another program's;
+ * the number of lets if there is none. */
+static size_t find_let(const struct writer *w, size_t from)
+{
+    const struct genome_file *f = w->file;
+    while (from < f->lets && (f->let[from].line > 0 || f->let[from].length != w->genes ||
+                              memcmp(f->let[from].gene, w->gene, w->genes * sizeof *w->gene) != 0))
+        from++;
+    return from;
+}
+
+/* Lets for what is used twice, and for divisors: lines of them.  Those that a program begins with may be another's, but
+ * they keep their order, as codegen's choices depend on it. */
 static void write_lets(struct writer *w, const char *name)
 {
     const struct lines *c = w->code;
-    size_t number = 0;
+    size_t number = 0, known = 0;
     for (size_t i = 0; i < c->lines; i++) {
         if (!c->needed[i] || c->line[i].a < 0 || (w->users[i] < 2 && !c->divides[i]))
             continue;
         w->genes = 0;
         write_operation(w, &c->line[i]);
+        known = number == 0 ? find_let(w, known) : w->file->lets;
+        if (known < w->file->lets) {
+            w->symbol[i] = GENE_SYMBOL + (int)(w->file->inputs + known);
+            continue;
+        }
+        const bool joined = number > 0;
         w->symbol[i] = add_let(w, name, &number);
+        w->file->statement[w->file->statements - 1].joined = joined;
     }
 }
 
 /* Let gene be what a scene measures (sampled_region.h), so that headers may rely on it. */
-static void write_measured(struct writer *w, const char *name, int gene, size_t *number)
+static void write_measured(struct writer *w, int gene)
 {
-    char least[WORD];
-    snprintf(least, sizeof least, "least_%.40s", name);
-    w->genes = 0;
-    put(w, gene);
-    add_let(w, least, number);
+    struct diag d;
+    const struct genome_file *f = w->file;
+    for (size_t i = 0; i < f->leasts; i++)
+        if (f->least[i].length == 1 && f->least[i].gene[0] == gene)
+            return;
+    char *text = new_joined("least ", genome_symbol_name(f, (size_t)(gene - GENE_SYMBOL)), "");
+    genome_read_statement(w->file, text, &d); /* of a name that is there */
+    free(text);
 }
 
 /* <name>_xi, <name>_eta, <name>_r1, ... */
@@ -204,8 +226,7 @@ static const char *result_name(const char *name, size_t k, char word[WORD])
 }
 
 /* The roots as lets <name>_u and <name>_v, and `function` of these; out: its first two results, the others measured. */
-static void write_call(struct writer *w, const struct genome_function *function, const char *name, size_t *number,
-                       int out[2])
+static void write_call(struct writer *w, const struct genome_function *function, const char *name, int out[2])
 {
     char word[WORD];
     struct diag d;
@@ -228,7 +249,7 @@ static void write_call(struct writer *w, const struct genome_function *function,
         if (k < 2)
             out[k] = gene;
         else
-            write_measured(w, name, gene, number);
+            write_measured(w, gene);
     }
 }
 
@@ -237,17 +258,16 @@ void lines_expand(struct lines *c, const struct tree *t, int last, struct genome
 {
     lines_load(c, t, -1, LINES_INNER);
     struct writer w = {.code = c, .file = f};
-    size_t number = 0;
     w.symbol = new_array(c->lines, sizeof *w.symbol);
     w.users = new_array(c->lines, sizeof *w.users);
     count_users(&w);
     write_lets(&w, name);
     for (size_t i = 0; i < c->lines; i++)
         if (c->divides[i] && w.symbol[i])
-            write_measured(&w, name, w.symbol[i], &number);
+            write_measured(&w, w.symbol[i]);
     int gene[2];
     if (last >= 0)
-        write_call(&w, &c->rules->program->function[last], name, &number, gene);
+        write_call(&w, &c->rules->program->function[last], name, gene);
     for (int k = 0; k < 2; k++) {
         w.genes = 0;
         if (last >= 0)

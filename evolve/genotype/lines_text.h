@@ -20,7 +20,8 @@ bool lines_read(struct lines *c, const struct genome_file *f, const struct genom
                 const struct gene_set *genes, bool called, size_t max, struct tree *t);
 
 /** Write a program as expressions of the file that the rules are of: values that are used twice, and divisors, become
- *  lets <name>_1, <name>_2, ..., from which xi and eta follow; divisors are measured as least_<name>_1, ...
+ *  lets <name>_1, <name>_2, ..., or are those of a program written before; xi and eta follow from them, and divisors are
+ *  measured (`least`)
  *  @param[out] out  genes owned by the caller; constants are the file's */
 void lines_expand(struct lines *c, const struct tree *t, int last, struct genome_file *f, const char *name,
                   struct tree out[2]);

@@ -27,16 +27,14 @@ static const char sample[] = "footpoint-genome 1\n"
 
 static const char vectors[] = "footpoint-genome 2\n"
                               "segment tri3 any\n"
-                              "let ab = - B A\n"
-                              "let unused = * 2 ab\n"
+                              "let ab = - B A, unused = * 2 ab\n"
                               "function step u vector w -> un normal # a comment\n"
                               "    let normal = cross w\n"
                               "      ab\n"
-                              "    let un = dot * u w normal\n"
+                              "    let un = dot * u w normal # another\n"
                               "end\n"
                               "function twice u -> c n\n"
-                              "    let b m = step u S\n"
-                              "    let c n = step + b 1 - m A\n"
+                              "    let b m = step u S, c n = step + b 1 - m A\n"
                               "end\n"
                               "let r n = twice xS\n"
                               "genome one\n"
@@ -156,14 +154,14 @@ static void test_needed_own_names(void **state)
     genome_file_free(g);
 }
 
-/* Every name that statements define gets the suffix, also as the stem of a component. */
+/* Every name of the file that statements define gets the suffix, also as the stem of a component. */
 static void test_suffix(void **state)
 {
     (void)state;
     static const char text[] = "footpoint-genome 2\nsegment tri3 any\nlet e = - B A\nlet c = + ex xA\n"
                                "function f u -> v\n    let w = * u e\n    let v = + wy c\nend\nlet r = f c\n";
     static const char *const expected[] = {"let e_1 = - B A", "let c_1 = + e_1x xA",
-                                           "function f_1 u_1 -> v_1\nlet w_1 = * u_1 e_1\nlet v_1 = + w_1y c_1\nend",
+                                           "function f_1 u -> v\nlet w = * u e_1\nlet v = + wy c_1\nend",
                                            "let r_1 = f_1 c_1"};
     struct diag d;
     struct genome_file *f = genome_parse("suffix", text, sizeof text - 1, &d);
@@ -176,6 +174,35 @@ static void test_suffix(void **state)
         free(other);
     }
     genome_file_free(f);
+}
+
+/* What stands on one line is printed on one line, as far as it is needed and there is room; requires share lines. */
+static void test_lists(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "footpoint-genome 2\nsegment tri3 any\nlet a = + xA 1, b = + xB 1, unused = - xA 1, c = * a b\n"
+        "let d = + c 1\nexchange a b, c d\nleast / c d, c\n"
+        "require a, - b 2\nrequire - 3 abs c\ngenome g\nxi = c\neta = d\nend\n";
+    static const char expected[] =
+        "footpoint-genome 2\nsegment tri3 any\nlet a = + xA 1, b = + xB 1, c = * a b\nlet d = + c 1\n"
+        "require a, - b 2, - 3 abs c\n\ngenome g\nxi = c\neta = d\nend\n";
+    struct diag d;
+    char *needed, *all;
+    size_t size;
+    struct genome_file *f = genome_parse("lists", text, sizeof text - 1, &d);
+    assert_non_null(f);
+    assert_int_equal(f->exchanges, 2);
+    assert_int_equal(f->leasts, 2);
+    assert_int_equal(f->requires, 3);
+    struct genome_file *g = read_needed(f, &needed);
+    assert_string_equal(needed, expected);
+    all = print(f, &size);
+    assert_non_null(strstr(all, "\nleast / c d, c\n"));
+    free(needed);
+    free(all);
+    genome_file_free(f);
+    genome_file_free(g);
 }
 
 static void test_long_expression_wraps(void **state)
@@ -273,10 +300,15 @@ static void test_hostile_text(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_expansion),
-        cmocka_unit_test(test_needed),       cmocka_unit_test(test_needed_own_names),
-        cmocka_unit_test(test_suffix),       cmocka_unit_test(test_long_expression_wraps),
-        cmocka_unit_test(test_span),         cmocka_unit_test(test_functions_of_frames),
+        cmocka_unit_test(test_round_trip),
+        cmocka_unit_test(test_expansion),
+        cmocka_unit_test(test_needed),
+        cmocka_unit_test(test_needed_own_names),
+        cmocka_unit_test(test_suffix),
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_long_expression_wraps),
+        cmocka_unit_test(test_span),
+        cmocka_unit_test(test_functions_of_frames),
         cmocka_unit_test(test_hostile_text),
     };
     return cmocka_run_group_tests_name("genome", tests, NULL, NULL);

@@ -9,9 +9,10 @@ for scene in ${SCENES:-evolve/scenes/*.scene}; do basename "$scene" .scene; done
         > '$work/{}.log' 2>&1 || echo {} >> '$work/failed'"
 [ ! -e "$work/failed" ]; report $((! $?)) 'every scene is bred'
 
-# errors FILE: a line "SCENE FUNCTION SAMPLES mean 99% worst" for each held-out note
+# errors FILE: a line "SCENE FUNCTION SAMPLES_OUTPUT mean 99% worst" for each output of each held-out note
 errors() {
-    awk -v scene="$(basename "$1" .gen)" '/^genome /{ name = $2 } /^note heldout_/{ print scene, name, $2, $6, $8, $10 }' "$1"
+    awk -v scene="$(basename "$1" .gen)" '/^genome /{ name = $2 } 
+        /^note heldout_/{ for (k = 0; k < 2; k++) print scene, name, $2 "_" k, $(6 + k), $(9 + k), $(12 + k) }' "$1"
 }
 for file in "$work"/*.gen; do
     errors "evolve/genomes/$(basename "$file")" >> "$work/before"

@@ -4,6 +4,8 @@
 /^genome / { genome = $2 }
 /^note terms_/ { terms[substr($2, 7)] = $3 }
 /^note training/ { training[substr($2, 10)] = $NF }
+/^note heldout_both/ { heldout["xi"] = $6; heldout["eta"] = $7; tail["xi"] = $9 "," $12; tail["eta"] = $10 "," $13; next }
+/^note heldout_random_both/ { random["xi"] = $6; random["eta"] = $7; random_tail["xi"] = $9 "," $12; random_tail["eta"] = $10 "," $13; next }
 /^note heldout(_xi|_eta)? / { o = substr($2, 9); heldout[o] = $6; tail[o] = $8 "," $10 }
 /^note heldout_random/ { o = substr($2, 16); random[o] = $6; random_tail[o] = $8 "," $10 }
 /^(xi|eta) = / {
