@@ -22,19 +22,22 @@ enum { NODES = 9, LINEAR = 3 /* of the powers below: 1, u, v */ };
 
 static const int power[NODES][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}, {2, 1}, {1, 2}, {2, 2}};
 
-/* Values and derivatives, by those before. */
-static const char *const power_text[NODES][3] = {
-    [3] = {"* u v", "v", "u"},           [4] = {"* u u", "* 2 u", "0"},
-    [5] = {"* v v", "0", "* 2 v"},       [6] = {"* u m11", "* 2 m11", "m20"},
-    [7] = {"* v m11", "m02", "* 2 m11"}, [8] = {"* m11 m11", "* 2 m12", "* 2 m21"}};
+/* Values, first and second derivatives: by u, by v; by u u, u v, v v. */
+static const char *const power_text[NODES][6] = {
+    [3] = {"* u v", "v", "u", "0", "1", "0"},
+    [4] = {"* u u", "* 2 u", "0", "2", "0", "0"},
+    [5] = {"* v v", "0", "* 2 v", "0", "0", "2"},
+    [6] = {"* u m11", "* 2 m11", "m20", "* 2 v", "* 2 u", "0"},
+    [7] = {"* v m11", "m02", "* 2 m11", "0", "* 2 v", "* 2 u"},
+    [8] = {"* m11 m11", "* 2 m12", "* 2 m21", "* 2 m02", "* 4 m11", "* 2 m20"}};
 
-/* The kinds: which powers they have, and their reference points as scenes have them. */
+/* The kinds: which powers they have, and their reference points, those of the frames. */
 static const struct row {
     const char *kind, *reference;
     int powers[NODES]; /* by node, an index of power[] */
-} table[] = {{"tri3", "0.3333333333333333", {0, 1, 2}},
+} table[] = {{"tri3", "/ 1 3", {0, 1, 2}},
              {"quad4", "0", {0, 1, 2, 3}},
-             {"tri6", "0.3333333333333333", {0, 1, 2, 3, 4, 5}},
+             {"tri6", "/ 1 3", {0, 1, 2, 3, 4, 5}},
              {"quad8", "0", {0, 1, 2, 3, 4, 5, 6, 7}},
              {"quad9", "0", {0, 1, 2, 3, 4, 5, 6, 7, 8}}};
 
@@ -96,7 +99,7 @@ struct shape *shape_new(const struct segment_kind *kind)
         if (strcmp(table[i].kind, kind->name) == 0) {
             struct shape *p = new_array(1, sizeof *p);
             *p = (struct shape){.kind = kind, .row = &table[i], .nodes = strlen(kind->nodes)};
-            p->reference = strtod(table[i].reference, NULL);
+            p->reference = kind->triangle ? 1.0 / 3 : 0;
             invert(p);
             return p;
         }
@@ -111,6 +114,12 @@ void shape_free(struct shape *p)
 size_t shape_numbers(const struct shape *p)
 {
     return 2 + 3 * (p->nodes - LINEAR) + 3;
+}
+
+/* Whether edges are. */
+static bool is_curved(const struct shape *p)
+{
+    return p->nodes > LINEAR + 1;
 }
 
 /* ---- the block ---- */
@@ -179,6 +188,9 @@ static void add_powers(const struct shape *p, FILE *out)
         const int which = p->row->powers[k], i = power[which][0], j = power[which][1];
         fprintf(out, "let m%d%d = %s\nlet mu%d%d = %s\nlet mv%d%d = %s\n", i, j, power_text[which][0], i, j,
                 power_text[which][1], i, j, power_text[which][2]);
+        if (is_curved(p))
+            fprintf(out, "let muu%d%d = %s\nlet muv%d%d = %s\nlet mvv%d%d = %s\n", i, j, power_text[which][3], i, j,
+                    power_text[which][4], i, j, power_text[which][5]);
     }
 }
 
@@ -259,20 +271,44 @@ static void add_distance(const struct shape *p, FILE *out)
     }
 }
 
-/* What Newton's steps make of values at the foot point itself, of bilinear segments: the first fundamental form, with and
- * without what the gap adds, its determinant, right-hand sides of the step for xi and eta, products of c11. */
+/* The first fundamental form at the foot point and what the gap takes from it: of straight edges; else, by products of
+ * vectors.  Local coordinates as frames of triangles have them. */
+static void add_forms(const struct shape *p, FILE *out)
+{
+    if (!is_curved(p)) {
+        fputs("let foot_1 = + p11 * v s1111\nlet foot_2 = + q11 * u s1111\n"
+              "let foot_11 = + e11 * v + p11 foot_1\nlet foot_22 = + e22 * u + q11 foot_2\n"
+              "let foot_12 = + skew + * u p11 * v foot_2\nlet lift_12 = * l h11\nlet foot_12n = - foot_12 lift_12\n",
+              out);
+        return;
+    }
+    add_sum(p, out, "ruu", "", "c", "muu");
+    add_sum(p, out, "ruv", "", "c", "muv");
+    add_sum(p, out, "rvv", "", "c", "mvv");
+    fputs("let normal = cross ru rv\nlet foot_11 = dot ru ru\nlet foot_12 = dot ru rv\nlet foot_22 = dot rv rv\n"
+          "let lift_11 = * l dot normal ruu\nlet lift_12 = * l dot normal ruv\nlet lift_22 = * l dot normal rvv\n"
+          "let foot_11n = - foot_11 lift_11\nlet foot_12n = - foot_12 lift_12\nlet foot_22n = - foot_22 lift_22\n",
+          out);
+    if (p->kind->triangle)
+        fputs("let foot_u = * 3 u\nlet foot_v = * 3 v\n", out);
+}
+
+/* What Newton's steps make of values at the foot point itself: that form, its determinant, right-hand sides of the step for
+ * u and v. */
 static void add_foot(const struct shape *p, FILE *out)
 {
-    if (p->nodes != LINEAR + 1)
+    if (p->nodes == LINEAR)
         return;
-    fputs("let foot_1 = + p11 * v s1111\nlet foot_2 = + q11 * u s1111\n"
-          "let foot_11 = + e11 * v + p11 foot_1\nlet foot_22 = + e22 * u + q11 foot_2\n"
-          "let foot_12 = + skew + * u p11 * v foot_2\nlet lift_12 = * l h11\nlet foot_12n = - foot_12 lift_12\n"
-          "let foot_j = + * nz nz + * u1 + * u1 e11 * 2 * u2 skew * * u2 u2 e22\n"
-          "let foot_jn = + foot_j * lift_12 + foot_12 foot_12n\nlet foot_i = / 1 foot_j\nlet foot_in = / 1 foot_jn\n"
-          "let foot_f1 = + * foot_11 u * foot_12 v\nlet foot_f2 = + * foot_12 u * foot_22 v\n"
-          "let foot_f1n = - foot_f1 * lift_12 v\nlet foot_f2n = - foot_f2 * lift_12 u\n",
-          out);
+    add_forms(p, out);
+    fputs("let foot_j = + * nz nz + * u1 + * u1 e11 * 2 * u2 skew * * u2 u2 e22\n", out);
+    if (is_curved(p))
+        fputs("let foot_jn = - * foot_11n foot_22n * foot_12n foot_12n\n", out);
+    else
+        fputs("let foot_jn = + foot_j * lift_12 + foot_12 foot_12n\nlet foot_f1 = + * foot_11 u * foot_12 v\n"
+              "let foot_f2 = + * foot_12 u * foot_22 v\nlet foot_f1n = - foot_f1 * lift_12 v\n"
+              "let foot_f2n = - foot_f2 * lift_12 u\n",
+              out);
+    fputs("let foot_i = / 1 foot_j\nlet foot_in = / 1 foot_jn\n", out);
 }
 
 struct genome_file *shape_region(const struct shape *p)

@@ -99,15 +99,23 @@ static struct columns block_columns(const struct survey *s, double (*number)[SHA
     return c;
 }
 
-/* The power of 2 that brings a mark nearest to a value. */
+/* The power of 2, times one of 3, that brings a mark nearest to a value. */
 static double find_factor(const double *x, const double *mark, size_t n)
 {
-    double xm = 0, mm = 0;
+    double xm = 0, mm = 0, best = 1, least = INFINITY;
     for (size_t i = 0; i < n; i++) {
         xm += x[i] * mark[i];
         mm += mark[i] * mark[i];
     }
-    return xm / mm != 0 && isfinite(xm / mm) ? copysign(exp2(round(log2(fabs(xm / mm)))), xm) : 1;
+    static const double powers[] = {1, 3, 9, 81, 1.0 / 9, 1.0 / 81};
+    for (size_t k = 0; k < sizeof powers / sizeof *powers && xm / mm != 0 && isfinite(xm / mm); k++) {
+        const double threes = powers[k], twos = log2(fabs(xm / mm) / threes), off = fabs(twos - round(twos));
+        if (off < 0.5 * least) { /* few threes rather than many */
+            best = copysign(threes * exp2(round(twos)), xm);
+            least = off;
+        }
+    }
+    return best;
 }
 
 static void take_in(struct survey *s, struct value *v, const double *x, const struct columns *block, bool first)
@@ -175,6 +183,8 @@ static void add_ranges(const struct survey *s)
     for (size_t k = 0; k < numbers; k++) {
         const bool none = fmax(-s->least[k], s->most[k]) < 1e-9;
         char text[2][32];
+        if (!(s->least[k] <= s->most[k]))
+            continue;
         snprintf(text[0], sizeof text[0], "%.2f", none ? 0 : floor(s->least[k] * 100) / 100);
         snprintf(text[1], sizeof text[1], "%.2f", none ? 0 : ceil(s->most[k] * 100) / 100);
         genome_add_range(r, r->inputs - numbers + k, text[0], text[1]);

@@ -6,7 +6,7 @@
 #include "../surface/sample.h"
 
 /** Adds the region block of the kind, with the ranges of its numbers on the samples, and requires of the values on the way:
- *  each is as near to a multiple, by a power of 2, of xi, eta or one of the block's values foot_... as at most twice the
+ *  each is as near to a multiple, by powers of 2 and 3, of xi, eta or one of the block's values foot_... as at most twice the
  *  farthest on the samples; or, where that says little, as large as twice the largest there; and as small as half the
  *  smallest, where it has a sign.  False if the kind has no such block: nothing is added. */
 bool shape_requires_add(struct genome_file *f, const struct sample_set *set, size_t sets);
