@@ -64,7 +64,7 @@ double bound_error(struct region *r, int op, long boxes, double *work)
     struct forms *w = forms_new(r->known, op);
     struct search s = {.region = r, .rounding = rounding_new(w, op)};
     const size_t n = r->known->variables;
-    const double box_work = (double)w->needs * 3 * ((double)n + 16);
+    const double box_work = (double)w->needs * 10 * ((double)n + 16);
     double bound = 0;
     s.boxes.variables = n;
     s.box = new_array(n, sizeof *s.box);

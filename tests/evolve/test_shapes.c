@@ -1,7 +1,7 @@
 /* Region blocks: the numbers that are measured of a segment make it again, in each kind, and scalar products are what the
  * block says they are. */
 #include "../../evolve/common/vec3.h"
-#include "../../evolve/eval/shape_region.h"
+#include "../../evolve/region/shape_region.h"
 #include "../../evolve/surface/surface.h"
 
 #include <math.h>

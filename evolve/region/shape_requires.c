@@ -1,7 +1,7 @@
 /* Extremes of what a genome file computes on samples that are placed as its region block says; see shape_requires.h. */
 #include "shape_requires.h"
 
-#include "frame.h"
+#include "../eval/frame.h"
 #include "region_values.h"
 #include "shape_region.h"
 

@@ -1,7 +1,7 @@
 /* Extremes of the samples' coordinates, widened to two decimals, and of what frames measure; see sampled_region.h. */
 #include "sampled_region.h"
 
-#include "frame.h"
+#include "../eval/frame.h"
 #include "region_values.h"
 #include "shape_requires.h"
 
