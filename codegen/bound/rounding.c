@@ -456,7 +456,7 @@ static double backward_error(struct rounding *e, int result, bool links)
 }
 
 /* A joint's error, found backwards from those before it. */
-static void link(struct rounding *e, int i)
+static void bound_joint(struct rounding *e, int i)
 {
     const double most = interval_most(e->forms->range[i]), least = interval_least(e->forms->range[i]);
     const double error = checked(backward_error(e, i, true), most);
@@ -474,7 +474,7 @@ double rounding_error(struct rounding *e)
         propagate(e, (size_t)i);
         e->linked[i] = false;
         if (e->error[i] > 0 && (i == e->op || (e->forms->known->joint[i] && !is_given(e->forms->known, i))))
-            link(e, i);
+            bound_joint(e, i);
     }
     return e->error[e->op] < INFINITY ? lesser(e->error[e->op], backward_error(e, e->op, false)) : INFINITY;
 }
