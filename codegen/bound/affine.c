@@ -248,6 +248,134 @@ void affine_set(struct forms *w, size_t i)
     settle(w, i);
 }
 
+/* Exchanges the form of operation i and the one at hand, if that is closer. */
+static void take_closer(struct forms *w, size_t i, size_t hand)
+{
+    if (!(w->radius[hand] < w->radius[i]))
+        return;
+    w->centre[i] = w->centre[hand];
+    w->radius[i] = w->radius[hand];
+    w->mass[i] = w->mass[hand];
+    memcpy(slopes(w, i), slopes(w, hand), w->known->variables * sizeof *w->slope);
+    settle(w, i);
+}
+
+void affine_adopt(struct forms *w, size_t i, size_t other, struct interval ratio)
+{
+    const size_t hand = w->known->program->ops;
+    const double middle = interval_middle(ratio), most = interval_most(w->range[other]);
+    if (!w->affine || !interval_finite(ratio))
+        return;
+    combine(w, hand, middle, other, 0, other, 0, ratio.lo < ratio.hi ? above(interval_half(ratio, middle) * most) : 0);
+    take_closer(w, i, hand);
+}
+
+void affine_shift(struct forms *w, size_t i, size_t other, struct interval difference)
+{
+    const size_t hand = w->known->program->ops;
+    if (!w->affine || !interval_finite(difference))
+        return;
+    const double middle = interval_middle(difference);
+    combine(w, hand, 1, other, 0, other, middle, interval_half(difference, middle));
+    take_closer(w, i, hand);
+}
+
+/* ---- derivatives ---- */
+
+static size_t slope_row(const struct forms *w, int i)
+{
+    return w->known->program->ops + FORMS_HANDS + (size_t)i;
+}
+
+/* Values of row `other` are up to `error` off: what that makes of a product with values up to `most`. */
+static void blur(struct forms *w, size_t row, double most, double error)
+{
+    if (error > 0)
+        w->radius[row] = above(w->radius[row] + above(most * error));
+}
+
+void affine_result(struct forms *w, int result)
+{
+    if (w->affine) {
+        set_form(w, slope_row(w, result), 1, 0);
+        w->range[slope_row(w, result)] = interval_point(1);
+    }
+}
+
+void affine_discharge(struct forms *w, int i)
+{
+    if (w->affine) {
+        set_form(w, slope_row(w, i), 0, 0);
+        w->range[slope_row(w, i)] = interval_point(0);
+    }
+}
+
+struct interval affine_slope(const struct forms *w, int i)
+{
+    return w->affine && w->radius[slope_row(w, i)] < INFINITY ? form_range(w, slope_row(w, i)) : interval_whole();
+}
+
+/* derivative / value, where the value's error leaves its sign. */
+static void slope_quotient(struct forms *w, size_t out, size_t slope, int value, double error)
+{
+    const double least = interval_least(w->range[value]), rest = below(least - error);
+    divide(w, out, slope, (size_t)value);
+    if (rest > 0)
+        blur(w, out, interval_most(w->range[slope]), above(error / below(least * rest)));
+    else
+        forget(w, out);
+}
+
+/* The form of what the result owes to operand k, at hand; false: there is none. */
+static bool charge_form(struct forms *w, size_t hand, int i, int k, const double *error)
+{
+    const struct op *op = &w->known->program->op[i];
+    const size_t slope = slope_row(w, i), quotient = hand + 1;
+    const int other = k ? op->a : op->b;
+    switch (op->kind) {
+    case OP_ADD:
+    case OP_SUB:
+    case OP_NEG:
+        combine(w, hand, op->kind == OP_NEG || (op->kind == OP_SUB && k) ? -1 : 1, slope, 0, slope, 0, 0);
+        return true;
+    case OP_MUL:
+        multiply(w, hand, slope, (size_t)other);
+        blur(w, hand, interval_most(w->range[slope]), error[other]);
+        return true;
+    case OP_DIV:
+    case OP_PDIV:
+        slope_quotient(w, k ? quotient : hand, slope, op->b, error[op->b]);
+        if (k) {
+            w->range[quotient] = form_range(w, quotient);
+            multiply(w, hand, quotient, (size_t)i);
+            blur(w, hand, interval_most(w->range[quotient]), error[i]);
+            combine(w, hand, -1, hand, 0, hand, 0, 0);
+        }
+        return true;
+    case OP_SQRT:
+        slope_quotient(w, hand, slope, i, error[i]);
+        combine(w, hand, 0.5, hand, 0, hand, 0, 0);
+        return true;
+    default:
+        return false;
+    }
+}
+
+struct interval affine_charge(struct forms *w, int i, int k, const double *error, struct interval part)
+{
+    const struct op *op = &w->known->program->op[i];
+    const size_t hand = w->known->program->ops + 2, to = slope_row(w, k ? op->b : op->a);
+    if (!w->affine)
+        return part;
+    if (!charge_form(w, hand, i, k, error))
+        forget(w, hand);
+    w->range[hand] = part;
+    settle(w, hand);
+    combine(w, to, 1, to, 1, hand, 0, 0);
+    w->range[to] = interval_add(w->range[to], w->range[hand]);
+    return w->range[hand];
+}
+
 bool affine_narrow(const struct forms *w, int op, int sign, double bound, struct interval *box)
 {
     const size_t i = (size_t)op;

@@ -78,6 +78,7 @@ static void tell(struct forms *w, int i, struct interval x, int depth)
         tell(w, op->b, interval_subtract(y, a), depth - 1);
         break;
     case OP_SUB:
+        affine_shift(w, (size_t)op->a, (size_t)op->b, y);
         tell(w, op->a, interval_add(y, b), depth - 1);
         tell(w, op->b, interval_subtract(a, y), depth - 1);
         break;
@@ -112,8 +113,11 @@ static bool evaluate(struct forms *w, const struct interval *box, bool affine)
             return false;
         if (affine)
             affine_set(w, i);
-        if (w->twin[i] >= 0)
+        if (w->twin[i] >= 0) {
             w->range[i] = interval_meet(w->range[i], interval_multiply(w->range[w->twin[i]], w->ratio[i]));
+            if (affine)
+                affine_adopt(w, i, (size_t)w->twin[i], w->ratio[i]);
+        }
         if (w->required[i]) {
             w->inside = w->inside && w->range[i].lo > 0;
             tell(w, (int)i, (struct interval){0, INFINITY}, FORMS_DEPTH);

@@ -58,7 +58,7 @@ static struct pole find_zero(struct search *s, int op, long boxes)
     if (known.lo > 0 || known.hi < 0)
         return (struct pole){.verdict = POLE_FREE, .least = fmin(fabs(known.lo), fabs(known.hi)), .values = known};
     struct pole pole = pole_find(r, op, boxes);
-    s->work -= (double)pole.draws * (DRAW + (double)r->known->shift) * (double)r->known->variables;
+    s->work -= (double)pole.draws * (DRAW + (double)r->known->first) * (double)r->known->variables;
     if (pole.verdict == POLE_UNDECIDED && x->kind == OP_MUL) {
         const struct pole a = find_zero(s, x->a, boxes);
         pole = x->squared || a.verdict != POLE_FREE ? a : find_zero(s, x->b, boxes);
@@ -84,42 +84,23 @@ static void find_pole(struct search *s, struct denominator *d, size_t searches)
     d->verdict = pole.verdict;
     d->least = pole.least;
     if (pole.verdict == POLE_EXISTS) {
-        d->witness = new_array(r->known->inputs, sizeof *d->witness);
+        d->witness = new_array(r->known->places, sizeof *d->witness);
         region_inputs(r, pole.witness, d->witness);
     }
     free(pole.witness);
 }
 
-/* The errors of values that have names and of divisors, in their order, each by what is known of those before it; then
- * by the other half of the work, where there is no pole, of the outputs. */
+/* The errors of divisors, by a part of the work; then by the rest, where there is no pole, of the outputs. */
 static void bound_errors(struct search *s, struct evidence *e, const struct program *p)
 {
     struct region *r = s->region;
-    bool *joint = new_array(p->ops, sizeof *joint);
-    const double half = 0.5 * s->work;
-    size_t left = 0;
-    for (size_t i = 0; i < p->statements; i++)
-        joint[p->statement[i].op] = p->statement[i].output < 0;
-    for (size_t i = 0; i < e->denominators; i++)
-        joint[e->denominator[i].op] = true;
-    for (size_t i = 0; i < p->ops; i++)
-        left += joint[i];
-    s->work -= half;
-    for (size_t i = 0; i < p->ops; i++)
-        if (joint[i]) {
-            if (p->op[i].kind > OP_INPUT && s->work > 0)
-                find_error(s, region_op(r, (int)i), left);
-            left--;
-        }
-    s->work += half;
-    for (size_t i = 0; i < e->denominators; i++) {
+    for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
         struct denominator *d = &e->denominator[i];
-        const double bound = r->known->error[region_op(r, d->op)];
+        const double bound = find_error(s, region_op(r, d->op), 2 * (e->denominators + p->outputs));
         d->threshold = bound < (d->verdict == POLE_FREE ? INFINITY : MOST_THRESHOLD) ? bound : 0;
     }
     for (size_t i = 0; evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
         e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
-    free(joint);
 }
 
 static void skip_statement(void *to, const char *name, long output, const char *text)
@@ -186,12 +167,13 @@ static void sample_errors(struct evidence *e, const struct program *p, struct re
     long tries = most * TRIES_A_SAMPLE;
     uint64_t seed = o->seed;
     double *input = new_array(p->inputs, sizeof *input), *value = new_array(p->ops, sizeof *value);
-    double *largest = new_array(p->outputs, sizeof *largest);
+    double *largest = new_array(p->outputs, sizeof *largest), *at = new_array(r->known->variables, sizeof *at);
     arb_ptr exact = _arb_vec_init((slong)p->outputs);
     arb_t error;
     arb_init(error);
     point_constants(p, value);
-    while (e->samples < most && region_draw(r, &seed, 0, &tries, input)) {
+    while (e->samples < most && region_draw(r, &seed, 0, &tries, at)) {
+        region_inputs(r, at, input);
         if (!point_exact(p, input, exact))
             continue;
         e->samples++;
@@ -213,6 +195,7 @@ static void sample_errors(struct evidence *e, const struct program *p, struct re
     arb_clear(error);
     _arb_vec_clear(exact, (slong)p->outputs);
     free(input);
+    free(at);
     free(value);
     free(largest);
 }
@@ -221,7 +204,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
                               const struct evidence_options *options)
 {
     struct evidence *e = new_array(1, sizeof *e);
-    struct region *r = region_new(f, p);
+    struct region *r = region_new(f, p, true);
     struct search s = {
         .region = r, .boxes = options->boxes, .work = MOST_WORK * fmin(1, (double)options->boxes / BOXES_FOR_MOST)};
     find_denominators(e, f, genome, p);
@@ -295,16 +278,20 @@ int evidence_print_points(const struct genome_file *f, const struct genome *geno
 {
     (void)genome;
     (void)e;
-    struct region *r = region_new(f, p);
-    double *input = new_array(p->inputs, sizeof *input);
+    struct region *r = region_new(f, p, true), *inputs = region_new(f, p, false);
+    double *input = new_array(p->inputs, sizeof *input), *at = new_array(r->known->variables, sizeof *at);
     arb_ptr exact = _arb_vec_init((slong)p->outputs);
     long tries = (long)(MOST_BALLS / (double)r->known->program->ops);
     uint64_t seed = 1;
     int rows = 0;
-    for (int i = 0; i < 4 * POINTS && rows < POINTS && region_draw(r, &seed, POINT_BITS, &tries, input); i++)
-        rows += print_point(p, r, input, exact, out);
+    for (int i = 0; i < 4 * POINTS && rows < POINTS && region_draw(r, &seed, POINT_BITS, &tries, at); i++) {
+        region_inputs(r, at, input);
+        rows += print_point(p, inputs, input, exact, out);
+    }
     _arb_vec_clear(exact, (slong)p->outputs);
     free(input);
+    free(at);
     region_free(r);
+    region_free(inputs);
     return rows;
 }

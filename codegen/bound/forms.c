@@ -38,9 +38,12 @@ static size_t need(struct choice *c, int op)
     size_t added = 0;
     push(c, op);
     for (; c->depth > 0; added++) {
-        const struct op *o = &c->known->program->op[c->stack[--c->depth]];
+        const int next = c->stack[--c->depth];
+        const struct op *o = &c->known->program->op[next];
         push(c, o->a);
         push(c, o->b);
+        if (c->known->twin[next] >= 0 && c->known->twin[next] < (int)c->known->shapes)
+            push(c, c->known->twin[next]);
     }
     return added;
 }
@@ -96,7 +99,7 @@ static void choose_twins(struct forms *w)
 struct forms *forms_new(const struct known *x, int target)
 {
     struct forms *w = new_array(1, sizeof *w);
-    const size_t rows = x->program->ops + 2; /* and two at hand */
+    const size_t rows = 2 * x->program->ops + FORMS_HANDS;
     *w = (struct forms){.known = x};
     w->required = new_array(rows, sizeof *w->required);
     w->twin = new_array(rows, sizeof *w->twin);

@@ -11,6 +11,9 @@
 /** How many operations deep a require tells of what it is made of. */
 enum { FORMS_DEPTH = 3 };
 
+/** Rows behind those of the operations: at hand, then, by operation, derivatives of a result by it. */
+enum { FORMS_HANDS = 4 };
+
 struct forms {
     const struct known *known; /* not owned */
     int *needed;               /* owned: operations that the target and requires of use to it depend on, ascending */
@@ -19,9 +22,9 @@ struct forms {
     struct interval *ratio;  /* owned: by operation, to its twin */
     bool *required;          /* owned: by operation, it is > 0 on the region */
     struct interval *range;  /* owned: by operation, its values on the box's part of the region */
-    double *centre, *radius; /* owned: by operation; the radius is infinite where there is no form */
-    double *mass;            /* owned: by operation, >= sum |slope| */
-    double *slope;           /* owned: by operation and variable */
+    double *centre, *radius; /* owned: by row; the radius is infinite where there is no form */
+    double *mass;            /* owned: by row, >= sum |slope| */
+    double *slope;           /* owned: by row and variable */
     bool affine;             /* false: there would be too many slopes; intervals alone */
     bool inside;             /* after an evaluation: all of the box belongs to the region */
 };

@@ -7,6 +7,7 @@
 #include "../prove/prove_points.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- requires as a program ---- */
 
@@ -21,11 +22,19 @@ static size_t *first_needs(const struct genome_file *f)
         const size_t need = k < f->lets ? first[k] : k - f->lets;
         for (size_t i = 0; i < e->length; i++) {
             const int let = e->gene[i] - GENE_SYMBOL - (int)f->inputs;
-            if (let >= 0 && need < first[let])
+            if (let >= 0 && let < (int)f->lets && need < first[let])
                 first[let] = need;
         }
     }
     return first;
+}
+
+static bool speaks_of_shapes(const struct genome_expr *e)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] >= GENE_LOCAL)
+            return true;
+    return false;
 }
 
 /* The lets that each require is the first to need stand in front of it, so that what earlier requires tell of the
@@ -44,7 +53,8 @@ static void add_requires(struct genome_program *b)
     for (size_t k = 0; k < f->requires; k++) {
         for (int i = head[k]; i > 0; i = next[i - 1])
             b->symbol[f->inputs + (size_t)i - 1] = genome_program_add(b, &f->let[i - 1]);
-        p->output[p->outputs++] = genome_program_add(b, &f->require[k]);
+        if (b->shape || !speaks_of_shapes(&f->require[k]))
+            p->output[p->outputs++] = genome_program_add(b, &f->require[k]);
     }
     free(first);
     free(head);
@@ -56,6 +66,65 @@ static struct program *read_requires(const struct genome_file *f)
 {
     struct genome_program b = genome_program_start(f, f->requires);
     add_requires(&b);
+    return genome_program_end(&b);
+}
+
+/* Inputs of the region block that do not vary are numbers, so that values which are equal for these alone are known to
+ * be. */
+static struct genome_program start_region(const struct genome_file *region, size_t outputs)
+{
+    struct genome_program b = genome_program_start(region, outputs);
+    fmpq_t lo, hi;
+    fmpq_init(lo);
+    fmpq_init(hi);
+    for (size_t i = 0; i < region->inputs; i++) {
+        const struct genome_range *range = &region->range[i];
+        if (!range->given)
+            continue;
+        constant_read(lo, region->constant[range->lo].text);
+        constant_read(hi, region->constant[range->hi].text);
+        if (fmpq_equal(lo, hi))
+            b.symbol[i] = program_add_constant(b.program, lo, false);
+    }
+    fmpq_clear(lo);
+    fmpq_clear(hi);
+    return b;
+}
+
+/* The inputs of the file as values of its region block, and where that computes its symbols. */
+static struct program *read_places(const struct genome_file *f, int *symbol)
+{
+    const struct genome_file *region = f->region;
+    struct genome_program b = start_region(region, f->inputs);
+    for (size_t i = 0; i < region->lets; i++)
+        b.symbol[region->inputs + i] = genome_program_add(&b, &region->let[i]);
+    for (size_t i = 0; i < f->inputs; i++)
+        b.program->output[b.program->outputs++] = b.symbol[genome_region_symbol(f, i)];
+    memcpy(symbol, b.symbol, (region->inputs + region->lets) * sizeof *symbol);
+    return genome_program_end(&b);
+}
+
+/* Inputs of the region block, its requires and those of the file. */
+static struct program *read_shapes(struct known *x, const struct genome_file *f, int *shape)
+{
+    const struct genome_file *region = f->region;
+    struct genome_program a = start_region(region, region->requires + f->requires);
+    struct genome_program b = genome_program_start(f, 0);
+    add_requires(&a);
+    const int shift = program_append(a.program, x->place, NULL);
+    for (size_t i = 0; i < f->inputs; i++) {
+        const int op = x->place->output[i];
+        b.symbol[i] = x->placed[i] = op < (int)region->inputs ? op : op + shift;
+    }
+    for (size_t i = 0; i < region->inputs + region->lets; i++)
+        shape[i] += shape[i] < (int)region->inputs ? 0 : shift;
+    x->shapes = a.program->ops;
+    program_free(b.program);
+    b.program = a.program;
+    b.shape = shape;
+    add_requires(&b);
+    free(a.symbol);
+    free(a.stack);
     return genome_program_end(&b);
 }
 
@@ -140,6 +209,8 @@ static void find_twins(struct known *x)
         point_rational(p, p->ops, input, value, defined);
     for (size_t i = 0; class && i < p->ops; i++) {
         const int twin = class[i];
+        if (twin < 0 && defined[i]) /* a number, the same everywhere */
+            x->value[i] = interval_around(&value[i]);
         if (twin < 0 || (size_t)twin >= i)
             continue;
         if (defined[i] && defined[twin]) {
@@ -163,32 +234,52 @@ static void find_twins(struct known *x)
     points_free(points);
 }
 
-struct known *known_new(const struct genome_file *f, const struct program *p)
+static int placed_op(const struct known *x, int op)
+{
+    return op < (int)x->places ? x->placed[op] : op + (int)x->first - (int)x->places;
+}
+
+struct known *known_new(const struct genome_file *f, const struct program *p, bool shapes)
 {
     struct known *x = new_array(1, sizeof *x);
-    struct program *all = read_requires(f);
-    bool *matters = new_array(f->inputs, sizeof *matters);
-    *x = (struct known){.inputs = f->inputs, .program = all, .shift = all->ops - all->inputs};
-    mark_inputs(p, matters);
+    const struct genome_file *varies = shapes && f->region ? f->region : f;
+    *x = (struct known){.inputs = varies->inputs, .places = f->inputs};
+    x->placed = new_array(f->inputs, sizeof *x->placed);
+    for (size_t i = 0; i < f->inputs; i++)
+        x->placed[i] = (int)i;
+    int *shape = varies != f ? new_array(varies->inputs + varies->lets, sizeof *shape) : NULL;
+    if (shape)
+        x->place = read_places(f, shape);
+    struct program *all = shape ? read_shapes(x, f, shape) : read_requires(f);
+    free(shape);
+    bool *matters = new_array(varies->inputs, sizeof *matters);
+    x->program = all;
+    if (!x->place)
+        mark_inputs(p, matters);
     mark_inputs(all, matters);
-    read_ranges(x, f, matters);
-    program_append(all, p);
+    read_ranges(x, varies, matters);
+    x->first = all->ops;
+    program_append(all, p, x->placed);
     x->value = new_array(all->ops, sizeof *x->value);
-    x->error = new_array(all->ops, sizeof *x->error);
     x->twin = new_array(all->ops, sizeof *x->twin);
     x->ratio = new_array(all->ops, sizeof *x->ratio);
     for (size_t i = 0; i < all->ops; i++) {
         x->value[i] = given_range(x, &all->op[i]);
         x->twin[i] = -1;
-        x->error[i] = INFINITY;
     }
+    x->joint = new_array(all->ops, sizeof *x->joint);
+    for (size_t i = 0; i < p->statements; i++)
+        x->joint[placed_op(x, p->statement[i].op)] = true;
+    for (size_t i = 0; i < p->ops; i++)
+        if (p->op[i].kind == OP_DIV || p->op[i].kind == OP_PDIV)
+            x->joint[placed_op(x, p->op[i].b)] = true;
     x->length = new_array(all->ops, sizeof *x->length);
-    for (size_t i = 0; i < all->inputs + x->shift; i++) {
+    for (size_t i = 0; i < x->first; i++) {
         const struct op *op = &all->op[i];
         const size_t length = 1 + (op->a >= 0 ? x->length[op->a] : 0) + (op->b >= 0 ? x->length[op->b] : 0);
         x->length[i] = length < all->ops ? length : all->ops;
     }
-    if (f->requires > 0)
+    if (all->outputs > 0 || x->place)
         find_twins(x);
     free(matters);
     return x;
@@ -208,10 +299,12 @@ void known_free(struct known *x)
     free(x->input);
     free(x->variable);
     free(x->value);
-    free(x->error);
+    free(x->joint);
     free(x->twin);
     free(x->ratio);
     free(x->length);
     program_free(x->program);
+    program_free(x->place);
+    free(x->placed);
     free(x);
 }

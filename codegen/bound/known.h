@@ -8,7 +8,7 @@
 #include "interval.h"
 
 struct known {
-    size_t inputs;           /* of the file */
+    size_t inputs;           /* what varies: of the file, or of its region block */
     fmpq *lo, *hi;           /* owned: by input, exact; 0 where no range is given */
     struct interval *range;  /* owned: by input, around [lo,hi]; the whole line where none is given */
     bool complete;           /* every input that the program or a require reads has a range */
@@ -16,16 +16,21 @@ struct known {
     size_t *input;           /* owned: by variable */
     size_t *variable;        /* owned: by input, or `variables` where it is fixed or does not matter */
     struct program *program; /* owned: inputs, requires, then the program's operations; outputs: the requires */
-    size_t shift;            /* operations of the requires */
-    struct interval *value;  /* owned: by operation, what is proved of it on the region */
-    double *error;           /* owned: by operation, proved above its rounding error on the region, or +infinity */
-    int *twin;               /* owned: by operation, an earlier one that it is a multiple of, or -1 */
-    struct interval *ratio;  /* owned: by operation, to its twin */
-    size_t *length;          /* owned: by operation, how many it is made of (at most; of requires alone) */
+    size_t first;            /* the first operation of the program; those before it are exact */
+    size_t shapes;           /* operations of the region block: what they say of others is taken in */
+    struct program *place;   /* owned: from inputs to those of the file; NULL: the same */
+    int *placed;             /* owned: by input of the file, its operation */
+    size_t places;
+    struct interval *value; /* owned: by operation, what is proved of it on the region */
+    bool *joint;            /* owned: by operation, a value with a name or a divisor: a link of error bounds */
+    int *twin;              /* owned: by operation, an earlier one that it is a multiple of, or -1 */
+    struct interval *ratio; /* owned: by operation, to its twin */
+    size_t *length;         /* owned: by operation, how many it is made of (at most; of requires alone) */
 };
 
-/** Of the values of program p, made from a genome of file f. */
-struct known *known_new(const struct genome_file *f, const struct program *p);
+/** Of the values of program p, made from a genome of file f.  `shapes`: the region is that of the file's region block, if it
+ *  has one; otherwise all that is said of the inputs themselves is known. */
+struct known *known_new(const struct genome_file *f, const struct program *p, bool shapes);
 void known_free(struct known *x);
 
 #endif

@@ -203,18 +203,12 @@ static bool zero_at_simple_point(struct search *s, size_t most)
 /* Points of the region at random, for a first target. */
 static bool zero_at_random_point(struct search *s)
 {
-    const struct known *x = s->region->known;
-    double *input = new_array(x->inputs, sizeof *input);
     uint64_t seed = 1;
     long tries = RANDOM_TRIES;
     bool found = false;
-    for (int i = 0; i < RANDOM_POINTS && !found && region_draw(s->region, &seed, 6, &tries, input); i++) {
-        for (size_t k = 0; k < sides(s); k++)
-            s->at[k] = input[x->input[k]];
+    for (int i = 0; i < RANDOM_POINTS && !found && region_draw(s->region, &seed, 6, &tries, s->at); i++)
         found = visit(s, s->at);
-    }
     s->draws = RANDOM_TRIES - tries;
-    free(input);
     return found;
 }
 

@@ -6,15 +6,17 @@
 #include "enclosure.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-struct region *region_new(const struct genome_file *f, const struct program *p)
+struct region *region_new(const struct genome_file *f, const struct program *p, bool shapes)
 {
     struct region *r = new_array(1, sizeof *r);
-    struct known *x = known_new(f, p);
+    struct known *x = known_new(f, p, shapes);
+    const struct genome_range *range = x->place ? f->region->range : f->range;
     *r = (struct region){.known = x, .doubles = new_array(x->inputs, sizeof *r->doubles)};
     for (size_t i = 0; i < x->inputs; i++) {
         r->doubles[i] = interval_whole();
-        if (f->range[i].given)
+        if (range[i].given)
             r->doubles[i] = (struct interval){double_nearest(&x->lo[i]), double_nearest(&x->hi[i])};
     }
     r->required = forms_new(x, -1);
@@ -23,7 +25,8 @@ struct region *region_new(const struct genome_file *f, const struct program *p)
 
 int region_op(const struct region *r, int op)
 {
-    return op < (int)r->known->inputs ? op : op + (int)r->known->shift;
+    const struct known *x = r->known;
+    return op < (int)x->places ? x->placed[op] : op + (int)x->first - (int)x->places;
 }
 
 void region_free(struct region *r)
@@ -95,13 +98,23 @@ bool region_is_empty(struct region *r, long boxes)
 
 void region_inputs(const struct region *r, const double *at, double *input)
 {
-    for (size_t i = 0; i < r->known->inputs; i++) {
+    const struct known *x = r->known;
+    double *own = new_array(x->inputs, sizeof *own);
+    for (size_t i = 0; i < x->inputs; i++) {
         const struct interval range = r->doubles[i];
         const double fixed = interval_finite(range) ? range.lo : 0;
-        input[i] = r->known->variable[i] < r->known->variables
-                       ? fmin(fmax(at[r->known->variable[i]], range.lo), range.hi)
-                       : fixed;
+        own[i] = x->variable[i] < x->variables ? fmin(fmax(at[x->variable[i]], range.lo), range.hi) : fixed;
     }
+    if (x->place) {
+        double *value = new_array(x->place->ops, sizeof *value);
+        point_constants(x->place, value);
+        point_double(x->place, own, NULL, value);
+        for (size_t i = 0; i < x->places; i++)
+            input[i] = value[x->place->output[i]];
+        free(value);
+    } else
+        memcpy(input, own, x->inputs * sizeof *own);
+    free(own);
 }
 
 /* Uniform in 0..1. */
@@ -125,9 +138,8 @@ static double draw_coordinate(struct interval range, uint64_t *seed, int bits)
     return fmin(fmax(x, range.lo), range.hi);
 }
 
-bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *input)
+bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *at)
 {
-    double *at = new_array(r->known->variables, sizeof *at);
     struct interval *box = new_array(r->known->variables, sizeof *box);
     bool found = false;
     while (!found && (*tries)-- > 0) {
@@ -137,8 +149,6 @@ bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double
         }
         found = r->known->program->outputs == 0 || forms_hold_at(r->required, box);
     }
-    region_inputs(r, at, input);
-    free(at);
     free(box);
     return found;
 }

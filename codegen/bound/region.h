@@ -12,8 +12,8 @@ struct region {
     struct forms *required;   /* owned: enclosures of the requires */
 };
 
-/** The region of the inputs of program p, made from a genome of file f. */
-struct region *region_new(const struct genome_file *f, const struct program *p);
+/** The region of the inputs of program p, made from a genome of file f; without `shapes` a region block is passed over. */
+struct region *region_new(const struct genome_file *f, const struct program *p, bool shapes);
 void region_free(struct region *r);
 
 /** Number in known->program of the program's operation `op`. */
@@ -32,12 +32,13 @@ double region_width(const struct region *r, size_t variable, struct interval sid
 /** True if all of the box belongs to the region. */
 bool region_holds(struct region *r, const struct interval *box);
 
-/** Values of all inputs at a point given by variable, moved into the ranges where rounding puts it outside. */
+/** Values of all inputs of the file at a point given by variable, which is moved into the ranges where rounding puts it
+ *  outside.  What a region block computes is rounded. */
 void region_inputs(const struct region *r, const double *at, double *input);
 
-/** A random point of the region: all inputs; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
+/** A random point of the region, by variable; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
  *  short, whole multiples of a power of 2, so many bits below that of their range.  False when *tries, which are
  *  counted down, are used up: the region is hard to hit. */
-bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *input);
+bool region_draw(struct region *r, uint64_t *seed, int bits, long *tries, double *at);
 
 #endif

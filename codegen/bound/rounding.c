@@ -10,12 +10,13 @@
  * Backwards: what one operation adds to the error, times the derivative of the result.  There errors that reach the
  * result on several ways cancel, as they do in fact; the forward bounds serve to enclose all values on the way.
  *
- * Of values on the way an error bound may be known that holds all over the region (known.h).  Forwards it narrows what
- * the box tells.  Backwards it may stand for all that led to the value: long programs, such as several steps of Newton's,
- * whose derivatives by their first values are enclosed badly, are bounded link by link.  Both are tried. */
+ * Values with names and divisors are joints: their errors are bounded backwards from the joints before them, in the same
+ * box, and count from there on.  So the derivatives of a long program, such as several steps of Newton's, by its first values,
+ * which are enclosed badly, need not be known.  The result is tried without them, too. */
 #include "rounding.h"
 
 #include "../program/evaluate.h"
+#include "affine.h"
 #include "enclosure.h"
 
 #include <stdlib.h>
@@ -24,6 +25,12 @@
 #define LEAST 0x1p-1074
 #define GROW (1 + 0x1p-45) /* above the roundings of the terms of a bound, all positive */
 
+/* What the program is given, exactly: its inputs, which a region block may compute of others. */
+static bool is_given(const struct known *x, int op)
+{
+    return (size_t)op < x->first;
+}
+
 struct rounding *rounding_new(struct forms *w, int op)
 {
     struct rounding *e = new_array(1, sizeof *e);
@@ -31,15 +38,17 @@ struct rounding *rounding_new(struct forms *w, int op)
     bool *marked = new_array(p->ops, sizeof *marked);
     *e = (struct rounding){.forms = w, .op = op};
     e->needed = new_array(w->needs, sizeof *e->needed);
+    e->place = new_array(p->ops, sizeof *e->place);
     e->constant = new_array(p->ops, sizeof *e->constant);
     e->error = new_array(p->ops, sizeof *e->error);
     e->relative = new_array(p->ops, sizeof *e->relative);
+    e->linked = new_array(p->ops, sizeof *e->linked);
     e->nonnegative = new_array(p->ops, sizeof *e->nonnegative);
     e->by = new_array(p->ops, sizeof *e->by);
     marked[op] = true;
     for (int i = op; i >= 0; i--) {
         const struct op *o = &p->op[i];
-        if (!marked[i])
+        if (!marked[i] || is_given(w->known, i))
             continue;
         if (o->a >= 0)
             marked[o->a] = true;
@@ -49,8 +58,10 @@ struct rounding *rounding_new(struct forms *w, int op)
             point_constant(p, o, &e->constant[i]);
     }
     for (int i = 0; i <= op; i++)
-        if (marked[i])
+        if (marked[i]) {
+            e->place[i] = e->needs;
             e->needed[e->needs++] = i;
+        }
     free(marked);
     return e;
 }
@@ -63,8 +74,10 @@ void rounding_free(struct rounding *e)
     free(e->constant);
     free(e->error);
     free(e->relative);
+    free(e->linked);
     free(e->nonnegative);
     free(e->by);
+    free(e->place);
     free(e);
 }
 
@@ -170,11 +183,11 @@ static double error_of(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
     const double most = interval_most(e->forms->range[i]);
+    if (is_given(e->forms->known, (int)i))
+        return 0;
     switch (op->kind) {
     case OP_CONSTANT:
         return e->constant[i];
-    case OP_INPUT:
-        return 0;
     case OP_NEG:
     case OP_ABS:
         return e->error[op->a];
@@ -224,10 +237,9 @@ static bool is_nonnegative(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
     const bool a = op->a >= 0 && e->nonnegative[op->a], b = op->b >= 0 && e->nonnegative[op->b];
-    switch (op->kind) {
-    case OP_CONSTANT:
-    case OP_INPUT:
+    if (is_given(e->forms->known, (int)i) || op->kind == OP_CONSTANT)
         return e->forms->range[i].lo >= 0;
+    switch (op->kind) {
     case OP_SQRT:
     case OP_ABS:
         return true;
@@ -256,8 +268,7 @@ static void propagate(struct rounding *e, size_t i)
 {
     const struct interval range = e->forms->range[i];
     const double most = interval_most(range), least = interval_least(range);
-    const double error = checked(lesser(error_of(e, i), e->forms->known->error[i]), most);
-    const double relative = checked(relative_error_of(e, i), most);
+    const double error = checked(error_of(e, i), most), relative = checked(relative_error_of(e, i), most);
     e->error[i] = error > 0 ? lesser(error, checked(relative * most, most)) : error;
     e->relative[i] = e->error[i] > 0 ? lesser(relative, checked(e->error[i] / least, 0)) : 0;
     e->nonnegative[i] = is_nonnegative(e, i);
@@ -287,7 +298,6 @@ static double own_share(const struct rounding *e, int i, double *constant)
     case OP_PDIV:
         exact = is_power_of_two(e, op->b);
         break;
-    case OP_INPUT:
     case OP_NEG:
     case OP_MIN:
     case OP_MAX:
@@ -309,7 +319,6 @@ static void find_slopes(const struct rounding *e, int i, struct interval slope[2
     slope[0] = slope[1] = one;
     switch (op->kind) {
     case OP_CONSTANT:
-    case OP_INPUT:
     case OP_ADD:
         break;
     case OP_NEG:
@@ -381,74 +390,91 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
         weight = interval_multiply((struct interval){below(by->weight.lo - blur), above(by->weight.hi + blur)},
                                    interval_point(power));
     reconcile(&part, &weight, inflated(e, operand));
+    part = affine_charge(e->forms, i, k, e->error, part);
     to->slope = interval_add(to->slope, part);
     to->weight = interval_add(to->weight, weight);
     to->slope_size += op->kind == OP_NEG ? by->slope_size : interval_most(part);
     to->weight_size += op->kind == OP_NEG ? by->weight_size : interval_most(weight);
 }
 
+/* The part of operation i: what it adds by itself, or, of a link, its error.  Infinite: there is no bound. */
+static double part_error(struct rounding *e, int i, bool link, bool *ends)
+{
+    const struct op *op = &e->forms->known->program->op[i];
+    const bool product = op->kind == OP_MUL;
+    const struct sensitivity *by = &e->by[i];
+    double constant;
+    *ends = link;
+    if (link) /* also of a product that is contracted: what its factors' errors make of it is part of its bound */
+        return e->error[i] * (product || op->kind == OP_NEG ? by->slope_size : interval_most(by->slope));
+    const double share = own_share(e, i, &constant);
+    /* the rounded value and the one that the weight is of are both within the error from the exact one */
+    const double size = product ? by->slope_size : interval_most(by->slope);
+    const double weight = product ? by->weight_size : interval_most(by->weight);
+    return (share > 0 ? share * (weight + 2 * e->error[i] * size) : 0) + (constant > 0 ? constant * size : 0);
+}
+
 /* By the mean value theorem, the error of the result is the sum over all operations of what each adds, times the
  * derivative of the result by that at some point between exact and computed values.  A product may be contracted in one
  * of its uses and rounded in another, so that its error is charged for each of them by itself; so through a sign.
- * `link`: values whose errors are known count by these. */
-static double backward_error(struct rounding *e, bool link)
+ * `links`: joints count by their errors in this box, where these are less than forwards. */
+static double backward_error(struct rounding *e, int result, bool links)
 {
+    static const struct sensitivity none;
     double error = 0;
-    for (size_t n = 0; n < e->needs; n++)
-        e->by[e->needed[n]] = (struct sensitivity){{0, 0}, {0, 0}, 0, 0};
-    const struct interval result = inflated(e, e->op);
-    e->by[e->op] = (struct sensitivity){{1, 1}, result, 1, interval_most(result)};
-    for (size_t n = e->needs; n-- > 0;) {
+    const struct interval value = inflated(e, result);
+    e->by[result] = (struct sensitivity){{1, 1}, value, 1, interval_most(value)};
+    affine_result(e->forms, result);
+    size_t n = e->place[result];
+    for (n++; n-- > 0;) {
         const int i = e->needed[n];
-        const struct op *op = &e->forms->known->program->op[i];
         struct sensitivity *by = &e->by[i];
-        struct interval slope[2];
-        double constant;
-        reconcile(&by->slope, &by->weight, inflated(e, i));
-        const double known = e->forms->known->error[i];
-        if (link && i != e->op && known < INFINITY) {
-            /* also of a product that is contracted: what its factors' errors make of it is part of its bound */
-            const bool several = op->kind == OP_MUL || op->kind == OP_NEG;
-            error += known * (several ? by->slope_size : interval_most(by->slope));
-            if (!(error <= DBL_MAX))
-                return INFINITY;
+        if (by->slope_size == 0 || is_given(e->forms->known, i) || error == INFINITY) {
+            *by = none;
+            affine_discharge(e->forms, i);
             continue;
         }
-        const double share = own_share(e, i, &constant);
-        /* the rounded value and the one that the weight is of are both within the error from the exact one */
-        const double size = op->kind == OP_MUL ? by->slope_size : interval_most(by->slope);
-        const double weight = op->kind == OP_MUL ? by->weight_size : interval_most(by->weight);
-        const double own =
-            (share > 0 ? share * (weight + 2 * e->error[i] * size) : 0) + (constant > 0 ? constant * size : 0);
+        by->slope = interval_meet(by->slope, affine_slope(e->forms, i));
+        reconcile(&by->slope, &by->weight, inflated(e, i));
+        bool ends;
+        const double own = part_error(e, i, links && i != result && e->linked[i], &ends);
         error += own;
         if (!(own >= 0 && error <= DBL_MAX))
-            return INFINITY;
-        find_slopes(e, i, slope);
-        for (int k = 0; k < 2; k++)
-            if ((k ? op->b : op->a) >= 0)
-                charge(e, i, k, slope[k], own * GROW);
+            error = INFINITY;
+        else if (!ends) {
+            struct interval slope[2];
+            const struct op *op = &e->forms->known->program->op[i];
+            find_slopes(e, i, slope);
+            for (int k = 0; k < 2; k++)
+                if ((k ? op->b : op->a) >= 0)
+                    charge(e, i, k, slope[k], own * GROW);
+        }
+        *by = none;
+        affine_discharge(e->forms, i);
     }
     return checked(error * (1 + 0x1p-30), 0); /* its terms are many */
 }
 
-/* False: there is no bound. */
-static bool forward_errors(struct rounding *e)
+/* A joint's error, found backwards from those before it. */
+static void bound_joint(struct rounding *e, int i)
 {
-    for (size_t n = 0; n < e->needs; n++)
-        propagate(e, (size_t)e->needed[n]);
-    return e->error[e->op] < INFINITY;
+    const double most = interval_most(e->forms->range[i]), least = interval_least(e->forms->range[i]);
+    const double error = checked(backward_error(e, i, true), most);
+    if (!(error < e->error[i]))
+        return;
+    e->error[i] = error;
+    e->relative[i] = lesser(e->relative[i], checked(error / least, 0));
+    e->linked[i] = true;
 }
 
 double rounding_error(struct rounding *e)
 {
-    if (!forward_errors(e))
-        return INFINITY;
-    const double whole = backward_error(e, false), linked = backward_error(e, true);
-    e->link = linked < whole;
-    return lesser(e->error[e->op], lesser(whole, linked));
-}
-
-double rounding_error_again(struct rounding *e)
-{
-    return forward_errors(e) ? lesser(e->error[e->op], backward_error(e, e->link)) : INFINITY;
+    for (size_t n = 0; n < e->needs; n++) {
+        const int i = e->needed[n];
+        propagate(e, (size_t)i);
+        e->linked[i] = false;
+        if (e->error[i] > 0 && (i == e->op || (e->forms->known->joint[i] && !is_given(e->forms->known, i))))
+            bound_joint(e, i);
+    }
+    return e->error[e->op] < INFINITY ? lesser(e->error[e->op], backward_error(e, e->op, false)) : INFINITY;
 }

@@ -15,12 +15,13 @@ struct rounding {
     int op;              /* whose error is asked for */
     int *needed;         /* owned: operations that it depends on, ascending */
     size_t needs;
+    size_t *place;          /* owned: by operation, where it stands among these */
     double *constant;       /* owned: by operation, error of the constants */
     double *error;          /* owned: by operation, above |computed - exact|; +infinity: no bound */
     double *relative;       /* owned: by operation, above |computed - exact| / |exact| */
+    bool *linked;           /* owned: by operation, a joint whose error, found backwards, is less than forwards */
     bool *nonnegative;      /* owned: by operation, the computed value is >= 0 for certain */
-    struct sensitivity *by; /* owned: by operation */
-    bool link;              /* at last, errors known of values on the way gave the better bound */
+    struct sensitivity *by; /* owned: by operation; 0 between searches */
 };
 
 /** For the error of operation `op`, which the forms are of. */
@@ -30,8 +31,5 @@ void rounding_free(struct rounding *e);
 /** Above |computed - exact| over the box that the forms were evaluated on last, whichever products are contracted to
  *  FMA. */
 double rounding_error(struct rounding *e);
-
-/** The same, by that way alone which gave the better bound at last. */
-double rounding_error_again(struct rounding *e);
 
 #endif

@@ -6,8 +6,7 @@
 
 /** Above |computed - exact| of operation `op` of the region's program all over the region, with or without contraction
  *  to FMA, by branch and bound in at most `boxes` boxes, and no more than *work allows, in operations on coefficients,
- *  which are counted down.  +infinity: none was found.  What that tells of the operation, the bound and the range of its
- *  values, is known of the region from then on. */
+ *  which are counted down.  +infinity: none was found. */
 double bound_error(struct region *r, int op, long boxes, double *work);
 
 /** The same at one point: values of all inputs. */

@@ -23,6 +23,8 @@ bool function_has_poles(const struct function *f)
 
 double unit_threshold(const struct unit *u, const struct denominator *d)
 {
+    if (u->file->region)
+        return 0; /* segments of the region are of many sizes */
     const bool single = u->options.precision == PRECISION_FLOAT;
     const double threshold = single ? d->threshold * FLOAT_TO_DOUBLE : d->threshold;
     return threshold >= (single ? (double)FLT_MIN : DBL_MIN) ? threshold : 0.0;

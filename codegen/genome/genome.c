@@ -97,6 +97,7 @@ void genome_file_free(struct genome_file *f)
     free_exprs(f->let, f->lets);
     free_exprs(f->require, f->requires);
     free_exprs(f->least, f->leasts);
+    genome_file_free(f->region);
     for (size_t i = 0; i < f->functions; i++)
         genome_free_function(&f->function[i]);
     free(f->function);
@@ -139,6 +140,16 @@ const struct genome_statement *genome_find_statement(const struct genome_file *f
 const char *genome_symbol_name(const struct genome_file *f, size_t k)
 {
     return k < f->inputs ? f->input[k] : f->let[k - f->inputs].name;
+}
+
+long genome_region_symbol(const struct genome_file *f, size_t input)
+{
+    char vector[4], name[NAME_ROOM];
+    if (!f->segment || input >= segment_inputs(f->segment))
+        return genome_find_symbol(f->region, f->input[input]);
+    segment_vector_name(f->segment, input / 3, vector);
+    snprintf(name, sizeof name, "%s%c", vector + (*vector == 'x'), "xyz"[input % 3]);
+    return genome_find_symbol(f->region, name);
 }
 
 void genome_add_exchange(struct genome_file *f, size_t a, size_t b)

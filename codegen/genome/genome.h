@@ -11,6 +11,7 @@
  *     input x y                            names of inputs, in order, where there is no segment; may be repeated
  *     range xC -0.5 2                      closed interval of an input; at most one for each
  *     range D 0 1 0 1 -0.3 0.3             the same of a vector of inputs: of xD, yD and zD
+ *     region ... end                       lines that say where the inputs are, by other numbers; see below
  *     let c1 = - B A                       a value: one expression of inputs and earlier values; here a vector
  *     let c11 = dot c1 c1                  a number
  *     function step u v vector w -> un j   a function: from numbers and a vector to two values of its body
@@ -30,15 +31,16 @@
  *     end
  *
  *     file       = "footpoint-genome" "2" { line | function | genome }
- *     line       = note | input | segment | face | range | list
+ *     line       = note | input | segment | face | range | region | list
  *     list       = ( let | exchange | least | require ) { "," item }      an item is such a line without its first word
  *     note       = "note" KEY text-to-the-end-of-the-line
- *     input      = "input" NAME { NAME }                       before the first let and the first genome; no segment
+ *     input      = "input" [ "vector" ] NAME { [ "vector" ] NAME }   before the first let and the first genome; no segment
  *     segment    = "segment" KIND ORDER                        at most one, before the first let, function and genome;
  *                                                              ORDER other than "any" for quad4 alone
  *     face       = "face" KIND                                 in its place
  *     range      = "range" INPUT NUMBER NUMBER                 lower limit <= upper limit
  *                | "range" VECTOR NUMBER NUMBER NUMBER NUMBER NUMBER NUMBER
+ *     region     = "region" newline { input | range | let | function | require } "end"   at most one
  *     let        = "let" NAME "=" expression                   before the first genome
  *                | "let" NAME { NAME } "=" FUNCTION { expression }
  *                | "let" NAME "=" "derivative" SYMBOL SYMBOL   outside functions
@@ -82,8 +84,14 @@
  * eta.  The region that bounds and verdicts of a header hold on is the box of the ranges, as far as all `require`s are
  * > 0.
  *
- * Version 1 has no vectors and no lists, "vector", "face", "derivative", "least", "dot" and "cross" are names like others,
- * `input` lines name the inputs of a segment, too, and what a function is made of are lets of the file:
+ * A region block has names of its own: inputs with ranges, and lets, one for each of the file's inputs (of a segment
+ * one for each of its vectors, or an input), which says where it is.  The region is where the inputs are as these lie in their
+ * ranges, as far as the requires of block and file are > 0; those of the file may use the block's values, where it has no
+ * such name itself.  What the block's other lets are equal to, but for a factor, is enclosed by them as well: other
+ * forms of the values on the way make bounds closer.
+ *
+ * Version 1 has no vectors and no lists, "vector", "face", "derivative", "least", "region", "dot" and "cross" are names like others, `input` lines name the inputs of a
+ * segment, too, and what a function is made of are lets of the file:
  *
  *     function newton u v un vn            newton of a pair (a,b) is what the values un and vn are where a stands for u
  *                                          and b for v */
@@ -97,8 +105,8 @@
 #define GENOME_FORMAT 2 /* the version that is written; version 1 is read, too */
 
 /** A gene is an int.  0..GENE_OPERATORS-1: operators; GENE_SYMBOL+k: symbol k (inputs, then lets, in file order);
- *  GENE_LOCAL+k, in the body of a function alone: number k of its parameters and lets; -1-k: constant k of the file's
- *  table. */
+ *  GENE_LOCAL+k, in the body of a function: number k of its parameters and lets, in a require: symbol k of the file's
+ *  region; -1-k: constant k of the file's table. */
 #define GENE(name, ...) GENE_##name,
 enum gene_operator {
     GENES_OF_TWO(GENE) GENES_OF_ONE(GENE) /* GENE_PDIV: 1 where the divisor is 0 */
@@ -216,6 +224,7 @@ struct genome_file {
     size_t functions, function_room;
     struct genome_expr *require, *least; /* owned; without names */
     size_t requires, require_room, leasts, least_room;
+    struct genome_file *region; /* owned: the text of the region block, or NULL */
     struct genome *genome;
     size_t genomes, genome_room;
     void *names, *constant_names; /* owned; see names.h */
@@ -261,6 +270,8 @@ void genome_add_require(struct genome_file *f, const int *gene, size_t length);
 void genome_add_let(struct genome_file *f, const char *name, const int *gene, size_t length);
 /** Append a let or a function as it is written; takes what the statement owns. */
 void genome_add_statement(struct genome_file *f, struct genome_statement s);
+/** The symbol of the region that tells an input: the value of its name, for xC of a segment that of Cx; or -1. */
+long genome_region_symbol(const struct genome_file *f, size_t input);
 /** The statement that defines a symbol that is no input. */
 size_t genome_statement_of(const struct genome_file *f, size_t symbol);
 /** `head` and an expression, words parted by single blanks.  Caller frees. */

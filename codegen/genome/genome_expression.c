@@ -21,6 +21,13 @@ bool read_gene(struct reader *r, int *gene)
     if (looks_like_number(r))
         return read_number(r, gene);
     const struct name *n = word_copy(&r->w, name, sizeof name) ? find_name(r, name) : NULL;
+    if (!n && r->in_require && r->file->region) {
+        const long shape = genome_find_symbol(r->file->region, name);
+        if (shape >= 0) {
+            *gene = GENE_LOCAL + (int)shape;
+            return true;
+        }
+    }
     if (!n || n->kind == NAME_FUNCTION)
         return reader_fail(r, n ? "function '%s' inside an expression" : "unknown gene '%s'");
     *gene = n->kind == NAME_VECTOR ? n->gene - GENE_SYMBOL + GENE_VECTOR : n->gene;

@@ -1,5 +1,6 @@
 /* Printer of genome text (grammar: genome.h): statements as they were written, the rest from the data structure. */
 #include "genome.h"
+#include "names.h"
 #include "text.h"
 
 #include <stdlib.h>
@@ -11,6 +12,8 @@ static const char *gene_text(const struct genome_file *f, int gene)
 {
     if (gene < 0)
         return f->constant[-1 - gene].text;
+    if (gene >= GENE_LOCAL)
+        return genome_symbol_name(f->region, (size_t)(gene - GENE_LOCAL));
     return gene < GENE_OPERATORS ? gene_name(gene) : genome_symbol_name(f, (size_t)(gene - GENE_SYMBOL));
 }
 
@@ -36,12 +39,27 @@ static void print_notes(const struct genome_note *note, size_t n, FILE *stream)
         fprintf(stream, "note %s %s\n", note[i].key, note[i].text);
 }
 
+/* The vector that begins with input i. */
+static bool input_vector(const struct genome_file *f, size_t i, char name[NAME_ROOM])
+{
+    const char *input = f->input[i];
+    if (f->segment)
+        snprintf(name, NAME_ROOM, "%s", input + 1);
+    else
+        snprintf(name, NAME_ROOM, "%.*s", (int)strlen(input) - 1, input);
+    const struct name *n = names_find(&f->names, name);
+    return n && n->kind == NAME_VECTOR && n->gene == GENE_SYMBOL + (int)i;
+}
+
 static void print_inputs(const struct genome_file *f, FILE *stream)
 {
+    char name[NAME_ROOM];
     for (size_t i = 0, column = 0; i < f->inputs; i++) {
+        const bool vector = input_vector(f, i, name);
         if (column == 0)
             fputs("input", stream);
-        column += (size_t)fprintf(stream, " %s", f->input[i]);
+        column += (size_t)fprintf(stream, " %s%s", vector ? "vector " : "", vector ? name : f->input[i]);
+        i += vector ? 2 : 0;
         if (column + 20 > PRINT_WIDTH || i + 1 == f->inputs) {
             fputc('\n', stream);
             column = 0;
@@ -55,17 +73,17 @@ static void print_interval(const struct genome_file *f, size_t input, FILE *stre
     fprintf(stream, " %s %s", f->constant[r->lo].text, f->constant[r->hi].text);
 }
 
-/* A line for each vector of a segment whose three ranges are given. */
+/* A line for each vector whose three ranges are given. */
 static void print_ranges(const struct genome_file *f, FILE *stream)
 {
     const struct genome_range *r = f->range;
+    char name[NAME_ROOM];
     for (size_t i = 0, n; i < f->inputs; i += n) {
-        const bool vector = f->segment && f->format > 1 && i % 3 == 0 && i + 2 < f->inputs && r[i].given &&
-                            r[i + 1].given && r[i + 2].given; /* a face's xi and eta come last */
+        const bool vector = input_vector(f, i, name) && r[i].given && r[i + 1].given && r[i + 2].given;
         n = vector ? 3 : 1;
         if (!r[i].given)
             continue;
-        fprintf(stream, "range %s", f->input[i] + vector);
+        fprintf(stream, "range %s", vector ? name : f->input[i]);
         for (size_t c = 0; c < n; c++)
             print_interval(f, i + c, stream);
         fputc('\n', stream);
@@ -174,7 +192,7 @@ static void print_genome(const struct genome_file *f, const struct genome *g, FI
 static void need_symbols(const struct genome_file *f, const struct genome_expr *e, bool *needed)
 {
     for (size_t i = 0; i < e->length; i++)
-        if (e->gene[i] >= GENE_SYMBOL + (int)f->inputs)
+        if (e->gene[i] >= GENE_SYMBOL + (int)f->inputs && e->gene[i] < GENE_LOCAL)
             needed[genome_statement_of(f, (size_t)(e->gene[i] - GENE_SYMBOL))] = true;
 }
 
@@ -198,7 +216,6 @@ static bool *needed_statements(const struct genome_file *f)
 /* `needed`: the statements to print; NULL: all of them, and the exchanges. */
 static void print_file(const struct genome_file *f, const bool *needed, FILE *stream)
 {
-    fprintf(stream, "footpoint-genome %d\n", f->format);
     print_notes(f->note, f->notes, stream);
     if (!f->segment || f->format == 1)
         print_inputs(f, stream);
@@ -207,6 +224,11 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
     else if (f->segment)
         fprintf(stream, "segment %s %s\n", f->segment->name, corner_order_name(f->order));
     print_ranges(f, stream);
+    if (f->region) {
+        fputs("region\n", stream);
+        print_file(f->region, NULL, stream);
+        fputs("end\n", stream);
+    }
     print_statements(f, needed, stream);
     for (size_t i = 0; !needed && i < f->exchanges; i++)
         fprintf(stream, "exchange %s %s\n", genome_symbol_name(f, f->exchange[i][0]),
@@ -218,12 +240,14 @@ static void print_file(const struct genome_file *f, const bool *needed, FILE *st
 
 void genome_print(const struct genome_file *f, FILE *stream)
 {
+    fprintf(stream, "footpoint-genome %d\n", f->format);
     print_file(f, NULL, stream);
 }
 
 void genome_print_needed(const struct genome_file *f, FILE *stream)
 {
     bool *needed = needed_statements(f);
+    fprintf(stream, "footpoint-genome %d\n", f->format);
     print_file(f, needed, stream);
     free(needed);
 }

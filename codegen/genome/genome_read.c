@@ -182,6 +182,22 @@ static bool read_exchange(struct reader *r)
     return end_of_item(r);
 }
 
+/* A number, or the components of a vector. */
+static bool add_inputs(struct reader *r, const char *name, bool vector)
+{
+    const int gene = GENE_SYMBOL + (int)r->file->inputs;
+    for (int c = 0; c < (vector ? 3 : 1); c++) {
+        char component[NAME_ROOM];
+        snprintf(component, sizeof component, "%.63s%c", name, vector ? "xyz"[c] : '\0');
+        if (names_find(&r->file->names, component))
+            return reader_fail_text(r, "name '%s' is defined already", component, strlen(component));
+        genome_add_input(r->file, component);
+    }
+    if (vector)
+        names_add(&r->file->names, name, NAME_VECTOR, gene, NO_STATEMENT);
+    return true;
+}
+
 static bool read_inputs(struct reader *r)
 {
     char name[NAME_ROOM];
@@ -192,9 +208,11 @@ static bool read_inputs(struct reader *r)
     if (!next_word(r, true))
         return reader_fail(r, "input without a name");
     do {
-        if (!read_new_name(r, name))
+        const bool vector = r->file->format > 1 && word_is(&r->w, "vector");
+        if (vector && !next_word(r, true))
+            return reader_fail(r, "input without a name");
+        if (!read_new_name(r, name) || !add_inputs(r, name, vector))
             return false;
-        genome_add_input(r->file, name);
     } while (next_word(r, true));
     return true;
 }
@@ -238,7 +256,10 @@ static bool read_range(struct reader *r)
 
 static bool read_require(struct reader *r)
 {
-    if (!read_expression(r, "require", false) || !expand_number(r, "require"))
+    r->in_require = true;
+    const bool good = read_expression(r, "require", false) && expand_number(r, "require");
+    r->in_require = false;
+    if (!good)
         return false;
     genome_add_require(r->file, r->gene, r->genes);
     r->file->require[r->file->requires - 1].line = r->node[0].line;
@@ -259,6 +280,44 @@ static bool read_least(struct reader *r)
     return true;
 }
 
+/* Every input must be a value of the region. */
+static bool check_region(struct reader *r, int line)
+{
+    const struct genome_file *f = r->file;
+    for (size_t i = 0; i < f->inputs; i++)
+        if (genome_region_symbol(f, i) < 0)
+            return diag_at(r->d, f->path, line, 1, "the region does not say where '%s' is", f->input[i]);
+    return true;
+}
+
+static bool read_line(struct reader *r);
+
+/* A block of lines that are read as a file of their own. */
+static bool read_region(struct reader *r)
+{
+    const int line = r->w.word_line;
+    struct genome_file *f = r->file;
+    if (f->format == 1)
+        return reader_fail(r, "unknown keyword '%s'");
+    if (f->region || r->in_region)
+        return reader_fail(r, "a second '%s'");
+    if (!end_of_line(r))
+        return false;
+    struct reader inner = {.file = genome_file_new(f->path), .d = r->d, .w = r->w, .in_region = true};
+    f->region = inner.file;
+    bool good = true, ended = false;
+    while (good && !ended && next_word(&inner, false)) {
+        ended = word_is(&inner.w, "end");
+        inner.needs = 0;
+        good = ended ? end_of_line(&inner) : read_line(&inner);
+    }
+    r->w = inner.w;
+    reader_free(&inner);
+    if (good && !ended)
+        return diag_at(r->d, f->path, line, 1, "the file ends inside the region");
+    return good && check_region(r, line);
+}
+
 static bool read_version(struct reader *r)
 {
     if (!next_word(r, false) || !word_is(&r->w, "footpoint-genome"))
@@ -269,24 +328,33 @@ static bool read_version(struct reader *r)
     return end_of_line(r);
 }
 
-static bool read_lines(struct reader *r)
+/* The line that begins with the current word. */
+static bool read_line(struct reader *r)
 {
     struct genome_file *f = r->file;
+    if (r->in_region && !(word_is(&r->w, "input") || word_is(&r->w, "range") || word_is(&r->w, "let") ||
+                          word_is(&r->w, "function") || word_is(&r->w, "require")))
+        return reader_fail(r, "'%s' inside the region");
+    return word_is(&r->w, "note")       ? read_note(r, &f->note, &f->notes, &f->note_room)
+           : word_is(&r->w, "input")    ? read_inputs(r)
+           : word_is(&r->w, "segment")  ? read_segment(r)
+           : word_is(&r->w, "face")     ? read_face(r)
+           : word_is(&r->w, "range")    ? read_range(r)
+           : word_is(&r->w, "region")   ? read_region(r)
+           : word_is(&r->w, "let")      ? read_list(r, read_let)
+           : word_is(&r->w, "exchange") ? read_list(r, read_exchange)
+           : word_is(&r->w, "function") ? read_function(r)
+           : word_is(&r->w, "require")  ? read_list(r, read_require)
+           : word_is(&r->w, "least")    ? read_list(r, read_least)
+           : word_is(&r->w, "genome")   ? read_genome(r)
+                                        : reader_fail(r, "unknown keyword '%s'");
+}
+
+static bool read_lines(struct reader *r)
+{
     while (next_word(r, false)) {
         r->needs = 0;
-        const bool good = word_is(&r->w, "note")       ? read_note(r, &f->note, &f->notes, &f->note_room)
-                          : word_is(&r->w, "input")    ? read_inputs(r)
-                          : word_is(&r->w, "segment")  ? read_segment(r)
-                          : word_is(&r->w, "face")     ? read_face(r)
-                          : word_is(&r->w, "range")    ? read_range(r)
-                          : word_is(&r->w, "let")      ? read_list(r, read_let)
-                          : word_is(&r->w, "exchange") ? read_list(r, read_exchange)
-                          : word_is(&r->w, "function") ? read_function(r)
-                          : word_is(&r->w, "require")  ? read_list(r, read_require)
-                          : word_is(&r->w, "least")    ? read_list(r, read_least)
-                          : word_is(&r->w, "genome")   ? read_genome(r)
-                                                       : reader_fail(r, "unknown keyword '%s'");
-        if (!good)
+        if (!read_line(r))
             return false;
     }
     return true;
@@ -320,20 +388,12 @@ static struct reader reader_of(struct genome_file *f, const char *text, size_t s
     return (struct reader){.file = f, .d = d, .w = words_of(text, size)};
 }
 
-static void free_reader(struct reader *r)
-{
-    free(r->gene);
-    free(r->node);
-    free(r->task);
-    free(r->need);
-}
-
 bool genome_read_statement(struct genome_file *f, const char *text, struct diag *d)
 {
     struct reader r = reader_of(f, text, strlen(text), d);
     r.alone = true;
     const bool good = read_lines(&r);
-    free_reader(&r);
+    reader_free(&r);
     return good;
 }
 
@@ -341,7 +401,7 @@ struct genome_file *genome_parse(const char *path, const char *text, size_t size
 {
     struct reader r = reader_of(genome_file_new(path), text, size, d);
     const bool good = read_version(&r) && read_lines(&r) && check_segment(r.file, d);
-    free_reader(&r);
+    reader_free(&r);
     if (good)
         return r.file;
     genome_file_free(r.file);

@@ -11,8 +11,9 @@
 enum { MAX_NAME = NAME_ROOM - 2, MAX_NUMBER = 63, MAX_EXPONENT = 330 };
 
 static const char *const keywords[] = {"note",    "input",  "segment", "range",  "let",  "exchange",   "function",
-                                       "require", "genome", "end",     "vector", "face", "derivative", "least"};
-enum { NEW_KEYWORDS = 4 }; /* the last ones are version 2's */
+                                       "require", "genome", "end",     "vector", "face", "derivative", "least",
+                                       "region"};
+enum { NEW_KEYWORDS = 5 }; /* the last ones are version 2's */
 
 bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)
 {
@@ -27,6 +28,14 @@ bool reader_fail_text(struct reader *r, const char *format, const char *text, si
 bool reader_fail(struct reader *r, const char *format)
 {
     return reader_fail_text(r, format, r->w.word, r->w.length);
+}
+
+void reader_free(struct reader *r)
+{
+    free(r->gene);
+    free(r->node);
+    free(r->task);
+    free(r->need);
 }
 
 bool next_word(struct reader *r, bool same_line)

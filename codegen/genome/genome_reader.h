@@ -38,14 +38,19 @@ struct reader {
     size_t tasks, task_room;
     size_t *need; /* owned: the statements whose names this line uses */
     size_t needs, need_room;
-    bool alone;  /* a statement by itself, which may follow genomes */
-    bool joined; /* an item of a list that is not its first */
+    bool alone;      /* a statement by itself, which may follow genomes */
+    bool joined;     /* an item of a list that is not its first */
+    bool in_region;  /* the lines of a region block */
+    bool in_require; /* of the file: the region's values have names, too */
 };
 
 /** Fills the diagnostic; %s in the format is the current word. */
 bool reader_fail(struct reader *r, const char *format);
 /** The same with a text of `length` characters in the place of the word. */
 bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length);
+
+/** What the reader owns, but the file. */
+void reader_free(struct reader *r);
 
 bool next_word(struct reader *r, bool same_line);
 bool end_of_line(struct reader *r);

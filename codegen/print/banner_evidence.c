@@ -25,23 +25,33 @@ static const char *rounded(double x, int sign, char text[NUMBER])
     return text;
 }
 
+static bool is_fixed(const struct genome_file *f, size_t input)
+{
+    const struct genome_range *r = &f->range[input];
+    return r->given && strcmp(f->constant[r->lo].text, f->constant[r->hi].text) == 0;
+}
+
+/* The ranges of inputs, or of the numbers of the region block that vary. */
 void banner_region(const struct genome_file *f, FILE *out)
 {
+    const struct genome_file *from = f->region ? f->region : f;
     size_t left = 0;
-    for (size_t i = 0; i < f->inputs; i++)
-        left += f->range[i].given;
+    for (size_t i = 0; i < from->inputs; i++)
+        left += from->range[i].given && !(f->region && is_fixed(from, i));
     if (left == 0)
         return;
     struct banner_line l = banner_about_file("region", out);
-    for (size_t i = 0; i < f->inputs; i++) {
-        if (!f->range[i].given)
+    if (f->region)
+        banner_add(&l, "as the genomes place it,");
+    for (size_t i = 0; i < from->inputs; i++) {
+        if (!from->range[i].given || (f->region && is_fixed(from, i)))
             continue;
-        const char *lo = f->constant[f->range[i].lo].text, *hi = f->constant[f->range[i].hi].text;
+        const char *lo = from->constant[from->range[i].lo].text, *hi = from->constant[from->range[i].hi].text;
         const char *end = --left > 0 ? "," : f->requires ? "; all requires > 0" : "";
-        if (strcmp(lo, hi) == 0)
-            banner_add(&l, "%s = %s%s", f->input[i], lo, end);
+        if (is_fixed(from, i))
+            banner_add(&l, "%s = %s%s", from->input[i], lo, end);
         else
-            banner_add(&l, "%s in [%s,%s]%s", f->input[i], lo, hi, end);
+            banner_add(&l, "%s in [%s,%s]%s", from->input[i], lo, hi, end);
     }
     banner_end(&l);
 }
@@ -64,7 +74,7 @@ static void add_witness(struct banner_line *l, const struct genome_file *f, cons
     bool *needed = find_inputs(p, d->op);
     const char *before = "a zero exists near";
     for (size_t i = 0; i < f->inputs; i++) {
-        if (!needed[i] || strcmp(f->constant[f->range[i].lo].text, f->constant[f->range[i].hi].text) == 0)
+        if (!needed[i] || is_fixed(f, i))
             continue;
         banner_add(l, "%s %s = %.6g", before, f->input[i], d->witness[i]);
         before = "and";

@@ -42,6 +42,8 @@ int genome_program_add(struct genome_program *b, const struct genome_expr *e)
         int op;
         if (gene < 0)
             op = add_number(b->program, b->file->constant[-1 - gene].text);
+        else if (gene >= GENE_LOCAL)
+            op = b->shape[gene - GENE_LOCAL];
         else if (gene >= GENE_SYMBOL)
             op = b->symbol[gene - GENE_SYMBOL];
         else {
@@ -54,15 +56,23 @@ int genome_program_add(struct genome_program *b, const struct genome_expr *e)
     return b->stack[0];
 }
 
-int program_append(struct program *p, const struct program *q)
+/* An operand of q as one of p. */
+static int appended(const struct program *q, const int *input, int shift, int operand)
 {
-    const int shift = (int)p->ops - (int)q->inputs, inputs = (int)q->inputs;
+    if (operand < 0 || operand >= (int)q->inputs)
+        return operand + (operand < 0 ? 0 : shift);
+    return input ? input[operand] : operand;
+}
+
+int program_append(struct program *p, const struct program *q, const int *input)
+{
+    const int shift = (int)p->ops - (int)q->inputs;
     for (size_t i = q->inputs; i < q->ops; i++) {
         const struct op *o = &q->op[i];
         if (o->kind == OP_CONSTANT)
             program_add_constant(p, &q->constant[o->input], o->quotient);
         else
-            program_add(p, o->kind, o->a < inputs ? o->a : o->a + shift, o->b < inputs ? o->b : o->b + shift);
+            program_add(p, o->kind, appended(q, input, shift, o->a), appended(q, input, shift, o->b));
     }
     return shift;
 }

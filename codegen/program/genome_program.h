@@ -9,6 +9,7 @@ struct genome_program {
     const struct genome_file *file; /* not owned */
     struct program *program;        /* owned by whom genome_program_end hands it to */
     int *symbol;                    /* owned: operation of a symbol, once it is known */
+    const int *shape;               /* not owned: of a symbol of the region, where requires may use these */
     int *stack;                     /* owned */
     size_t depth, room;
 };
@@ -20,7 +21,8 @@ int genome_program_add(struct genome_program *b, const struct genome_expr *e);
 /** The program, without what served to make it. */
 struct program *genome_program_end(struct genome_program *b);
 
-/** Append the operations of q; inputs are shared.  Returns what is to be added to the numbers of its operations. */
-int program_append(struct program *p, const struct program *q);
+/** Append the operations of q, whose inputs are the operations input[]; NULL: inputs are shared.  Returns what is to be
+ *  added to the numbers of its operations. */
+int program_append(struct program *p, const struct program *q, const int *input);
 
 #endif

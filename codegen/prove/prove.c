@@ -42,7 +42,7 @@ static void add_genome(struct genome_program *b, const struct genome *genome)
 
 static void add_program(struct program *both, const struct program *p)
 {
-    const int shift = program_append(both, p), inputs = (int)p->inputs;
+    const int shift = program_append(both, p, NULL), inputs = (int)p->inputs;
     for (size_t i = 0; i < p->outputs; i++)
         both->output[both->outputs++] = p->output[i] < inputs ? p->output[i] : p->output[i] + shift;
 }

@@ -5,7 +5,7 @@
 #include "../../codegen/genome/outfile.h"
 #include "../common/decimal.h"
 #include "../eval/frame.h"
-#include "../eval/sampled_region.h"
+#include "../region/sampled_region.h"
 #include "../genotype/lines_text.h"
 
 #include <math.h>

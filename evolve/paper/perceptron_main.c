@@ -2,7 +2,7 @@
  * on the held-out ones. */
 #include "../eval/errors.h"
 #include "../eval/frame.h"
-#include "../eval/sampled_region.h"
+#include "../region/sampled_region.h"
 #include "../input/scene_files.h"
 #include "../samples/samples.h"
 #include "perceptron_options.h"

@@ -4,7 +4,7 @@
 #include "../../codegen/genome/outfile.h"
 #include "../eval/errors.h"
 #include "../eval/frame.h"
-#include "../eval/sampled_region.h"
+#include "../region/sampled_region.h"
 
 #include <math.h>
 #include <stdlib.h>

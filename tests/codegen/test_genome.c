@@ -42,6 +42,26 @@ static const char vectors[] = "footpoint-genome 2\n"
                               "eta = nx\n"
                               "end\n";
 
+static const char region[] = "footpoint-genome 2\n"
+                             "segment tri3 any\n"
+                             "region\n"
+                             "input vector A vector ex vector ey\n"
+                             "input t xi eta\n"
+                             "range A 0 0 0 0 0 0\n"
+                             "range t -1 2.5\n"
+                             "let B = ex\n"
+                             "let C = + ey * t ex\n"
+                             "let S = + * xi B * eta C\n"
+                             "require - 1 + xi eta\n"
+                             "end\n"
+                             "let s = - S A\n"
+                             "let u = dot s s\n"
+                             "require - 0.5 abs - u xi\n"
+                             "genome one\n"
+                             "xi = u\n"
+                             "eta = xS\n"
+                             "end\n";
+
 static char *print(const struct genome_file *f, size_t *size)
 {
     char *text;
@@ -267,6 +287,40 @@ static void test_functions_of_frames(void **state)
     }
 }
 
+/* A region block reads as it is printed; its inputs are known to the requires behind it alone. */
+static void test_region(void **state)
+{
+    (void)state;
+    static const char *const bad[][2] = {{"region\nlet x = 1\nend", "3:1: error: the region does not say where 'y' is"},
+                                         {"region\ninput x y\n", "3:1: error: the file ends inside the region"},
+                                         {"region\ninput x y\nend\nregion\nend", "6:1: error: a second 'region'"},
+                                         {"region\ninput x y\nnote a b\nend", "5:1: error: 'note' inside the region"},
+                                         {"region\ninput x y t\nend\nlet u = * x t", "6:13: error: unknown gene 't'"}};
+    struct diag d;
+    size_t size, again;
+    struct genome_file *f = genome_parse("region", region, sizeof region - 1, &d);
+    assert_non_null(f);
+    assert_int_equal(f->region->inputs, 12);
+    assert_int_equal(genome_region_symbol(f, 0), 0);
+    assert_int_equal(f->require[0].gene[f->require[0].length - 1], GENE_LOCAL + 10);
+    char *text = print(f, &size);
+    struct genome_file *g = genome_parse("printed", text, size, &d);
+    assert_non_null(g);
+    char *second = print(g, &again);
+    assert_string_equal(text, second);
+    genome_file_free(f);
+    genome_file_free(g);
+    free(text);
+    free(second);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char whole[200], wanted[100];
+        snprintf(whole, sizeof whole, "footpoint-genome 2\ninput x y\n%s\n", bad[i][0]);
+        snprintf(wanted, sizeof wanted, "frame:%s", bad[i][1]);
+        assert_null(genome_parse("frame", whole, strlen(whole), &d));
+        assert_string_equal(d.text, wanted);
+    }
+}
+
 /* Every truncation and thousands of mutations of a text end in a program or in one line. */
 static void check_hostile(const char *sane, size_t length)
 {
@@ -295,6 +349,7 @@ static void test_hostile_text(void **state)
     (void)state;
     check_hostile(sample, sizeof sample - 1);
     check_hostile(vectors, sizeof vectors - 1);
+    check_hostile(region, sizeof region - 1);
 }
 
 int main(void)
@@ -309,6 +364,7 @@ int main(void)
         cmocka_unit_test(test_long_expression_wraps),
         cmocka_unit_test(test_span),
         cmocka_unit_test(test_functions_of_frames),
+        cmocka_unit_test(test_region),
         cmocka_unit_test(test_hostile_text),
     };
     return cmocka_run_group_tests_name("genome", tests, NULL, NULL);

@@ -61,12 +61,14 @@ static void check_points(const struct subject *s)
 {
     const struct evidence *e = s->evidence;
     const struct program *p = s->program;
-    struct region *r = region_new(s->file, p);
-    double *input = new_array(p->inputs, sizeof *input), *value = new_array(p->ops, sizeof *value);
+    struct region *r = region_new(s->file, p, true);
+    double *input = new_array(p->inputs, sizeof *input), *at = new_array(r->known->variables, sizeof *at),
+           *value = new_array(p->ops, sizeof *value);
     uint64_t seed = 7;
     long tries = 20 * POINTS;
     point_constants(p, value);
-    for (int i = 0; i < POINTS && region_draw(r, &seed, i % 2 ? 3 : 0, &tries, input); i++) {
+    for (int i = 0; i < POINTS && region_draw(r, &seed, i % 2 ? 3 : 0, &tries, at); i++) {
+        region_inputs(r, at, input);
         point_double(p, input, NULL, value);
         for (size_t k = 0; k < e->denominators; k++) {
             const struct denominator *d = &e->denominator[k];
@@ -75,6 +77,7 @@ static void check_points(const struct subject *s)
         }
     }
     free(input);
+    free(at);
     free(value);
     region_free(r);
 }

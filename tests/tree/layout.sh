@@ -34,12 +34,13 @@ evolve/surface:     evolve/common codegen/genome runtime/geometry
 evolve/samples:     evolve/input evolve/surface evolve/common codegen/genome runtime/geometry
 evolve/genotype:    evolve/common codegen/genome
 evolve/eval:        evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
+evolve/region:      evolve/eval evolve/surface evolve/common codegen/genome
 evolve/fit:         evolve/eval evolve/genotype evolve/surface evolve/input evolve/common codegen/genome
 evolve/island:      evolve/fit evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
 evolve/mpi:         evolve/common codegen/genome
-evolve/archive:     evolve/island evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
+evolve/archive:     evolve/island evolve/region evolve/eval evolve/genotype evolve/input evolve/common codegen/genome
 evolve/run:         evolve/archive evolve/mpi evolve/island evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
-evolve/paper:       evolve/mpi evolve/fit evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
+evolve/paper:       evolve/mpi evolve/fit evolve/region evolve/eval evolve/genotype evolve/samples evolve/surface evolve/input evolve/common codegen/genome
 evolve:             evolve/* codegen/genome
 tests/support:      codegen/* evolve/* runtime runtime/*
 tests/rivals:       tests/support generated codegen/* evolve/* runtime runtime/*

@@ -1,7 +1,9 @@
 /* Extremes of the samples' coordinates, widened to two decimals, and of what frames measure; see sampled_region.h. */
 #include "sampled_region.h"
 
-#include "frame.h"
+#include "../eval/frame.h"
+#include "region_values.h"
+#include "shape_requires.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -153,76 +155,31 @@ static void require_above(struct genome_file *f, const struct genome_expr *x, do
     free(require);
 }
 
-/* |expression| < twice the most it is on the samples, in two digits */
+/* |expression| < twice the most it is on the samples */
 static void require_below(struct genome_file *f, const int *gene, size_t length, double most)
 {
-    char text[32];
-    if (!(most > 0 && isfinite(most)))
-        return;
-    int *require = new_array(length + 3, sizeof *require);
-    snprintf(text, sizeof text, "%.2g", 2 * most);
-    require[0] = GENE_SUB;
-    require[1] = -1 - (int)genome_add_constant(f, text);
-    require[2] = GENE_ABS;
-    memcpy(require + 3, gene, length * sizeof *gene);
-    genome_add_require(f, require, length + 3);
-    free(require);
-}
-
-static void use_symbols(const struct genome_file *f, const struct genome_expr *e, bool *used)
-{
-    for (size_t i = 0; i < e->length; i++)
-        if (e->gene[i] >= GENE_SYMBOL + (int)f->inputs)
-            used[e->gene[i] - GENE_SYMBOL - (int)f->inputs] = true;
-}
-
-/* By let: the genomes depend on it. */
-static bool *used_lets(const struct genome_file *f)
-{
-    bool *used = new_array(f->lets, sizeof *used);
-    for (size_t i = 0; i < f->genomes; i++)
-        for (size_t k = 0; k < f->genome[i].outs; k++)
-            use_symbols(f, &f->genome[i].out[k], used);
-    for (size_t i = f->lets; i-- > 0;)
-        if (used[i])
-            use_symbols(f, &f->let[i], used);
-    return used;
-}
-
-static bool has_quotient(const struct genome_file *f, const struct genome_expr *e, const bool *quotient)
-{
-    for (size_t i = 0; i < e->length; i++)
-        if (e->gene[i] == GENE_DIV || e->gene[i] == GENE_PDIV ||
-            (e->gene[i] >= GENE_SYMBOL + (int)f->inputs && quotient[e->gene[i] - GENE_SYMBOL - (int)f->inputs]))
-            return true;
-    return false;
-}
-
-/* Values within a function have no name. */
-static bool has_name(const struct genome_file *f, size_t symbol)
-{
-    return genome_find_symbol(f, genome_symbol_name(f, symbol)) == (long)symbol;
+    if (most > 0 && isfinite(most))
+        require_magnitude(f, gene, length, 2 * most);
 }
 
 /* Of lets that the genomes depend on, and of outputs that are more than such a let. */
 static void require_coordinates(struct genome_file *f, const struct extremes *e, const bool *used)
 {
-    bool *quotient = new_array(f->lets, sizeof *quotient);
+    bool *named = named_quotients(f, used);
     for (size_t i = 0; i < f->lets; i++) {
         const size_t j = f->inputs + i;
         const int gene = GENE_SYMBOL + (int)j;
-        quotient[i] = has_quotient(f, &f->let[i], quotient);
-        if (quotient[i] && used[i] && !e->sized[j] && has_name(f, j))
+        if (named[i] && !e->sized[j])
             require_below(f, &gene, 1, fmax(-e->lo[j], e->hi[j]));
     }
     size_t j = frame_target(f, 2);
     for (size_t g = 0; g < f->genomes; g++)
         for (size_t k = 0; k < f->genome[g].outs; k++, j++) {
             const struct genome_expr *out = &f->genome[g].out[k];
-            if (out->length > 1 && has_quotient(f, out, quotient))
+            if (output_is_quotient(f, out))
                 require_below(f, out->gene, out->length, fmax(-e->lo[j], e->hi[j]));
         }
-    free(quotient);
+    free(named);
 }
 
 /* An expression of lets that the genomes depend on. */
@@ -236,7 +193,7 @@ static bool is_used(const struct genome_file *f, const struct genome_expr *e, co
 
 void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
 {
-    if (!f->segment)
+    if (!f->segment || shape_requires_add(f, set, sets))
         return;
     const size_t inputs = f->inputs, flat = 3 * f->segment->corners - 1;
     struct extremes e = measure(f, set, sets);

@@ -1,0 +1,74 @@
+/* Values of genome files; see region_values.h. */
+#include "region_values.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void use_symbols(const struct genome_file *f, const struct genome_expr *e, bool *used)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] >= GENE_SYMBOL + (int)f->inputs)
+            used[e->gene[i] - GENE_SYMBOL - (int)f->inputs] = true;
+}
+
+bool *used_lets(const struct genome_file *f)
+{
+    bool *used = new_array(f->lets, sizeof *used);
+    for (size_t i = 0; i < f->genomes; i++)
+        for (size_t k = 0; k < f->genome[i].outs; k++)
+            use_symbols(f, &f->genome[i].out[k], used);
+    for (size_t i = f->lets; i-- > 0;)
+        if (used[i])
+            use_symbols(f, &f->let[i], used);
+    return used;
+}
+
+static bool has_quotient(const struct genome_file *f, const struct genome_expr *e, const bool *quotient)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] == GENE_DIV || e->gene[i] == GENE_PDIV ||
+            (e->gene[i] >= GENE_SYMBOL + (int)f->inputs && quotient[e->gene[i] - GENE_SYMBOL - (int)f->inputs]))
+            return true;
+    return false;
+}
+
+/* Values within a function have no name. */
+static bool has_name(const struct genome_file *f, size_t symbol)
+{
+    return genome_find_symbol(f, genome_symbol_name(f, symbol)) == (long)symbol;
+}
+
+bool *named_quotients(const struct genome_file *f, const bool *used)
+{
+    bool *quotient = new_array(f->lets, sizeof *quotient), *named = new_array(f->lets, sizeof *named);
+    for (size_t i = 0; i < f->lets; i++) {
+        quotient[i] = has_quotient(f, &f->let[i], quotient);
+        named[i] = quotient[i] && used[i] && has_name(f, f->inputs + i);
+    }
+    free(quotient);
+    return named;
+}
+
+bool output_is_quotient(const struct genome_file *f, const struct genome_expr *out)
+{
+    bool *quotient = new_array(f->lets, sizeof *quotient);
+    for (size_t i = 0; i < f->lets; i++)
+        quotient[i] = has_quotient(f, &f->let[i], quotient);
+    const bool is = out->length > 1 && has_quotient(f, out, quotient);
+    free(quotient);
+    return is;
+}
+
+void require_magnitude(struct genome_file *f, const int *gene, size_t length, double most)
+{
+    char text[32];
+    int *require = new_array(length + 3, sizeof *require);
+    snprintf(text, sizeof text, "%.2g", most);
+    require[0] = GENE_SUB;
+    require[1] = -1 - (int)genome_add_constant(f, text);
+    require[2] = GENE_ABS;
+    memcpy(require + 3, gene, length * sizeof *gene);
+    genome_add_require(f, require, length + 3);
+    free(require);
+}

@@ -1,0 +1,26 @@
+/* Segments by their shape: the numbers that say all of a segment and a slave node but place, size and orientation, and
+ * the region block of genome text that makes the nodes of them again.  Of kinds whose points are polynomials of xi and
+ * eta. */
+#ifndef FOOTPOINT_SHAPE_REGION_H
+#define FOOTPOINT_SHAPE_REGION_H
+
+#include "../../codegen/genome/genome.h"
+#include "../surface/sample.h"
+
+enum { SHAPE_NUMBERS = 2 + 3 * 6 + 3 }; /* at most */
+
+struct shape;
+
+/** NULL if the kind is none of these. */
+struct shape *shape_new(const struct segment_kind *kind);
+void shape_free(struct shape *p);
+
+size_t shape_numbers(const struct shape *p);
+
+/** The region block, without ranges of the numbers, which are its last inputs. */
+struct genome_file *shape_region(const struct shape *p);
+
+/** The numbers of a sample, and the sample as the block places it. */
+void shape_measure(const struct shape *p, const struct sample *s, double number[SHAPE_NUMBERS], struct sample *placed);
+
+#endif

@@ -1,0 +1,260 @@
+/* Extremes of what a genome file computes on samples that are placed as its region block says; see shape_requires.h. */
+#include "shape_requires.h"
+
+#include "../eval/frame.h"
+#include "region_values.h"
+#include "shape_region.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PIECE = 4096, MOST_MARKS = 32 };
+
+#define LEAST_NEARNESS 1e-6 /* of the largest: nearer than that bounds are no closer */
+
+/* A value of the block that others may be near to. */
+struct mark {
+    size_t symbol;
+};
+
+/* A value on the way, or an output. */
+struct value {
+    const int *gene; /* not owned */
+    size_t length;
+    int own; /* the gene of a let */
+    double lo, hi;
+    double factor[MOST_MARKS], far[MOST_MARKS]; /* largest distance from factor times a mark */
+};
+
+struct survey {
+    struct genome_file *file; /* not owned */
+    struct shape *shape;      /* owned */
+    struct kernel *kernel;    /* owned */
+    struct value *value;      /* owned */
+    size_t values, value_room;
+    struct mark mark[MOST_MARKS];
+    size_t marks;
+    double least[SHAPE_NUMBERS], most[SHAPE_NUMBERS];
+};
+
+/* ---- what is looked at ---- */
+
+static void add_value(struct survey *s, const int *gene, size_t length)
+{
+    grow_array(&s->value, s->values, &s->value_room, sizeof *s->value);
+    struct value *v = &s->value[s->values++];
+    *v = (struct value){.gene = gene, .length = length, .lo = INFINITY, .hi = -INFINITY};
+    if (length == 0) {
+        v->own = *gene;
+        v->length = 1;
+    }
+}
+
+static void find_values(struct survey *s)
+{
+    const struct genome_file *f = s->file;
+    bool *used = used_lets(f), *named = named_quotients(f, used);
+    for (size_t i = 0; i < f->lets; i++) {
+        const int gene = GENE_SYMBOL + (int)(f->inputs + i);
+        if (named[i])
+            add_value(s, &gene, 0);
+    }
+    for (size_t g = 0; g < f->genomes; g++)
+        for (size_t k = 0; k < f->genome[g].outs; k++)
+            if (output_is_quotient(f, &f->genome[g].out[k]))
+                add_value(s, f->genome[g].out[k].gene, f->genome[g].out[k].length);
+    for (size_t i = 0; i < s->values; i++)
+        if (s->value[i].own)
+            s->value[i].gene = &s->value[i].own;
+    free(used);
+    free(named);
+}
+
+static void find_marks(struct survey *s)
+{
+    const struct genome_file *r = s->file->region;
+    for (size_t i = 0; i < r->inputs + r->lets && s->marks < MOST_MARKS; i++) {
+        const char *name = genome_symbol_name(r, i);
+        if (strcmp(name, "xi") == 0 || strcmp(name, "eta") == 0 || strncmp(name, "foot_", 5) == 0)
+            s->mark[s->marks++].symbol = i;
+    }
+}
+
+/* ---- samples ---- */
+
+/* Values of the block for n samples' numbers. */
+static struct columns block_columns(const struct survey *s, double (*number)[SHAPE_NUMBERS], size_t n)
+{
+    const struct genome_file *r = s->file->region;
+    const size_t numbers = shape_numbers(s->shape), fixed = r->inputs - numbers;
+    struct columns c = columns_new(n, r->inputs + r->lets);
+    for (size_t j = 0; j < r->inputs; j++)
+        for (size_t i = 0; i < n; i++)
+            columns_at(&c, j)[i] = j < fixed ? r->constant[r->range[j].lo].value : number[i][j - fixed];
+    for (size_t j = 0; j < r->lets; j++) {
+        const struct kernel_task task = {r->let[j].gene, r->let[j].length, r->constant, &c};
+        kernel_values(s->kernel, &task, columns_at(&c, r->inputs + j));
+    }
+    return c;
+}
+
+/* The power of 2, times one of 3, that brings a mark nearest to a value. */
+static double find_factor(const double *x, const double *mark, size_t n)
+{
+    double xm = 0, mm = 0, best = 1, least = INFINITY;
+    for (size_t i = 0; i < n; i++) {
+        xm += x[i] * mark[i];
+        mm += mark[i] * mark[i];
+    }
+    static const double powers[] = {1, 3, 9, 81, 1.0 / 9, 1.0 / 81};
+    for (size_t k = 0; k < sizeof powers / sizeof *powers && xm / mm != 0 && isfinite(xm / mm); k++) {
+        const double threes = powers[k], twos = log2(fabs(xm / mm) / threes), off = fabs(twos - round(twos));
+        if (off < 0.5 * least) { /* few threes rather than many */
+            best = copysign(threes * exp2(round(twos)), xm);
+            least = off;
+        }
+    }
+    return best;
+}
+
+static void take_in(struct survey *s, struct value *v, const double *x, const struct columns *block, bool first)
+{
+    for (size_t i = 0; i < block->n; i++) {
+        v->lo = x[i] < v->lo ? x[i] : v->lo;
+        v->hi = x[i] > v->hi ? x[i] : v->hi;
+    }
+    for (size_t k = 0; k < s->marks; k++) {
+        const double *mark = columns_at(block, s->mark[k].symbol);
+        if (first)
+            v->factor[k] = find_factor(x, mark, block->n);
+        double far = v->far[k];
+        for (size_t i = 0; i < block->n; i++) {
+            const double d = fabs(x[i] - v->factor[k] * mark[i]);
+            far = d > far ? d : far;
+        }
+        v->far[k] = far;
+    }
+}
+
+static void measure_piece(struct survey *s, const struct sample *sample, size_t n, bool first)
+{
+    struct sample *placed = new_array(n, sizeof *placed);
+    double(*number)[SHAPE_NUMBERS] = new_array(n, sizeof *number);
+    for (size_t i = 0; i < n; i++) {
+        shape_measure(s->shape, &sample[i], number[i], &placed[i]);
+        for (size_t k = 0; k < shape_numbers(s->shape); k++) {
+            s->least[k] = fmin(s->least[k], number[i][k]);
+            s->most[k] = fmax(s->most[k], number[i][k]);
+        }
+    }
+    struct columns table = frame_columns(s->kernel, s->file, placed, n), block = block_columns(s, number, n);
+    double *x = new_array(n, sizeof *x);
+    for (size_t i = 0; i < s->values; i++) {
+        struct value *v = &s->value[i];
+        const struct kernel_task task = {v->gene, v->length, s->file->constant, &table};
+        kernel_values(s->kernel, &task, x);
+        take_in(s, v, x, &block, first);
+    }
+    columns_free(&table);
+    columns_free(&block);
+    free(x);
+    free(placed);
+    free(number);
+}
+
+static void measure(struct survey *s, const struct sample_set *set, size_t sets)
+{
+    bool begun = false;
+    for (size_t k = 0; k < SHAPE_NUMBERS; k++)
+        s->most[k] = -(s->least[k] = INFINITY);
+    for (size_t k = 0; k < sets; k++)
+        for (size_t first = 0; first < set[k].n; first += PIECE, begun = true)
+            measure_piece(s, &set[k].s[first], set[k].n - first < PIECE ? set[k].n - first : PIECE, !begun);
+}
+
+/* ---- what is written ---- */
+
+/* Widened to two decimals; what does not vary, but for rounding, is 0. */
+static void add_ranges(const struct survey *s)
+{
+    struct genome_file *r = s->file->region;
+    const size_t numbers = shape_numbers(s->shape);
+    for (size_t k = 0; k < numbers; k++) {
+        const bool none = fmax(-s->least[k], s->most[k]) < 1e-9;
+        char text[2][32];
+        if (!(s->least[k] <= s->most[k]))
+            continue;
+        snprintf(text[0], sizeof text[0], "%.2f", none ? 0 : floor(s->least[k] * 100) / 100);
+        snprintf(text[1], sizeof text[1], "%.2f", none ? 0 : ceil(s->most[k] * 100) / 100);
+        genome_add_range(r, r->inputs - numbers + k, text[0], text[1]);
+    }
+}
+
+/* |value - factor mark| < most */
+static void require_near(struct genome_file *f, const struct value *v, double factor, size_t mark, double most)
+{
+    int *gene = new_array(v->length + 4, sizeof *gene);
+    size_t n = 0;
+    gene[n++] = GENE_SUB;
+    memcpy(gene + n, v->gene, v->length * sizeof *gene);
+    n += v->length;
+    if (factor != 1) {
+        char text[40];
+        snprintf(text, sizeof text, "%.17g", factor);
+        gene[n++] = GENE_MUL;
+        gene[n++] = -1 - (int)genome_add_constant(f, text);
+    }
+    gene[n++] = GENE_LOCAL + (int)mark;
+    require_magnitude(f, gene, n, most);
+    free(gene);
+}
+
+/* value > least, or < most where that is below 0 */
+static void require_sign(struct genome_file *f, const struct value *v, double nearest)
+{
+    char text[32];
+    int *gene = new_array(v->length + 2, sizeof *gene);
+    snprintf(text, sizeof text, "%.2g", nearest);
+    const int bound = -1 - (int)genome_add_constant(f, text);
+    gene[0] = GENE_SUB;
+    gene[nearest < 0 ? 1 : 1 + v->length] = bound;
+    memcpy(gene + 1 + (nearest < 0), v->gene, v->length * sizeof *gene);
+    genome_add_require(f, gene, v->length + 2);
+    free(gene);
+}
+
+static void require_value(const struct survey *s, const struct value *v)
+{
+    const double most = fmax(-v->lo, v->hi);
+    size_t near = 0;
+    if (!(most > 0 && isfinite(most)))
+        return;
+    for (size_t k = 1; k < s->marks; k++)
+        near = v->far[k] < v->far[near] ? k : near;
+    if (v->far[near] < 0.5 * most)
+        require_near(s->file, v, v->factor[near], s->mark[near].symbol, 2 * fmax(v->far[near], LEAST_NEARNESS * most));
+    else
+        require_magnitude(s->file, v->gene, v->length, 2 * most);
+    if (v->lo > 0 || v->hi < 0)
+        require_sign(s->file, v, 0.5 * (v->lo > 0 ? v->lo : v->hi));
+}
+
+bool shape_requires_add(struct genome_file *f, const struct sample_set *set, size_t sets)
+{
+    struct survey s = {.file = f, .shape = shape_new(f->segment)};
+    if (!s.shape)
+        return false;
+    f->region = shape_region(s.shape);
+    s.kernel = kernel_new_widest();
+    find_marks(&s);
+    find_values(&s);
+    measure(&s, set, sets);
+    add_ranges(&s);
+    for (size_t i = 0; i < s.values; i++)
+        require_value(&s, &s.value[i]);
+    kernel_free(s.kernel);
+    shape_free(s.shape);
+    free(s.value);
+    return true;
+}
