@@ -184,9 +184,8 @@ static char *plain_text(const struct reader *r, const char *keyword, const char 
 void add_statement(struct reader *r, const char *keyword, const char *name, const char *start, int line)
 {
     char *text = plain_text(r, keyword, start);
-    genome_add_statement(r->file, (struct genome_statement){.name = new_text(name, strlen(name)), .text = text,
-                                                            .need = r->need, .needs = r->needs, .line = line,
-                                                            .joined = r->joined});
+    genome_add_statement(
+        r->file, (struct genome_statement){new_text(name, strlen(name)), text, r->need, r->needs, line, r->joined});
     r->need = NULL;
     r->needs = r->need_room = 0;
 }

@@ -1,6 +1,8 @@
 /* Keys of a scene; see scene_keys.h. */
 #include "scene_keys.h"
 
+#include "../../codegen/genome/text.h"
+
 #include <errno.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -20,15 +22,13 @@ bool key_fail(const struct scene_reader *r, const config_setting_t *s, const cha
 
 void key_warn(const struct scene_reader *r, const config_setting_t *s, const char *format, ...)
 {
-    char line[600];
+    char text[300];
     va_list arguments;
-    size_t n = (size_t)snprintf(line, sizeof line, "%.300s:%u: warning: ", r->path, config_setting_source_line(s));
     va_start(arguments, format);
-    vsnprintf(line + n, sizeof line - n, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    const size_t before = *r->warnings ? strlen(*r->warnings) : 0, more = strlen(line);
-    char *all = new_array(before + more + 2, 1);
-    snprintf(all, before + more + 2, "%s%s\n", *r->warnings ? *r->warnings : "", line);
+    char *all = new_format("%s%.300s:%u: warning: %s\n", *r->warnings ? *r->warnings : "", r->path,
+                           config_setting_source_line(s), text);
     free(*r->warnings);
     *r->warnings = all;
 }
@@ -175,11 +175,6 @@ bool key_word(const struct scene_reader *r, const config_setting_t *s, const cha
 
 bool key_identifier(const char *t)
 {
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", digits[] = "0123456789";
-    if (!strchr(letters, *t) || *t == '\0')
-        return false;
-    for (t++; *t; t++)
-        if (!strchr(letters, *t) && !strchr(digits, *t))
-            return false;
-    return true;
+    static const char letters[] = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    return strspn(t, "0123456789") == 0 && *t != '\0' && t[strspn(t, letters)] == '\0';
 }

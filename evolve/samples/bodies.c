@@ -5,6 +5,7 @@
 #include "../../codegen/genome/base.h"
 #include "../../runtime/geometry/footpoint-node-normals.h"
 #include "../common/stream.h"
+#include "../common/vec3.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -18,14 +19,9 @@
 
 const char *const smooth_name[SMOOTH_KINDS] = {"sphere", "torus", "saddle", "sheet"};
 
-static double length_of(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 static double project_sphere(const double x[3], double foot[3], double normal[3])
 {
-    const double length = length_of(x);
+    const double length = vector_length(x);
     for (int k = 0; k < 3; k++)
         foot[k] = normal[k] = x[k] / length;
     return length - 1;
@@ -34,7 +30,7 @@ static double project_sphere(const double x[3], double foot[3], double normal[3]
 static double project_torus(const double x[3], double foot[3], double normal[3])
 {
     const double ring = hypot(x[0], x[1]), tube[3] = {x[0] - x[0] / ring, x[1] - x[1] / ring, x[2]};
-    const double length = length_of(tube);
+    const double length = vector_length(tube);
     for (int k = 0; k < 3; k++) {
         normal[k] = tube[k] / length;
         foot[k] = (x[k] - tube[k]) + TUBE * normal[k];
@@ -74,7 +70,7 @@ static double project_graph(enum smooth_kind kind, const double x[3], double foo
             break;
     }
     graph(kind, u, v, f);
-    const double n[3] = {-f[1], -f[2], 1}, length = length_of(n);
+    const double n[3] = {-f[1], -f[2], 1}, length = vector_length(n);
     const double at[3] = {u, v, f[0]};
     double distance = 0;
     for (int k = 0; k < 3; k++) {

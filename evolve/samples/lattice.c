@@ -7,6 +7,7 @@
  * The lattice is held in integers, multiples of a common unit, so that ties are exact.  Off the lattice C, D and S are
  * uniform in the same ranges. */
 #include "../common/stream.h"
+#include "../common/vec3.h"
 #include "../surface/foot_bilinear.h"
 #include "samples.h"
 
@@ -179,11 +180,6 @@ static double within(gsl_rng *stream, double max)
     return max * (2 * gsl_rng_uniform(stream) - 1);
 }
 
-static double distance2_of(const double p[3], const double q[3])
-{
-    return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
-}
-
 static double turn_of(const double p[3], const double q[3], const double r[3])
 {
     return (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
@@ -196,7 +192,7 @@ static bool draw(gsl_rng *stream, const struct lattice *l, struct sample *s)
     *s = (struct sample){.x = {{0, 0, 0}, {1, 0, 0}}};
     d[0] = within(stream, fmin(1, l->xy_max));
     d[1] = fmin(1, l->xy_max) * gsl_rng_uniform_pos(stream);
-    if (distance2_of(a, d) > 1)
+    if (vector_distance2(a, d) > 1)
         return false;
     c[0] = within(stream, l->xy_max);
     c[1] = within(stream, l->xy_max);
@@ -206,8 +202,9 @@ static bool draw(gsl_rng *stream, const struct lattice *l, struct sample *s)
     s->xs[0] = within(stream, l->xy_max);
     s->xs[1] = within(stream, l->xy_max);
     s->xs[2] = within(stream, l->z_max);
-    const double nearest = distance2_of(s->xs, a);
-    if (nearest > distance2_of(s->xs, b) || nearest > distance2_of(s->xs, c) || nearest > distance2_of(s->xs, d))
+    const double nearest = vector_distance2(s->xs, a);
+    if (nearest > vector_distance2(s->xs, b) || nearest > vector_distance2(s->xs, c) ||
+        nearest > vector_distance2(s->xs, d))
         return false;
     return label(l, s);
 }

@@ -13,7 +13,7 @@
 
 static void normalise(double v[3])
 {
-    const double length = sqrt(vector_dot(v, v));
+    const double length = vector_length(v);
     for (int k = 0; k < 3; k++)
         v[k] /= length;
 }

@@ -14,12 +14,6 @@
 #include <math.h>
 #include <string.h>
 
-static double distance2(const double a[3], const double b[3])
-{
-    const double v[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return vector_dot(v, v);
-}
-
 static double uniform(gsl_rng *stream, double max)
 {
     return gsl_ran_flat(stream, -max, max);
@@ -140,7 +134,7 @@ void sample_order(struct sample *s, enum corner_order order)
     if (order == CORNERS_ANY)
         return;
     for (int i = 1; i < 4; i++)
-        if (distance2(s->xs, s->x[i]) < distance2(s->xs, s->x[nearest]))
+        if (vector_distance2(s->xs, s->x[i]) < vector_distance2(s->xs, s->x[nearest]))
             nearest = i;
     for (; nearest > 0; nearest--) {
         /* B becomes A: the new xi is eta, the new eta is -xi. */
@@ -151,7 +145,7 @@ void sample_order(struct sample *s, enum corner_order order)
         swap(&s->xi, &s->eta);
         s->eta = -s->eta;
     }
-    if (order == CORNERS_NEAREST_SHORTER && distance2(s->x[0], s->x[3]) > distance2(s->x[0], s->x[1])) {
+    if (order == CORNERS_NEAREST_SHORTER && vector_distance2(s->x[0], s->x[3]) > vector_distance2(s->x[0], s->x[1])) {
         for (int k = 0; k < 3; k++)
             swap(&s->x[1][k], &s->x[3][k]);
         swap(&s->xi, &s->eta);
@@ -197,7 +191,7 @@ bool shapes_samples(const struct scene *scene, enum sample_part part, struct sam
                 continue;
             move(stream, kind, s.x);
             for (int k = 0; k < corners; k++)
-                shortest = fmin(shortest, sqrt(distance2(s.x[k], s.x[(k + 1) % corners])));
+                shortest = fmin(shortest, sqrt(vector_distance2(s.x[k], s.x[(k + 1) % corners])));
             if (place_slave(stream, scene, shapes->gap * shortest, &s))
                 break;
         }

@@ -52,7 +52,7 @@ static double turn(double c[3][3], double eta)
         vector_cross(t1, t2, n[i]);
     }
     vector_cross(n[0], n[1], both);
-    return atan2(sqrt(vector_dot(both, both)), vector_dot(n[0], n[1]));
+    return atan2(vector_length(both), vector_dot(n[0], n[1]));
 }
 
 static struct variation measure(const struct sample *s)

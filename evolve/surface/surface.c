@@ -69,7 +69,7 @@ bool surface_normal(const struct surface *f, double (*x)[3], double xi, double e
     f->point(f, x, xi, eta, at);
     memcpy(r, at[0], sizeof at[0]);
     vector_cross(at[1], at[2], n);
-    const double length = sqrt(vector_dot(n, n));
+    const double length = vector_length(n);
     for (int k = 0; k < 3 && length > 0; k++)
         n[k] /= length;
     return length > 0;
