@@ -23,6 +23,7 @@ struct known {
     size_t places;
     struct interval *value; /* owned: by operation, what is proved of it on the region */
     bool *joint;            /* owned: by operation, a value with a name or a divisor: a link of error bounds */
+    bool *pinned;           /* owned: by operation, a require holds it near a number of one input alone */
     int *twin;              /* owned: by operation, an earlier one that it is a multiple of, or -1 */
     struct interval *ratio; /* owned: by operation, to its twin */
     size_t *length;         /* owned: by operation, how many it is made of (at most; of requires alone) */

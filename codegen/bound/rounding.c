@@ -397,6 +397,15 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
     to->weight_size += op->kind == OP_NEG ? by->weight_size : interval_most(weight);
 }
 
+/* Where a way backwards ends: at all joints whose errors were found backwards to be less than forwards; at local coordinates
+ * alone, so that what a step of Newton's is made of cancels as far as it does; or nowhere. */
+enum way { BY_JOINTS, BY_PINNED, BY_NONE };
+
+static bool is_link(const struct rounding *e, int i, enum way way)
+{
+    return way == BY_JOINTS ? e->linked[i] : way == BY_PINNED && e->forms->known->pinned[i];
+}
+
 /* The part of operation i: what it adds by itself, or, of a link, its error.  Infinite: there is no bound. */
 static double part_error(struct rounding *e, int i, bool link, bool *ends)
 {
@@ -417,8 +426,8 @@ static double part_error(struct rounding *e, int i, bool link, bool *ends)
 /* By the mean value theorem, the error of the result is the sum over all operations of what each adds, times the
  * derivative of the result by that at some point between exact and computed values.  A product may be contracted in one
  * of its uses and rounded in another, so that its error is charged for each of them by itself; so through a sign.
- * `links`: joints count by their errors in this box, where these are less than forwards. */
-static double backward_error(struct rounding *e, int result, bool links)
+ * Joints, as far as the way goes by them, count by their errors in this box. */
+static double backward_error(struct rounding *e, int result, enum way way)
 {
     static const struct sensitivity none;
     double error = 0;
@@ -437,7 +446,7 @@ static double backward_error(struct rounding *e, int result, bool links)
         by->slope = interval_meet(by->slope, affine_slope(e->forms, i));
         reconcile(&by->slope, &by->weight, inflated(e, i));
         bool ends;
-        const double own = part_error(e, i, links && i != result && e->linked[i], &ends);
+        const double own = part_error(e, i, i != result && is_link(e, i, way), &ends);
         error += own;
         if (!(own >= 0 && error <= DBL_MAX))
             error = INFINITY;
@@ -455,11 +464,20 @@ static double backward_error(struct rounding *e, int result, bool links)
     return checked(error * (1 + 0x1p-30), 0); /* its terms are many */
 }
 
+static bool is_joint(const struct rounding *e, int i)
+{
+    const struct known *x = e->forms->known;
+    return (x->joint[i] || x->pinned[i]) && !is_given(x, i);
+}
+
 /* A joint's error, found backwards from those before it. */
 static void bound_joint(struct rounding *e, int i)
 {
     const double most = interval_most(e->forms->range[i]), least = interval_least(e->forms->range[i]);
-    const double error = checked(backward_error(e, i, true), most);
+    const bool pinned = e->forms->known->pinned[i] || i == e->op;
+    const double by_joints = backward_error(e, i, BY_JOINTS);
+    const double by_pinned = pinned ? backward_error(e, i, BY_PINNED) : INFINITY;
+    const double error = checked(lesser(by_joints, by_pinned), most);
     if (!(error < e->error[i]))
         return;
     e->error[i] = error;
@@ -473,8 +491,8 @@ double rounding_error(struct rounding *e)
         const int i = e->needed[n];
         propagate(e, (size_t)i);
         e->linked[i] = false;
-        if (e->error[i] > 0 && (i == e->op || (e->forms->known->joint[i] && !is_given(e->forms->known, i))))
+        if (e->error[i] > 0 && (i == e->op || is_joint(e, i)))
             bound_joint(e, i);
     }
-    return e->error[e->op] < INFINITY ? lesser(e->error[e->op], backward_error(e, e->op, false)) : INFINITY;
+    return e->error[e->op] < INFINITY ? lesser(e->error[e->op], backward_error(e, e->op, BY_NONE)) : INFINITY;
 }
