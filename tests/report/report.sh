@@ -52,11 +52,13 @@ part() { # part SCENE SAMPLE
     echo '</pre></div></details>'
 }
 
-map() { # map SCENE: its functions in the order of the bench
-    files=$(awk -F, -v s="$1" -v f="$folder/maps/" '$1 == s && $4 && !seen[$3]++ { print f s "-" $3 ".vtk" }' \
-        "$folder/bench.csv")
+map() { # map SCENE: its searches in the order of the bench
+    files=$(awk -F, -v s="$1" -v f="$folder/maps/" '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+        $1 == s && $at["ours"] == 1 && $at["question"] == "bare" && !seen[$3]++ { print f s "-" $3 ".vtk" }' "$folder/bench.csv")
     [ -n "$files" ] || return 0
-    awk -f tests/report/map.awk -v title="$1" -v out="$folder/$1-map" $files | gnuplot || exit 3
+    awk -f tests/report/map.awk -v title="$1" -v out="$folder/$1-map" $files > "$folder/map.gp" &&
+        gnuplot "$folder/map.gp" && rm "$folder/map.gp" || exit 3
     echo '<h3>Error over the segment</h3>'
     echo "<a href=\"$1-map.svg\"><img src=\"$1-map.svg\" alt=\"$1: map of the error\"></a>"
     echo '<p>For ParaView, cells with the mean errors and the number of samples:'
