@@ -183,23 +183,23 @@ static void add_inputs(const struct shape *p, FILE *out)
 /* u^i v^j and their derivatives. */
 static void add_powers(const struct shape *p, FILE *out)
 {
-    fprintf(out, "let u = - xi %s\nlet v = - eta %s\n", p->row->reference, p->row->reference);
+    fprintf(out, "let u = - xi %s, v = - eta %s\n", p->row->reference, p->row->reference);
     for (size_t k = LINEAR; k < p->nodes; k++) {
         const int which = p->row->powers[k], i = power[which][0], j = power[which][1];
-        fprintf(out, "let m%d%d = %s\nlet mu%d%d = %s\nlet mv%d%d = %s\n", i, j, power_text[which][0], i, j,
+        fprintf(out, "let m%d%d = %s, mu%d%d = %s, mv%d%d = %s\n", i, j, power_text[which][0], i, j,
                 power_text[which][1], i, j, power_text[which][2]);
         if (is_curved(p))
-            fprintf(out, "let muu%d%d = %s\nlet muv%d%d = %s\nlet mvv%d%d = %s\n", i, j, power_text[which][3], i, j,
+            fprintf(out, "let muu%d%d = %s, muv%d%d = %s, mvv%d%d = %s\n", i, j, power_text[which][3], i, j,
                     power_text[which][4], i, j, power_text[which][5]);
     }
 }
 
 static void add_vectors(const struct shape *p, FILE *out)
 {
-    fputs("let k = / 1 stretch\nlet length = + stretch k\nlet c10 = * k ex\nlet c01 = * stretch + * skew ex ey\n", out);
+    fputs("let k = / 1 stretch, length = + stretch k, c10 = * k ex, c01 = * stretch + * skew ex ey\n", out);
     for (size_t k = LINEAR; k < p->nodes; k++) {
         const int i = node_power(p, k)[0], j = node_power(p, k)[1];
-        fprintf(out, "let h%d%d = / g%d%d length\nlet c%d%d = + + * a%d%d c10 * b%d%d c01 * h%d%d ez\n", i, j, i, j, i,
+        fprintf(out, "let h%d%d = / g%d%d length, c%d%d = + + * a%d%d c10 * b%d%d c01 * h%d%d ez\n", i, j, i, j, i,
                 j, i, j, i, j, i, j);
     }
     fputs("let rA = ", out);
@@ -219,10 +219,10 @@ static void add_vectors(const struct shape *p, FILE *out)
 /* Products of c_ij with another vector of coefficients, of these alone. */
 static void add_products(const struct shape *p, FILE *out)
 {
-    fputs("let e11 = * k k\nlet e22 = * * stretch stretch + 1 * skew skew\n", out);
+    fputs("let e11 = * k k, e22 = * * stretch stretch + 1 * skew skew\n", out);
     for (size_t k = LINEAR; k < p->nodes; k++) {
         const int i = node_power(p, k)[0], j = node_power(p, k)[1];
-        fprintf(out, "let p%d%d = + * a%d%d e11 * b%d%d skew\nlet q%d%d = + * a%d%d skew * b%d%d e22\n", i, j, i, j, i,
+        fprintf(out, "let p%d%d = + * a%d%d e11 * b%d%d skew, q%d%d = + * a%d%d skew * b%d%d e22\n", i, j, i, j, i,
                 j, i, j, i, j, i, j);
     }
     for (size_t k = LINEAR; k < p->nodes; k++)
@@ -237,7 +237,7 @@ static void add_products(const struct shape *p, FILE *out)
 static void add_normal(const struct shape *p, FILE *out)
 {
     if (p->nodes == LINEAR + 1) {
-        fputs("let u1 = * h11 u\nlet u2 = neg * h11 v\nlet nz = + 1 + * a11 v * b11 u\n", out);
+        fputs("let u1 = * h11 u, u2 = neg * h11 v, nz = + 1 + * a11 v * b11 u\n", out);
         return;
     }
     add_sum(p, out, "alpha_u", "1", "a", "mu");
@@ -246,7 +246,7 @@ static void add_normal(const struct shape *p, FILE *out)
     add_sum(p, out, "beta_v", "1", "b", "mv");
     add_sum(p, out, "gamma_u", "", "h", "mu");
     add_sum(p, out, "gamma_v", "", "h", "mv");
-    fputs("let u1 = - * gamma_v alpha_u * gamma_u alpha_v\nlet u2 = - * gamma_v beta_u * gamma_u beta_v\n"
+    fputs("let u1 = - * gamma_v alpha_u * gamma_u alpha_v, u2 = - * gamma_v beta_u * gamma_u beta_v\n"
           "let nz = - * alpha_u beta_v * alpha_v beta_u\n",
           out);
 }
@@ -256,10 +256,10 @@ static void add_distance(const struct shape *p, FILE *out)
 {
     add_sum(p, out, "pm", "u", "a", "m");
     add_sum(p, out, "qm", "v", "b", "m");
-    fputs("let p = + pm * l + * u1 skew * u2 e22\nlet q = - qm * l + * u1 e11 * u2 skew\n", out);
+    fputs("let p = + pm * l + * u1 skew * u2 e22, q = - qm * l + * u1 e11 * u2 skew\n", out);
     add_sum(p, out, "d1m", "+ * u e11 * v skew", "p", "m");
     add_sum(p, out, "d2m", "+ * u skew * v e22", "q", "m");
-    fputs("let d1 = + d1m * l u2\nlet d2 = - d2m * l u1\n", out);
+    fputs("let d1 = + d1m * l u2, d2 = - d2m * l u1\n", out);
     for (size_t k = LINEAR; k < p->nodes; k++) {
         const int i = node_power(p, k)[0], j = node_power(p, k)[1];
         char name[8], first[32], letter[8];
@@ -276,21 +276,21 @@ static void add_distance(const struct shape *p, FILE *out)
 static void add_forms(const struct shape *p, FILE *out)
 {
     if (!is_curved(p)) {
-        fputs("let foot_1 = + p11 * v s1111\nlet foot_2 = + q11 * u s1111\n"
-              "let foot_11 = + e11 * v + p11 foot_1\nlet foot_22 = + e22 * u + q11 foot_2\n"
-              "let foot_12 = + skew + * u p11 * v foot_2\nlet lift_12 = * l h11\nlet foot_12n = - foot_12 lift_12\n",
+        fputs("let foot_1 = + p11 * v s1111, foot_2 = + q11 * u s1111\n"
+              "let foot_11 = + e11 * v + p11 foot_1, foot_22 = + e22 * u + q11 foot_2\n"
+              "let foot_12 = + skew + * u p11 * v foot_2, lift_12 = * l h11, foot_12n = - foot_12 lift_12\n",
               out);
         return;
     }
     add_sum(p, out, "ruu", "", "c", "muu");
     add_sum(p, out, "ruv", "", "c", "muv");
     add_sum(p, out, "rvv", "", "c", "mvv");
-    fputs("let normal = cross ru rv\nlet foot_11 = dot ru ru\nlet foot_12 = dot ru rv\nlet foot_22 = dot rv rv\n"
-          "let lift_11 = * l dot normal ruu\nlet lift_12 = * l dot normal ruv\nlet lift_22 = * l dot normal rvv\n"
-          "let foot_11n = - foot_11 lift_11\nlet foot_12n = - foot_12 lift_12\nlet foot_22n = - foot_22 lift_22\n",
+    fputs("let normal = cross ru rv, foot_11 = dot ru ru, foot_12 = dot ru rv, foot_22 = dot rv rv\n"
+          "let lift_11 = * l dot normal ruu, lift_12 = * l dot normal ruv, lift_22 = * l dot normal rvv\n"
+          "let foot_11n = - foot_11 lift_11, foot_12n = - foot_12 lift_12, foot_22n = - foot_22 lift_22\n",
           out);
     if (p->kind->triangle)
-        fputs("let foot_u = * 3 u\nlet foot_v = * 3 v\n", out);
+        fputs("let foot_u = * 3 u, foot_v = * 3 v\n", out);
 }
 
 /* What Newton's steps make of values at the foot point itself: that form, its determinant, right-hand sides of the step for
@@ -304,11 +304,11 @@ static void add_foot(const struct shape *p, FILE *out)
     if (is_curved(p))
         fputs("let foot_jn = - * foot_11n foot_22n * foot_12n foot_12n\n", out);
     else
-        fputs("let foot_jn = + foot_j * lift_12 + foot_12 foot_12n\nlet foot_f1 = + * foot_11 u * foot_12 v\n"
-              "let foot_f2 = + * foot_12 u * foot_22 v\nlet foot_f1n = - foot_f1 * lift_12 v\n"
+        fputs("let foot_jn = + foot_j * lift_12 + foot_12 foot_12n, foot_f1 = + * foot_11 u * foot_12 v\n"
+              "let foot_f2 = + * foot_12 u * foot_22 v, foot_f1n = - foot_f1 * lift_12 v\n"
               "let foot_f2n = - foot_f2 * lift_12 u\n",
               out);
-    fputs("let foot_i = / 1 foot_j\nlet foot_in = / 1 foot_jn\n", out);
+    fputs("let foot_i = / 1 foot_j, foot_in = / 1 foot_jn\n", out);
 }
 
 struct genome_file *shape_region(const struct shape *p)
