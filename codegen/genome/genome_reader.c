@@ -10,9 +10,9 @@
 
 enum { MAX_NAME = NAME_ROOM - 2, MAX_NUMBER = 63, MAX_EXPONENT = 330 };
 
-static const char *const keywords[] = {"note",    "input",  "segment", "range",  "let",  "exchange",   "function",
-                                       "require", "genome", "end",     "vector", "face", "derivative", "least",
-                                       "region"};
+static const char *const keywords[] = {"note",     "input",    "segment",    "range",  "let",
+                                       "exchange", "function", "require",    "genome", "end",
+                                       "vector",   "face",     "derivative", "least",  "region"};
 enum { NEW_KEYWORDS = 5 }; /* the last ones are version 2's */
 
 bool reader_fail_text(struct reader *r, const char *format, const char *text, size_t length)

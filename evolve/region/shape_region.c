@@ -199,8 +199,8 @@ static void add_vectors(const struct shape *p, FILE *out)
     fputs("let k = / 1 stretch, length = + stretch k, c10 = * k ex, c01 = * stretch + * skew ex ey\n", out);
     for (size_t k = LINEAR; k < p->nodes; k++) {
         const int i = node_power(p, k)[0], j = node_power(p, k)[1];
-        fprintf(out, "let h%d%d = / g%d%d length, c%d%d = + + * a%d%d c10 * b%d%d c01 * h%d%d ez\n", i, j, i, j, i,
-                j, i, j, i, j, i, j);
+        fprintf(out, "let h%d%d = / g%d%d length, c%d%d = + + * a%d%d c10 * b%d%d c01 * h%d%d ez\n", i, j, i, j, i, j,
+                i, j, i, j, i, j);
     }
     fputs("let rA = ", out);
     add_node(p, out, 0);
@@ -222,8 +222,8 @@ static void add_products(const struct shape *p, FILE *out)
     fputs("let e11 = * k k, e22 = * * stretch stretch + 1 * skew skew\n", out);
     for (size_t k = LINEAR; k < p->nodes; k++) {
         const int i = node_power(p, k)[0], j = node_power(p, k)[1];
-        fprintf(out, "let p%d%d = + * a%d%d e11 * b%d%d skew, q%d%d = + * a%d%d skew * b%d%d e22\n", i, j, i, j, i,
-                j, i, j, i, j, i, j);
+        fprintf(out, "let p%d%d = + * a%d%d e11 * b%d%d skew, q%d%d = + * a%d%d skew * b%d%d e22\n", i, j, i, j, i, j,
+                i, j, i, j, i, j);
     }
     for (size_t k = LINEAR; k < p->nodes; k++)
         for (size_t other = LINEAR; other < p->nodes; other++) {
