@@ -235,9 +235,9 @@ int main(void)
     const float fs[3] = {0.75F, 1, 0.25F};
     double loc[2], gap;
     float floc[2], fgap;
-    if (double_accurate(a, b, c, d, s, loc, &gap) != FOOTPOINT_OK || float_accurate(fa, fb, fc, fd, fs, floc, &fgap) != FOOTPOINT_OK)
+    if (double_coarse(a, b, c, d, s, loc, &gap) != FOOTPOINT_OK || float_coarse(fa, fb, fc, fd, fs, floc, &fgap) != FOOTPOINT_OK)
         return 1;
-    if (float_accurate(fa, fa, fc, fc, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
+    if (float_coarse(fa, fa, fc, fc, fs, floc, &fgap) != FOOTPOINT_ERR_DEGENERATE)
         return 2;
     return !(fabs(loc[0] - (double)floc[0]) < 1e-5 && fabs(loc[1] - (double)floc[1]) < 1e-5 && fabs(gap - (double)fgap) < 1e-5);
 }
