@@ -5,8 +5,8 @@
 #include "../../codegen/genome/outfile.h"
 #include "../common/decimal.h"
 #include "../eval/frame.h"
-#include "../region/sampled_region.h"
 #include "../genotype/lines_text.h"
+#include "../region/sampled_region.h"
 
 #include <math.h>
 #include <stdlib.h>

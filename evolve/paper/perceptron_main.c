@@ -2,8 +2,8 @@
  * on the held-out ones. */
 #include "../eval/errors.h"
 #include "../eval/frame.h"
-#include "../region/sampled_region.h"
 #include "../input/scene_files.h"
+#include "../region/sampled_region.h"
 #include "../samples/samples.h"
 #include "perceptron_options.h"
 #include "perceptron_train.h"
