@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MIDDLES = 8 };
+enum { MIDDLES = 8, TRIED = 5 };
 #define CLOSE 1.02 /* a bound so near to the errors at points is good enough */
 
 struct search {
@@ -36,25 +36,50 @@ static void visit_middle(struct search *s)
         s->reached = error;
 }
 
-/* The variable that makes the values of the program vary most, all of them counted alike. */
-static size_t choose_variable(struct search *s)
+/* How much each variable makes the values of the program vary, all of them counted alike. */
+static void find_shares(struct search *s)
 {
     const struct forms *w = s->rounding->forms;
     const size_t n = s->region->known->variables;
-    double *share = s->share;
-    memset(share, 0, n * sizeof *share);
+    for (size_t k = 0; k < n; k++)
+        s->share[k] = region_width(s->region, k, s->box[k]) > 0 ? 0 : -1;
     for (size_t m = 0; w->affine && m < w->needs; m++) {
         const size_t i = (size_t)w->needed[m];
         const double size = fabs(w->centre[i]) + w->mass[i] + w->radius[i];
         for (size_t k = 0; k < n && size > 0 && size < INFINITY; k++)
-            share[k] += fabs(w->slope[i * n + k]) / size;
+            s->share[k] += s->share[k] < 0 ? 0 : fabs(w->slope[i * n + k]) / size;
     }
+}
+
+static size_t largest_share(const struct search *s)
+{
+    size_t best = 0;
+    for (size_t k = 1; k < s->region->known->variables; k++)
+        best = s->share[k] > s->share[best] ? k : best;
+    return best;
+}
+
+/* Of the variables with the largest shares, that which, made a point, leaves the least error; the number of variables if no
+ * side is left to halve. */
+static size_t choose_variable(struct search *s)
+{
+    const size_t n = s->region->known->variables;
     size_t best = n;
-    for (size_t k = 0; k < n; k++) {
-        const double width = region_width(s->region, k, s->box[k]);
-        if (width > 0 && (best == n || share[k] > share[best] ||
-                          (share[k] == share[best] && width > region_width(s->region, best, s->box[best]))))
+    double least = INFINITY;
+    find_shares(s);
+    memcpy(s->part, s->box, n * sizeof *s->part);
+    for (int i = 0; i < TRIED; i++) {
+        const size_t k = largest_share(s);
+        if (n == 0 || s->share[k] < 0)
+            break;
+        s->share[k] = -1;
+        s->part[k] = interval_point(interval_middle(s->box[k]));
+        const double error = forms_evaluate(s->rounding->forms, s->part) ? rounding_error(s->rounding) : 0;
+        s->part[k] = s->box[k];
+        if (best == n || error < least) {
             best = k;
+            least = error;
+        }
     }
     return best;
 }
@@ -64,7 +89,7 @@ double bound_error(struct region *r, int op, long boxes, double *work)
     struct forms *w = forms_new(r->known, op);
     struct search s = {.region = r, .rounding = rounding_new(w, op)};
     const size_t n = r->known->variables;
-    const double box_work = (double)w->needs * 10 * ((double)n + 16);
+    const double box_work = (double)w->needs * 14 * ((double)n + 16);
     double bound = 0;
     s.boxes.variables = n;
     s.box = new_array(n, sizeof *s.box);

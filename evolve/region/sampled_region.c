@@ -193,7 +193,8 @@ static bool is_used(const struct genome_file *f, const struct genome_expr *e, co
 
 void scene_region_add(struct genome_file *f, const struct sample_set *set, size_t sets)
 {
-    if (!f->segment || shape_requires_add(f, set, sets))
+    /* where the order of corners depends on the slave node, samples are of a box of coordinates */
+    if (!f->segment || (f->order == CORNERS_ANY && shape_requires_add(f, set, sets)))
         return;
     const size_t inputs = f->inputs, flat = 3 * f->segment->corners - 1;
     struct extremes e = measure(f, set, sets);

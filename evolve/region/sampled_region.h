@@ -1,11 +1,12 @@
-/* The region that a genome file's ranges speak of: where the inputs of the scene lie, in the frame of section 3.1. */
+/* The region that a genome file speaks of: where the inputs of the scene lie. */
 #ifndef FOOTPOINT_SAMPLED_REGION_H
 #define FOOTPOINT_SAMPLED_REGION_H
 
 #include "../../codegen/genome/genome.h"
 #include "../surface/sample.h"
 
-/** Adds ranges of all inputs from samples, moved to A at the origin, B = (1,0,0), the last corner in the x-y plane, y >
+/** Adds the region of shapes (shape_requires.h), or, of other kinds and where the order of corners depends on the slave
+ *  node, ranges of all inputs from samples, moved to A at the origin, B = (1,0,0), the last corner in the x-y plane, y >
  *  0; for each expression of the file's `least` lines that is made of what the genomes need, where it is > 0 on all
  *  samples, the require that it is at least half of the least it is there; and for each quotient, or what is made of
  *  quotients, that does not change with the segment's size, local coordinates on the way to the result and the result
