@@ -84,12 +84,21 @@ static size_t choose_variable(struct search *s)
     return best;
 }
 
+static double joints(const struct rounding *e)
+{
+    double n = 0;
+    for (size_t i = 0; i < e->needs; i++)
+        n += e->forms->known->joint[e->needed[i]];
+    return n;
+}
+
 double bound_error(struct region *r, int op, long boxes, double *work)
 {
     struct forms *w = forms_new(r->known, op);
     struct search s = {.region = r, .rounding = rounding_new(w, op)};
     const size_t n = r->known->variables;
-    const double box_work = (double)w->needs * 14 * ((double)n + 16);
+    /* evaluations for the variables that are tried, and a way backwards from each joint */
+    const double box_work = (double)w->needs * 14 * ((double)n + 16) * (1 + joints(s.rounding) / 40.0);
     double bound = 0;
     s.boxes.variables = n;
     s.box = new_array(n, sizeof *s.box);
