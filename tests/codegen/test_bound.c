@@ -1,4 +1,4 @@
-/* Enclosures and error bounds against exact values: intervals, random programs, known programs, the genomes.  With
+/* Enclosures and error bounds against exact values: intervals, random programs, known programs.  With
  * FOOTPOINT_LONG set, at a million points each. */
 #include "../../codegen/bound/enclosure.h"
 #include "../../codegen/bound/evidence.h"
@@ -7,22 +7,12 @@
 #include "../../codegen/compile/compile.h"
 #include "../../codegen/program/evaluate.h"
 #include "../support/genome_text.h"
+#include "../support/rounding_subject.h"
 
-#include <dirent.h>
 #include <float.h>
 #include <math.h>
 
 enum { INPUTS = 3, OPS = 24, PROGRAMS = 400, BOXES = 6, POINTS = 8, INTERVALS = 100000 };
-
-static long sample_count(void)
-{
-    return getenv("FOOTPOINT_LONG") ? 1000000 : 3000;
-}
-
-static double fraction(uint64_t *seed)
-{
-    return (double)(random_next(seed) >> 11) * 0x1p-53;
-}
 
 /* ---- intervals ---- */
 
@@ -171,79 +161,11 @@ static void random_box(const struct known *x, uint64_t *seed, struct interval *b
     }
 }
 
-struct subject {
-    struct genome_file *file;
-    struct program *program;
-    struct region *region;
-    double *input, *at, *value; /* owned */
-    long double *near;          /* owned: by operation */
-    double *own, *known;        /* owned: by input and operation of the region's program */
-    struct interval *box;       /* owned */
-    arb_ptr exact;              /* owned: by output */
-};
-
-static long double nearest(const fmpq_t x)
-{
-    mpfr_t y;
-    mpfr_init2(y, 64);
-    fmpq_get_mpfr(y, x, MPFR_RNDN);
-    const long double value = mpfr_get_ld(y, MPFR_RNDN);
-    mpfr_clear(y);
-    return value;
-}
-
-static struct subject subject_new(const char *text, struct program *p)
-{
-    struct subject s = {.file = parse(text), .program = p};
-    s.region = region_new(s.file, p, true);
-    const size_t sides = s.region->known->variables > p->inputs ? s.region->known->variables : p->inputs;
-    s.input = new_array(p->inputs, sizeof *s.input);
-    s.at = new_array(sides, sizeof *s.at);
-    s.value = new_array(p->ops, sizeof *s.value);
-    s.near = new_array(p->ops, sizeof *s.near);
-    s.own = new_array(s.region->known->inputs, sizeof *s.own);
-    s.known = new_array(s.region->known->program->ops, sizeof *s.known);
-    point_constants(s.region->known->program, s.known);
-    s.box = new_array(sides, sizeof *s.box);
-    s.exact = _arb_vec_init((slong)p->outputs);
-    point_constants(p, s.value);
-    for (size_t i = 0; i < p->ops; i++)
-        if (p->op[i].kind == OP_CONSTANT)
-            s.near[i] = nearest(p->constant + p->op[i].input);
-    return s;
-}
-
-static void subject_free(struct subject *s)
-{
-    _arb_vec_clear(s->exact, (slong)s->program->outputs);
-    free(s->input);
-    free(s->at);
-    free(s->value);
-    free(s->near);
-    free(s->own);
-    free(s->known);
-    free(s->box);
-    region_free(s->region);
-    program_free(s->program);
-    genome_file_free(s->file);
-}
-
 static void point_in(struct subject *s, uint64_t *seed)
 {
     for (size_t k = 0; k < s->region->known->variables; k++)
         s->at[k] = inside(s->box[k], seed);
     region_inputs(s->region, s->at, s->input);
-}
-
-static double distance(double x, const arb_t exact)
-{
-    arb_t d;
-    arb_init(d);
-    arb_set_d(d, x);
-    arb_sub(d, d, exact, 128);
-    const double far = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR));
-    arb_clear(d);
-    return isfinite(x) ? far : INFINITY;
 }
 
 /* At points of the box that belong to the region, the last value's errors are below the bound, and all values are
@@ -271,7 +193,7 @@ static bool check_points(struct subject *s, const struct forms *w, double bound,
         }
         for (int k = 0; k < 4; k++) {
             point_double(s->program, s->input, k ? seed : NULL, s->value);
-            const double error = distance(s->value[last], s->exact + last);
+            const double error = error_of(s->value[last], s->exact + last);
             if (!(error <= bound))
                 fail_msg("error %a, bound %a", error, bound);
         }
@@ -366,124 +288,6 @@ static const struct bounded known[] = {
      "*out_r = t2 * (in_f * in_b - in_d * in_c);\n",
      8},
 };
-
-/* Some coordinates anew, each kept with a chance of `keep`; a quarter of the new ones are ends of their ranges. */
-static void move(struct subject *s, double keep, uint64_t *seed)
-{
-    for (size_t k = 0; k < s->region->known->variables; k++) {
-        const size_t input = s->region->known->input[k];
-        const struct interval range = s->region->doubles[input];
-        const uint64_t choice = random_next(seed) % 8;
-        if (fraction(seed) < keep)
-            continue;
-        const double x = range.lo + (fraction(seed) + fraction(seed) * 0x1p-51) * (range.hi - range.lo);
-        s->at[k] = choice == 0 ? range.lo : choice == 1 ? range.hi : fmin(x, range.hi);
-    }
-    region_inputs(s->region, s->at, s->input);
-}
-
-/* As far as rounded values of the requires tell. */
-static bool seems_in_region(struct subject *s)
-{
-    const struct known *x = s->region->known;
-    for (size_t i = 0; i < x->inputs; i++)
-        s->own[i] = x->variable[i] < x->variables ? s->at[x->variable[i]] : fmax(s->region->doubles[i].lo, -DBL_MAX);
-    point_double(x->program, s->own, NULL, s->known);
-    bool inside = true;
-    for (size_t i = 0; i < x->program->outputs && inside; i++)
-        inside = s->known[x->program->output[i]] > 0;
-    return inside;
-}
-
-static bool in_region(struct subject *s)
-{
-    for (size_t k = 0; k < s->region->known->variables; k++)
-        s->box[k] = interval_point(s->at[k]);
-    return region_holds(s->region, s->box);
-}
-
-/* Values in long double, whose errors are a two-thousandth: near enough to tell which points are worth an exact look. */
-static void near_values(struct subject *s)
-{
-    long double *const v = s->near;
-    for (size_t i = 0; i < s->program->ops; i++) {
-        const struct op *op = &s->program->op[i];
-        const long double a = op->a >= 0 ? v[op->a] : 0, b = op->b >= 0 ? v[op->b] : 0;
-        switch (op->kind) {
-        case OP_CONSTANT:
-            break; /* by subject_new */
-        case OP_INPUT:
-            v[i] = s->input[op->input];
-            break;
-        case OP_NEG:
-            v[i] = -a;
-            break;
-        case OP_ADD:
-            v[i] = a + b;
-            break;
-        case OP_SUB:
-            v[i] = a - b;
-            break;
-        case OP_MUL:
-            v[i] = a * b;
-            break;
-        case OP_DIV:
-            v[i] = a / b;
-            break;
-        case OP_PDIV:
-            v[i] = b == 0 ? 1 : a / b;
-            break;
-        case OP_MIN:
-            v[i] = a < b ? a : b;
-            break;
-        case OP_MAX:
-            v[i] = a > b ? a : b;
-            break;
-        default:
-            v[i] = op->kind == OP_UNARY + UNARY_SQRT ? sqrtl(a) : op->kind == OP_UNARY + UNARY_ABS ? fabsl(a) : NAN;
-        }
-    }
-}
-
-/* The worst error of each output at random points of the region, exactly where it may be the worst.  Where few points of the box belong to it one leads to
- * the next: from one to all coordinates are drawn anew, until that leaves the region no more. */
-static void worst_errors(struct subject *s, double *worst)
-{
-    static const double keep[] = {0, 0.5, 0.8, 0.95};
-    enum { TRIES = 200 }; /* for a point */
-    uint64_t seed = 11;
-    long left = 1000000, n = 0;
-    double *from = new_array(s->region->known->variables, sizeof *from);
-    for (size_t i = 0; i < s->program->outputs; i++)
-        worst[i] = 0;
-    if (!region_draw(s->region, &seed, 0, &left, from))
-        fail_msg("no point of the region was found");
-    for (left = TRIES * sample_count(); n < sample_count() && left > 0; left--) {
-        memcpy(s->at, from, s->region->known->variables * sizeof *from);
-        move(s, keep[left % 4], &seed);
-        if (!seems_in_region(s))
-            continue;
-        memcpy(from, s->at, s->region->known->variables * sizeof *from);
-        n++;
-        near_values(s);
-        bool exact = false, none = false; /* it is not in the region, or has no exact value, a quotient by 0 */
-        for (int k = 0; k < 2 && !none; k++) {
-            point_double(s->program, s->input, k ? &seed : NULL, s->value);
-            for (size_t i = 0; i < s->program->outputs && !none; i++) {
-                const int op = s->program->output[i];
-                if (fabsl(s->value[op] - s->near[op]) <= 0.99 * worst[i])
-                    continue;
-                exact = exact || (in_region(s) && point_exact(s->program, s->input, s->exact));
-                none = !exact;
-                if (exact)
-                    worst[i] = fmax(worst[i], distance(s->value[op], s->exact + i));
-            }
-        }
-        n -= none;
-    }
-    free(from);
-    assert_int_equal(n, sample_count());
-}
 
 static void test_known_programs(void **state)
 {
@@ -588,121 +392,6 @@ static void test_rows(void **state)
     }
 }
 
-/* ---- the generated headers ---- */
-
-/* The header that is made from a file of genomes. */
-static char *read_header(const char *file)
-{
-    char path[600], *text;
-    snprintf(path, sizeof path, "generated/footpoint_%.*s.h", (int)(strlen(file) - strlen(".gen")), file);
-    for (char *c = path; *c; c++)
-        *c = *c == '-' ? '_' : *c;
-    FILE *f = fopen(path, "r");
-    assert_non_null(f);
-    fseek(f, 0, SEEK_END);
-    const size_t size = (size_t)ftell(f);
-    text = new_array(size + 1, 1);
-    rewind(f);
-    assert_int_equal(fread(text, 1, size, f), size);
-    fclose(f);
-    return text;
-}
-
-/* The bound that a header claims for an output of a genome; infinite if it claims none. */
-static double claimed_bound(const char *header, const struct genome *g, size_t output)
-{
-    char start[200], line[200];
-    snprintf(start, sizeof start, "_%s\n *   operations:", g->name);
-    snprintf(line, sizeof line, " %s <= ", g->out[output].name);
-    const char *banner = strstr(header, start);
-    assert_non_null(banner);
-    banner = strstr(banner, "\n *   rounding:");
-    assert_non_null(banner);
-    const char *end = strstr(banner, "points)"), *claim = strstr(banner, line);
-    return claim && end && claim < end ? strtod(claim + strlen(line), NULL) : INFINITY;
-}
-
-/* The text with all declarations that follow one another side by side, as headers have them as far as there is room. */
-static char *joined(const char *text)
-{
-    static const char *const between[] = {";\n    const double ", ";\n    double "};
-    char *copy = new_array(strlen(text) + 1, 1), *end = copy;
-    while (*text) {
-        size_t n = 0;
-        for (int k = 0; k < 2; k++)
-            n = strncmp(text, between[k], strlen(between[k])) == 0 ? strlen(between[k]) : n;
-        end = stpcpy(end, n ? ", " : (const char[]){*text, '\0'});
-        text += n ? n : 1;
-    }
-    return copy;
-}
-
-static bool holds(const char *header, const char *statements)
-{
-    char *in = joined(header), *what = joined(statements);
-    const bool found = strstr(in, what) != NULL;
-    free(in);
-    free(what);
-    return found;
-}
-
-static void check_genome(const struct genome_file *f, size_t k, const char *header)
-{
-    const struct compile_options o = compile_defaults();
-    const struct genome *g = &f->genome[k];
-    struct compiled c;
-    struct diag d = {0};
-    char *text = NULL;
-    size_t size = 0;
-    bool claims = false;
-    for (size_t i = 0; i < g->outs; i++)
-        claims = claims || claimed_bound(header, g, i) < INFINITY;
-    if (!claims)
-        return;
-    FILE *copy = open_memstream(&text, &size);
-    genome_print(f, copy);
-    fclose(copy);
-    assert_true(compile_genome(f, g, &o, &c, &d));
-    assert_true(strstr(header, "precision: float") || holds(header, c.text));
-    struct subject s = subject_new(text, read_program(f, k, c.text));
-    double *worst = new_array(g->outs, sizeof *worst);
-    worst_errors(&s, worst);
-    for (size_t i = 0; i < g->outs; i++) {
-        const double bound = claimed_bound(header, g, i);
-        print_message("%s %s %s: bound %g, worst error %g\n", f->path, g->name, g->out[i].name, bound, worst[i]);
-        assert_true(!(worst[i] > bound));
-    }
-    free(worst);
-    subject_free(&s);
-    compiled_free(&c);
-    free(text);
-}
-
-/* No bound that a header claims is below an error. */
-static void test_headers(void **state)
-{
-    (void)state;
-    static const char folder[] = "evolve/genomes";
-    struct dirent **entry;
-    if (!getenv("FOOTPOINT_LONG"))
-        return; /* a matter of check-long */
-    const int n = scandir(folder, &entry, NULL, alphasort);
-    assert_true(n > 0);
-    for (int i = 0; i < n; i++) {
-        char path[600];
-        struct diag d = {0};
-        snprintf(path, sizeof path, "%s/%s", folder, entry[i]->d_name);
-        struct genome_file *f = strstr(path, ".gen") ? genome_read(path, &d) : NULL;
-        char *header = f ? read_header(entry[i]->d_name) : NULL;
-        for (size_t k = 0; f && k < f->genomes; k++)
-            check_genome(f, k, header);
-        free(header);
-        genome_file_free(f);
-        free(entry[i]);
-    }
-    free(entry);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -712,7 +401,6 @@ int main(void)
         cmocka_unit_test(test_known_programs),
         cmocka_unit_test(test_region),
         cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_headers),
     };
     return cmocka_run_group_tests_name("bound", tests, NULL, NULL);
 }
