@@ -14,7 +14,7 @@
 
 #include <cmocka.h>
 
-enum { ROOM = 4000, POINTS = 2000, BOXES = 6000, RANDOM_CASES = 60 };
+enum { ROOM = 4000, POINTS = 2000, BOXES = 6000, RANDOM_CASES = 20, RANDOM_CASES_LONG = 60 };
 
 /* Code for in_a .. in_h and *out_r; requires and ranges as in a genome file. */
 struct trial {
@@ -281,7 +281,8 @@ static void test_random_spheres(void **state)
 {
     (void)state;
     uint64_t seed = 3;
-    for (int i = 0; i < RANDOM_CASES; i++) {
+    const int cases = getenv("FOOTPOINT_LONG") ? RANDOM_CASES_LONG : RANDOM_CASES;
+    for (int i = 0; i < cases; i++) {
         char code[400];
         double centre[3];
         for (int k = 0; k < 3; k++)
