@@ -308,7 +308,7 @@ $(FRONT)/bench_methods.o: tests/bench/bench_methods.c $(FRONT)/methods.h $(FRONT
                           $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc
 	$(call say,CC,$< (front))
 	$(Q)$(CC) $(filter-out $(OPT_$(CONFIG)),$(CFLAGS)) $(OPT_release) $(FAST) -march=native -I$(FRONT) -I$(OBJ) \
-	    -DBENCH_ISA=quick -DBENCH_ISA_NAME='"native"' -DBENCH_FLAGS='"$(OPT_release) $(FAST) -march=native"' -c $< -o $@
+	    -DBENCH_BARE -DBENCH_ISA=quick -DBENCH_ISA_NAME='"native"' -DBENCH_FLAGS='"$(OPT_release) $(FAST) -march=native"' -c $< -o $@
 
 $(FRONT)/footpoint-bench: $(FRONT)/bench_methods.o $(call object,tests/bench/bench_main.c $(bench_lib)) \
                           $(OBJ)/support.a $(evolve_parts)
