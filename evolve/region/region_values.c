@@ -39,22 +39,26 @@ static bool has_name(const struct genome_file *f, size_t symbol)
     return genome_find_symbol(f, genome_symbol_name(f, symbol)) == (long)symbol;
 }
 
+/* By let. */
+static bool *quotients(const struct genome_file *f)
+{
+    bool *quotient = new_array(f->lets, sizeof *quotient);
+    for (size_t i = 0; i < f->lets; i++)
+        quotient[i] = has_quotient(f, &f->let[i], quotient);
+    return quotient;
+}
+
 bool *named_quotients(const struct genome_file *f, const bool *used)
 {
-    bool *quotient = new_array(f->lets, sizeof *quotient), *named = new_array(f->lets, sizeof *named);
-    for (size_t i = 0; i < f->lets; i++) {
-        quotient[i] = has_quotient(f, &f->let[i], quotient);
-        named[i] = quotient[i] && used[i] && has_name(f, f->inputs + i);
-    }
-    free(quotient);
+    bool *named = quotients(f);
+    for (size_t i = 0; i < f->lets; i++)
+        named[i] = named[i] && used[i] && has_name(f, f->inputs + i);
     return named;
 }
 
 bool output_is_quotient(const struct genome_file *f, const struct genome_expr *out)
 {
-    bool *quotient = new_array(f->lets, sizeof *quotient);
-    for (size_t i = 0; i < f->lets; i++)
-        quotient[i] = has_quotient(f, &f->let[i], quotient);
+    bool *quotient = quotients(f);
     const bool is = out->length > 1 && has_quotient(f, out, quotient);
     free(quotient);
     return is;

@@ -155,7 +155,7 @@ static void add_node(const struct shape *p, FILE *out, size_t node)
     }
 }
 
-/* sum of DIGIT u^i v^j with the letter's coefficients, or of the derivatives of that by u or v; `first`: what goes before. */
+/* The sum of coefficients LETTERij times powers FACTORij, which may be derivatives; `first`: what goes before. */
 static void add_sum(const struct shape *p, FILE *out, const char *name, const char *first, const char *letter,
                     const char *factor)
 {

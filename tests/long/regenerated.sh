@@ -11,7 +11,7 @@ for scene in ${SCENES:-evolve/scenes/*.scene}; do basename "$scene" .scene; done
 
 # errors FILE: a line "SCENE FUNCTION SAMPLES_OUTPUT mean 99% worst" for each output of each held-out note
 errors() {
-    awk -v scene="$(basename "$1" .gen)" '/^genome /{ name = $2 } 
+    awk -v scene="$(basename "$1" .gen)" '/^genome /{ name = $2 }
         /^note heldout_/{ for (k = 0; k < 2; k++) print scene, name, $2 "_" k, $(6 + k), $(9 + k), $(12 + k) }' "$1"
 }
 for file in "$work"/*.gen; do

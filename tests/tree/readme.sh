@@ -120,6 +120,15 @@ for f in fast coarse gauss2 medium balanced fine precise accurate full; do
     row=$(awk -F' *\\| *' -v f="\`_$f\`" '$2 == f { print $3, $4, $5, $6, $7 }' README.md)
     [ -n "$row" ] && [ "$row" = "${counted% *} $noted" ]; report $((! $?)) "quad4_$f on the front page"
 done
+# outputs HEADER...: how many have a proved bound of their rounding error, and how many there are
+outputs() {
+    awk '/^ \*   [a-z]/ { on = /^ \*   rounding:/ } on { sub(/^ \*/, ""); text = text " " $0 }
+        END { print gsub(/ proved[, ]/, "", text), gsub(/ sampled/, "", text) }' "$@"
+}
+row=$(tr '\n' ' ' < codegen/README.md |
+    sed -n 's/.*Of the \([0-9]*\) outputs of *the searches in `generated.` \([0-9]*\) have one, of the \([0-9]*\) of derivatives \([0-9]*\)\..*/\2 \1 \4 \3/p')
+[ "$row" = "$(outputs $(ls generated/*.h | grep -v _derivatives)) $(outputs generated/*_derivatives.h)" ]
+report $((! $?)) 'how many outputs have bounds'
 row=$(sed -n 's/^| `footpoint_locate` .* \([0-9.e-]*\), proved .*/\1/p' README.md)
 noted=$(sed -n 's/^#define FOOTPOINT_CHECK_WORST //p' runtime/certain/check.h)
 [ "$row" = "$(printf '%.1e' "$noted" | sed 's/e-0/e-/')" ]; report $((! $?)) 'what footpoint_locate proves'
