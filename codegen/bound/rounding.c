@@ -23,6 +23,7 @@
 
 #define UNIT 0x1p-53
 #define LEAST 0x1p-1074
+#define MOST_LINKED ((size_t)1 << 24) /* operations on ways backwards from joints, in one box: a tenth of a second */
 #define GROW (1 + 0x1p-45) /* above the roundings of the terms of a bound, all positive */
 
 /* What the program is given, exactly: its inputs, which a region block may compute of others. */
@@ -31,11 +32,18 @@ static bool is_given(const struct known *x, int op)
     return (size_t)op < x->first;
 }
 
+static bool is_joint(const struct rounding *e, int i)
+{
+    const struct known *x = e->forms->known;
+    return (x->joint[i] || x->pinned[i]) && !is_given(x, i);
+}
+
 struct rounding *rounding_new(struct forms *w, int op)
 {
     struct rounding *e = new_array(1, sizeof *e);
     const struct program *p = w->known->program;
     bool *marked = new_array(p->ops, sizeof *marked);
+    size_t joints = 0;
     *e = (struct rounding){.forms = w, .op = op};
     e->needed = new_array(w->needs, sizeof *e->needed);
     e->place = new_array(p->ops, sizeof *e->place);
@@ -63,6 +71,9 @@ struct rounding *rounding_new(struct forms *w, int op)
             e->needed[e->needs++] = i;
         }
     free(marked);
+    for (size_t n = 0; n < e->needs; n++)
+        joints += is_joint(e, e->needed[n]);
+    e->links = joints == 0 || e->needs <= MOST_LINKED / joints;
     return e;
 }
 
@@ -464,12 +475,6 @@ static double backward_error(struct rounding *e, int result, enum way way)
     return checked(error * (1 + 0x1p-30), 0); /* its terms are many */
 }
 
-static bool is_joint(const struct rounding *e, int i)
-{
-    const struct known *x = e->forms->known;
-    return (x->joint[i] || x->pinned[i]) && !is_given(x, i);
-}
-
 /* A joint's error, found backwards from those before it. */
 static void bound_joint(struct rounding *e, int i)
 {
@@ -491,7 +496,7 @@ double rounding_error(struct rounding *e)
         const int i = e->needed[n];
         propagate(e, (size_t)i);
         e->linked[i] = false;
-        if (e->error[i] > 0 && (i == e->op || is_joint(e, i)))
+        if (e->error[i] > 0 && (i == e->op || (e->links && is_joint(e, i))))
             bound_joint(e, i);
     }
     return e->error[e->op] < INFINITY ? lesser(e->error[e->op], backward_error(e, e->op, BY_NONE)) : INFINITY;

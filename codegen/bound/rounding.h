@@ -16,6 +16,7 @@ struct rounding {
     int *needed;         /* owned: operations that it depends on, ascending */
     size_t needs;
     size_t *place;          /* owned: by operation, where it stands among these */
+    bool links;             /* errors of joints are found backwards: there are not too many of them */
     double *constant;       /* owned: by operation, error of the constants */
     double *error;          /* owned: by operation, above |computed - exact|; +infinity: no bound */
     double *relative;       /* owned: by operation, above |computed - exact| / |exact| */
