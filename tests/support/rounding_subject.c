@@ -148,42 +148,100 @@ static void near_values(struct subject *s)
     }
 }
 
-/* The worst error of each output at random points of the region, exactly where it may be the worst.  Where few points of the box belong to it one leads to
- * the next: from one to all coordinates are drawn anew, until that leaves the region no more. */
-void worst_errors(struct subject *s, double *worst)
+/* Errors of the outputs at the point, of products contracted or not whichever is worse, about; the worst so far, exactly.
+ * False: it is not in the region, or has no exact value, a quotient by 0. */
+static bool look(struct subject *s, uint64_t *seed, double *about, double *worst)
+{
+    bool exact = false;
+    near_values(s);
+    for (size_t i = 0; i < s->program->outputs; i++)
+        about[i] = 0;
+    for (int k = 0; k < 2; k++) {
+        point_double(s->program, s->input, k ? seed : NULL, s->value);
+        for (size_t i = 0; i < s->program->outputs; i++) {
+            const int op = s->program->output[i];
+            const double error = (double)fabsl(s->value[op] - s->near[op]);
+            about[i] = !(error <= about[i]) ? error : about[i];
+            if (error <= 0.99 * worst[i])
+                continue;
+            exact = exact || (in_region(s) && point_exact(s->program, s->input, s->exact));
+            if (!exact)
+                return false;
+            worst[i] = fmax(worst[i], error_of(s->value[op], s->exact + i));
+        }
+    }
+    return true;
+}
+
+/* The next of the points that the region is walked through by.  Where few points of the box belong to it one leads to the
+ * next: from one to all coordinates are drawn anew, until that leaves the region no more.  False: no more tries are left. */
+static bool walk(struct subject *s, double *from, uint64_t *seed, long *tries)
 {
     static const double keep[] = {0, 0.5, 0.8, 0.95};
-    enum { TRIES = 200 }; /* for a point */
-    uint64_t seed = 11;
-    long left = 1000000, n = 0;
-    double *from = new_array(s->region->known->variables, sizeof *from);
-    for (size_t i = 0; i < s->program->outputs; i++)
-        worst[i] = 0;
-    if (!region_draw(s->region, &seed, 0, &left, from))
-        fail_msg("no point of the region was found");
-    for (left = TRIES * sample_count(); n < sample_count() && left > 0; left--) {
-        memcpy(s->at, from, s->region->known->variables * sizeof *from);
-        move(s, keep[left % 4], &seed);
-        if (!seems_in_region(s))
-            continue;
-        memcpy(from, s->at, s->region->known->variables * sizeof *from);
-        n++;
-        near_values(s);
-        bool exact = false, none = false; /* it is not in the region, or has no exact value, a quotient by 0 */
-        for (int k = 0; k < 2 && !none; k++) {
-            point_double(s->program, s->input, k ? &seed : NULL, s->value);
-            for (size_t i = 0; i < s->program->outputs && !none; i++) {
-                const int op = s->program->output[i];
-                if (fabsl(s->value[op] - s->near[op]) <= 0.99 * worst[i])
-                    continue;
-                exact = exact || (in_region(s) && point_exact(s->program, s->input, s->exact));
-                none = !exact;
-                if (exact)
-                    worst[i] = fmax(worst[i], error_of(s->value[op], s->exact + i));
-            }
+    const size_t size = s->region->known->variables * sizeof *from;
+    while ((*tries)-- > 0) {
+        memcpy(s->at, from, size);
+        move(s, keep[*tries & 3], seed);
+        if (seems_in_region(s)) {
+            memcpy(from, s->at, size);
+            return true;
         }
-        n -= none;
     }
-    free(from);
+    return false;
+}
+
+/* One coordinate changed, by from all of its range to its last digits. */
+static void step(struct subject *s, uint64_t *seed)
+{
+    const struct known *x = s->region->known;
+    const size_t k = random_next(seed) % x->variables;
+    const struct interval range = s->region->doubles[x->input[k]];
+    const double far = ldexp(2 * fraction(seed) - 1, -(int)(random_next(seed) % 52)) * (range.hi - range.lo);
+    s->at[k] = fmin(fmax(s->at[k] + far, range.lo), range.hi);
+    region_inputs(s->region, s->at, s->input);
+}
+
+/* Uphill from a point, by what makes the error of one output larger. */
+static void climb(struct subject *s, size_t output, double *from, uint64_t *seed, double *about, double *worst)
+{
+    const size_t size = s->region->known->variables * sizeof *from;
+    enum { STEPS = 100 };
+    double highest = -1;
+    for (int n = 0; n <= STEPS; n++) {
+        memcpy(s->at, from, size);
+        if (n > 0)
+            step(s, seed);
+        else
+            region_inputs(s->region, s->at, s->input);
+        if (!seems_in_region(s) || !look(s, seed, about, worst) || !(about[output] > highest))
+            continue;
+        highest = about[output];
+        memcpy(from, s->at, size);
+    }
+}
+
+void worst_errors(struct subject *s, double *worst)
+{
+    enum { TRIES = 200 }; /* for a point */
+    const size_t variables = s->region->known->variables, outputs = s->program->outputs;
+    const long starts = sample_count() / 1000;
+    uint64_t seed = 11;
+    long draws = 1000000, tries = TRIES * sample_count(), n = 0;
+    double *from = new_array(variables, sizeof *from), *top = new_array(variables, sizeof *top);
+    double *about = new_array(outputs, sizeof *about);
+    for (size_t i = 0; i < outputs; i++)
+        worst[i] = 0;
+    if (!region_draw(s->region, &seed, 0, &draws, from))
+        fail_msg("no point of the region was found");
+    while (n < sample_count() && walk(s, from, &seed, &tries))
+        n += look(s, &seed, about, worst);
     assert_int_equal(n, sample_count());
+    for (n = 0; n < starts && variables > 0 && walk(s, from, &seed, &(long){TRIES * 1000}); n++)
+        for (size_t i = 0; i < outputs; i++) {
+            memcpy(top, from, variables * sizeof *top);
+            climb(s, i, top, &seed, about, worst);
+        }
+    free(from);
+    free(top);
+    free(about);
 }

@@ -35,7 +35,8 @@ void subject_free(struct subject *s);
 /** |x - exact|; infinite unless x is finite. */
 double error_of(double x, const arb_t exact);
 
-/** The worst error of each output at sample_count() random points of the region, exactly where it may be the worst. */
+/** The worst error of each output, exactly where it may be the worst: at sample_count() random points of the region, and on
+ *  the way uphill from a thousandth as many. */
 void worst_errors(struct subject *s, double *worst);
 
 #endif
