@@ -185,3 +185,9 @@ b, 2 of 2, search for the cheapest form ...  N s left
 b, 2 of 2, proofs and bounds ...  N s left' ] && [ "$(wc -l < "$work/data")" = 3 ]
     report $((! $?)) 'a line on a terminal'
 fi
+
+# A long chain of protected quotients: work that grows as its square would take minutes (tests/long/hostile.sh has longer ones).
+awk 'BEGIN { print "footpoint-genome 1\ninput x y\ngenome g"; printf "r ="
+    for (i = 0; i < 50000; i++) printf " %% x"; print " y\nend" }' > "$g"
+(ulimit -t 20; exec "$codegen" --quiet --allow-poles "$g" -o "$work/h.h") > /dev/null 2>&1
+report $((! $?)) 'a chain of protected quotients'
