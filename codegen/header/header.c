@@ -51,7 +51,7 @@ static void print_one(const struct unit *u, const struct function *f, FILE *out)
     if (poles) {
         const char *top = u->options.precision == PRECISION_FLOAT ? "31" : "63";
         char *flaw = c_flaw(u, f, true);
-        char *last = new_format("    return (%s) >> %s ? FOOTPOINT_ERR_DEGENERATE : FOOTPOINT_OK;", flaw, top);
+        char *last = new_format("    return FOOTPOINT_ERR_DEGENERATE * (int)((%s) >> %s);", flaw, top);
         c_print_broken(last, out);
         free(last);
         free(flaw);
