@@ -24,7 +24,7 @@
 #define UNIT 0x1p-53
 #define LEAST 0x1p-1074
 #define MOST_LINKED ((size_t)1 << 24) /* operations on ways backwards from joints, in one box: a tenth of a second */
-#define GROW (1 + 0x1p-45) /* above the roundings of the terms of a bound, all positive */
+#define GROW (1 + 0x1p-45)            /* above the roundings of the terms of a bound, all positive */
 
 /* What the program is given, exactly: its inputs, which a region block may compute of others. */
 static bool is_given(const struct known *x, int op)
