@@ -241,6 +241,7 @@ void worst_errors(struct subject *s, double *worst)
             memcpy(top, from, variables * sizeof *top);
             climb(s, i, top, &seed, about, worst);
         }
+    assert_int_equal(n, variables > 0 ? starts : 0);
     free(from);
     free(top);
     free(about);
