@@ -20,8 +20,9 @@ bool read_gene(struct reader *r, int *gene)
         return true;
     if (looks_like_number(r))
         return read_number(r, gene);
-    const struct name *n = word_copy(&r->w, name, sizeof name) ? find_name(r, name) : NULL;
-    if (!n && r->in_require && r->file->region) {
+    const bool fits = word_copy(&r->w, name, sizeof name);
+    const struct name *n = fits ? find_name(r, name) : NULL;
+    if (fits && !n && r->in_require && r->file->region) {
         const long shape = genome_find_symbol(r->file->region, name);
         if (shape >= 0) {
             *gene = GENE_LOCAL + (int)shape;

@@ -1,12 +1,13 @@
-# The test programs under valgrind: no invalid access, nothing read before it is set, no block lost.  Not the two that
-# compute for minutes on end without it (test_calibration; test_headers, whose headers tests/cli/header.sh tries alone),
-# and not where long double has to have 64 digits, of which valgrind keeps 53 (test_along, test_attach, test_reference).
+# The test programs under valgrind: no invalid access, nothing read before it is set, no block lost.  Not those that
+# compute on end and have no memory of their own to lose (test_calibration, test_digits, test_float; test_headers, whose
+# headers tests/cli/header.sh tries alone), and not where long double has to have 64 digits, of which valgrind keeps 53
+# (test_along, test_attach, test_bound, test_reference).
 . tests/cli/expect.inc
 unset FOOTPOINT_LONG # as check has them: a program takes thirty times as long
 command -v valgrind > /dev/null || { report 1 'skipped: no valgrind'; exit 0; }
 for program in "$BIN"/tests/test_*; do
     test=$(basename "$program")
-    case $test in test_calibration | test_headers | test_along | test_attach | test_reference) continue ;; esac
+    case $test in test_calibration | test_digits | test_float | test_headers | test_along | test_attach | test_bound | test_reference) continue ;; esac
     valgrind -q --leak-check=full --errors-for-leak-kinds=definite --error-exitcode=99 "$program" > "$work/log" 2>&1
     good=$((! $?))
     [ "$good" = 1 ] || tail -40 "$work/log" | sed 's/^/# /'
