@@ -29,12 +29,14 @@ struct search {
     double work; /* left */
 };
 
-/* Boxes that the work left allows for one of `searches` more searches. */
+/* Boxes that the work left allows for one of `searches` more searches; where a range is missing few, which tell whether D is 0
+ * anywhere at all. */
 static long boxes_for(struct search *s, size_t searches)
 {
     const double variables = (double)s->region->known->variables, ops = (double)s->region->known->program->ops;
     const double cost = ops * (variables + 4) * (variables + 8), most = s->work / (double)searches / cost;
-    const long boxes = most < (double)s->boxes ? (long)most : s->boxes;
+    const long wanted = s->region->known->complete ? s->boxes : s->boxes / 16;
+    const long boxes = most < (double)wanted ? (long)most : wanted;
     s->work -= (double)boxes * cost + 10 * ops;
     return boxes;
 }
