@@ -366,6 +366,9 @@ build-tests: $(isa_parts) all $(TESTS)
 LONGEST := statuses evolve header hard checkpoint bench counts languages
 LONGEST := $(BIN)/tests/test_headers $(LONGEST:%=tests/cli/%.sh)
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh))
+LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations valgrind vector regenerated hard_cases debian)
+long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \
+    $(filter-out %/test_header_bounds,$(in_order)) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
 run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh
 
 # The tests take the bench's methods that have been built before, or those that compile soonest.
@@ -377,7 +380,7 @@ check: ## run the tests, less those that take long (some minutes; JOBS= at a tim
 
 check-long: ## all tests in full, and the long ones; what compares times by itself (hours; JOBS= at a time)
 	$(Q)$(build_tests)
-	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(in_order) $(wildcard tests/long/*.sh) --alone $(wildcard tests/timed/*.sh)
+	$(Q)FOOTPOINT_LONG=1 JOBS=$(JOBS) $(run_tests) $(long_in_order) --alone $(wildcard tests/timed/*.sh)
 
 bench: bench-program ## speed against error of every method on held-out samples: SCENE=
 	$(Q)$(BIN)/footpoint-bench $(if $(SCENE),--scene $(SCENE))

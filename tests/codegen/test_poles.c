@@ -14,7 +14,7 @@
 
 #include <cmocka.h>
 
-enum { ROOM = 4000, POINTS = 2000, BOXES = 6000, RANDOM_CASES = 20, RANDOM_CASES_LONG = 60 };
+enum { ROOM = 4000, POINTS = 2000, BOXES = 6000, RANDOM_CASES = 6, RANDOM_CASES_LONG = 60 };
 
 /* Code for in_a .. in_h and *out_r; requires and ranges as in a genome file. */
 struct trial {

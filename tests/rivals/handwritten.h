@@ -176,7 +176,6 @@ FOOTPOINT_FN void hand_search(HAND_NODES, int newton, int chebyshev, double *xi,
     {                                                                                                                  \
         hand_search(xA, xB, xC, xD, xS, newton, chebyshev, xi, eta);                                                   \
     }
-HAND_SEARCH(balanced, 1, 0)
 HAND_SEARCH(fine, 0, 1)
 HAND_SEARCH(precise, 2, 0)
 HAND_SEARCH(accurate, 3, 0)

@@ -3,8 +3,8 @@
  * and mode, for tests/timed/handwritten.sh.
  *
  * All three are compiled alike, and inlined alike into a function of one search, "scalar", and into a loop over columns
- * of coordinates, "batch".  They take turns, ROUNDS times, and a ratio is the median over the rounds of another one's
- * time over ours in the same round: what else the machine does falls on both. */
+ * of coordinates, "batch", which of ours is NAME_n.  They take turns, ROUNDS times, and a ratio is the median over the
+ * rounds of another one's time over ours in the same round: what else the machine does falls on both. */
 
 /* Clang leaves the larger ones out of line otherwise, and the loops without vectors. */
 #define FOOTPOINT_FN static inline __attribute__((always_inline))
@@ -39,11 +39,22 @@ struct search {
     void (*batch)(struct block *b);
 };
 
-#define DEFINE(function)                                                                                               \
+#define DEFINE_ONE(function)                                                                                           \
     __attribute__((noinline)) static void one_##function(const struct quad *q, double found[2])                        \
     {                                                                                                                  \
         function(q->x[0], q->x[1], q->x[2], q->x[3], q->xs, &found[0], &found[1]);                                     \
-    }                                                                                                                  \
+    }
+#define DEFINE_OURS(name)                                                                                              \
+    DEFINE_ONE(footpoint_##name##_at)                                                                                  \
+    __attribute__((noinline)) static void batch_footpoint_##name##_at(struct block *s)                                 \
+    {                                                                                                                  \
+        const double *x[15];                                                                                           \
+        for (int k = 0; k < 15; k++)                                                                                   \
+            x[k] = s->x[k];                                                                                            \
+        footpoint_##name##_n(SAMPLES, x, s->found[0], s->found[1]);                                                    \
+    }
+#define DEFINE(function)                                                                                               \
+    DEFINE_ONE(function)                                                                                               \
     __attribute__((noinline)) static void batch_##function(struct block *s)                                            \
     {                                                                                                                  \
         for (int i = 0; i < SAMPLES; i++) {                                                                            \
@@ -53,13 +64,13 @@ struct search {
             function(xA, xB, xC, xD, xS, &s->found[0][i], &s->found[1][i]);                                            \
         }                                                                                                              \
     }
-/* What nobody would write by hand is compared with its genome as written alone. */
+/* What nobody would write by hand, and what was bred, is compared with its genome as written alone. */
 #define METHODS(M)                                                                                                     \
     M(blocks_quad4_fast, hand_fast)                                                                                    \
-    M(blocks_quad4_coarse, hand_coarse)                                                                                \
+    M(blocks_quad4_coarse, written_blocks_quad4_coarse)                                                                \
     M(blocks_quad4_gauss2, hand_gauss2)                                                                                \
     M(blocks_quad4_medium, hand_medium)                                                                                \
-    M(blocks_quad4_balanced, hand_balanced)                                                                            \
+    M(blocks_quad4_balanced, written_blocks_quad4_balanced)                                                            \
     M(blocks_quad4_fine, hand_fine)                                                                                    \
     M(blocks_quad4_accurate, hand_precise)                                                                             \
     M(paper_quad4_gauss, hand_paper_gauss)                                                                             \
@@ -78,16 +89,16 @@ struct search {
     M(punch_quad4_coarse, hand_coarse)                                                                                 \
     M(punch_quad4_gauss2, hand_gauss2)                                                                                 \
     M(punch_quad4_medium, hand_medium)                                                                                 \
-    M(punch_quad4_balanced, hand_balanced)                                                                             \
-    M(punch_quad4_fine, hand_fine)                                                                                     \
-    M(punch_quad4_accurate, hand_precise)                                                                              \
+    M(punch_quad4_balanced, written_punch_quad4_balanced)                                                              \
+    M(punch_quad4_fine, written_punch_quad4_fine)                                                                      \
+    M(punch_quad4_accurate, written_punch_quad4_accurate)                                                              \
     M(quad4_fast, hand_fast)                                                                                           \
     M(quad4_coarse, hand_coarse)                                                                                       \
     M(quad4_gauss2, hand_gauss2)                                                                                       \
     M(quad4_medium, hand_medium)                                                                                       \
-    M(quad4_balanced, hand_balanced)                                                                                   \
-    M(quad4_fine, hand_fine)                                                                                           \
-    M(quad4_precise, hand_precise)                                                                                     \
+    M(quad4_balanced, written_quad4_balanced)                                                                          \
+    M(quad4_fine, written_quad4_fine)                                                                                  \
+    M(quad4_precise, written_quad4_precise)                                                                            \
     M(quad4_accurate, hand_accurate)                                                                                   \
     M(quad4_full, hand_full)                                                                                           \
     M(whole_quad4_gauss, hand_whole_gauss)                                                                             \
@@ -111,7 +122,7 @@ struct search {
     }
 METHODS(DEFINE_HAND)
 
-#define DEFINE_METHOD(name, hand) DEFINE(footpoint_##name##_at) DEFINE(by_hand_##name) DEFINE(written_##name)
+#define DEFINE_METHOD(name, hand) DEFINE_OURS(name) DEFINE(by_hand_##name) DEFINE(written_##name)
 METHODS(DEFINE_METHOD)
 
 enum { OURS, HAND, WRITTEN, RIVALS };
