@@ -13,8 +13,9 @@
  *     [0.9,1], xS in [-1.3,1.3], yS in [-1.3,1.3], zS in [-0.3,0.3], xi in [-1.1,1.1], eta in [-1.1,1.1]; all
  *     requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, and sampled
- * in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
+ * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
+ * find it.
  */
 #ifndef FOOTPOINT_BEZIER_DERIVATIVES_H
 #define FOOTPOINT_BEZIER_DERIVATIVES_H
@@ -96,6 +97,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     } both;
     both.number = x;
     return both.bits;
+}
+
+/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
+ * instructions each where it knows them, else one. */
+FOOTPOINT_PART double footpoint_detail_zero(void)
+{
+    const volatile int zero = 0;
+    return (double)zero;
 }
 
 /* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
@@ -240,11 +249,11 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
 /* footpoint_bezier_place
  *   operations:     175 mul, 1 div, 137 add, 1 sqrt, 0 compare; 95 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  096da1e4056194d70d6375d7d519bd1a445a7a5720664f3466337909ac95e3ba
+ *   genome_sha256:  b46214b4583f692196a3eb08012c7c97eb3f338f1e66fc76eb4b076802169733
  *   poles:          t92: proved free of zeros, |t92| >= 0.099 (rounding error <= 1.5e-13)
- *   rounding:       r <= 2.7e-15 proved, 9e-16 sampled; r_xi <= 2.3e-15 proved, 4.4e-16 sampled; r_eta <= 2.3e-15
- *     proved, 5.5e-16 sampled; normal <= 6.1e-11 proved, 4.3e-16 sampled; gap <= 4.2e-10 proved, 5.4e-16 sampled
- *     (10000 points)
+ *   rounding:       r <= 2.7e-15 proved, 1.8e-15 at points, 9e-16 sampled; r_xi <= 2.3e-15 proved, 7.8e-16 at points,
+ *     4.4e-16 sampled; r_eta <= 2.3e-15 proved, 1.2e-15 at points, 5.5e-16 sampled; normal <= 6.6e-11 proved, 9.3e-16
+ *     at points, 4.3e-16 sampled; gap <= 4.3e-10 proved, 2.9e-15 at points, 5.4e-16 sampled (10000 points)
  *   gives:          r, r_xi, r_eta point and tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -386,7 +395,7 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
     double *const row[5] = {r, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_bezier_place(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -412,6 +421,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[10] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -421,7 +431,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[5] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_bezier_place(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -447,14 +457,16 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[27], \
 /* footpoint_bezier_gradients
  *   operations:     995 mul, 2 div, 597 add, 1 sqrt, 2 compare; 366 temporaries
  *   proof:          equal to the genome at 2 random points modulo a 512-bit prime: chance of error below 2^-157
- *   genome_sha256:  92d18513abda4dec92c31908237bf619688dd7c8bc9bc2b5707a4003ac1698d9
- *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 2.6e-06)
- *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 9.3e-05)
- *   rounding:       r <= 3.1e-15 proved, 7.5e-16 sampled; r_xi <= 2.6e-15 proved, 5.4e-16 sampled; r_eta <= 2.7e-15
- *     proved, 5.4e-16 sampled; normal <= 4e-09 proved, 3.4e-16 sampled; gap <= 5.4e-08 proved, 4.8e-16 sampled; d_xi
- *     <= 0.48 proved, 7.7e-15 sampled; d_eta <= 0.28 proved, 6.6e-15 sampled; d_gap <= 1.3e-08 proved, 3.6e-16
- *     sampled; d_xi_n 2.5e-15 sampled; d_eta_n <= 0.29 proved, 5.4e-15 sampled; d_gap_n <= 7.4e-08 proved, 3e-16
- *     sampled (2123 points)
+ *   genome_sha256:  f6acff92e82c35220fd3c747886829bf29b4fab7f58cdab216c4cfc673283cb2
+ *   poles:          t158: proved free of zeros, |t158| >= 1e+05 (rounding error <= 2.7e-06)
+ *   poles:          t162: proved free of zeros, |t162| >= 1e+05 (rounding error <= 8.9e-05)
+ *   rounding:       r <= 3.1e-15 proved, 2.2e-15 at points, 7.5e-16 sampled; r_xi <= 2.6e-15 proved, 1.1e-15 at
+ *     points, 5.4e-16 sampled; r_eta <= 2.7e-15 proved, 1.2e-15 at points, 5.4e-16 sampled; normal <= 4.1e-09 proved,
+ *     1.2e-15 at points, 3.4e-16 sampled; gap <= 5.6e-08 proved, 3.1e-15 at points, 4.8e-16 sampled; d_xi <= 0.47
+ *     proved, 3.9e-14 at points, 7.7e-15 sampled; d_eta <= 0.28 proved, 1.1e-13 at points, 6.6e-15 sampled; d_gap <=
+ *     1.3e-08 proved, 1.6e-15 at points, 3.6e-16 sampled; d_xi_n 4.5e-14 at points, 2.5e-15 sampled; d_eta_n <= 0.28
+ *     proved, 1.3e-13 at points, 5.4e-15 sampled; d_gap_n <= 7.9e-08 proved, 8.2e-16 at points, 3e-16 sampled (2123
+ *     points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of corner k, the slave node
  *     last; d_xi_n, d_eta_n, d_gap_n by those of the normals, which stay unit
  *   vectorises:     -O3 -fno-math-errno
@@ -847,7 +859,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[9] = {xA, xB, xC, xD, nA, nB, nC, nD, xS}; \
     double *const row[11] = {r, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap, d_xi_n, d_eta_n, d_gap_n}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, nA, nB, nC, nD, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_bezier_gradients(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -879,6 +891,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[22] = {3, 1, 3, 1, 3, 1, 3, 0, 1, 1, 15, -1, 15, -1, 15, 0, 12, 0, 12, 0, 12, 1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -888,7 +901,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[27], \
         const double *const y[9] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}; \
         double *const row[11] = {r + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i, d_xi_n + i, d_eta_n + i, d_gap_n + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_bezier_gradients(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \

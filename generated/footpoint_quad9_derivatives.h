@@ -13,8 +13,9 @@
  *     [-0.1,0.1], xI in [-0.1,0.1], yI in [-0.1,0.1], zI in [-0.1,0.1], xS in [-1.3,1.3], yS in [-1.3,1.3], zS in
  *     [-0.3,0.3], xi in [-1.1,1.1], eta in [-1.1,1.1]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, and sampled
- * in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
+ * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
+ * find it.
  */
 #ifndef FOOTPOINT_QUAD9_DERIVATIVES_H
 #define FOOTPOINT_QUAD9_DERIVATIVES_H
@@ -96,6 +97,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     } both;
     both.number = x;
     return both.bits;
+}
+
+/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
+ * instructions each where it knows them, else one. */
+FOOTPOINT_PART double footpoint_detail_zero(void)
+{
+    const volatile int zero = 0;
+    return (double)zero;
 }
 
 /* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
@@ -240,11 +249,11 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
 /* footpoint_quad9_place
  *   operations:     133 mul, 1 div, 115 add, 1 sqrt, 0 compare; 66 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  8f34b4a22997c120163563207f11c34c286cc405bb6d48663eb40321c351dce6
+ *   genome_sha256:  22f774601bd3f410d784c79ad4ab3690584ac3a6f749a8663e1e2b43b7cc9088
  *   poles:          t61: proved free of zeros, |t61| >= 0.099 (rounding error <= 5.3e-13)
- *   rounding:       phi <= 7.5e-16 proved, 3.6e-16 sampled; r_xi <= 8.7e-15 proved, 2.4e-15 sampled; r_eta <= 8.7e-15
- *     proved, 2.4e-15 sampled; normal <= 2.9e-10 proved, 1.2e-15 sampled; gap <= 7.4e-10 proved, 1.1e-15 sampled
- *     (10000 points)
+ *   rounding:       phi <= 7.5e-16 proved, 6.6e-16 at points, 3.6e-16 sampled; r_xi <= 8.7e-15 proved, 6.8e-15 at
+ *     points, 2.4e-15 sampled; r_eta <= 8.7e-15 proved, 6.1e-15 at points, 2.4e-15 sampled; normal <= 2.9e-10 proved,
+ *     1.9e-15 at points, 1.2e-15 sampled; gap <= 7.4e-10 proved, 6.1e-15 at points, 1.1e-15 sampled (10000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -390,7 +399,7 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_quad9_place(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -416,6 +425,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[10] = {9, 0, 3, 1, 3, 1, 3, 0, 1, 1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -426,7 +436,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_quad9_place(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -453,13 +463,14 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[30], \
 /* footpoint_quad9_gradients
  *   operations:     412 mul, 2 div, 270 add, 1 sqrt, 2 compare; 143 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  cb748256f2a0ed8e55b1aaa2b014281befc6d7f01eb78f7dc8006339ab749864
+ *   genome_sha256:  8803fc28872f86b66649b696a82350de89a8db513f86ad9977efb26b1e21dc80
  *   poles:          t95: proved free of zeros, |t95| >= 0.099 (rounding error <= 6.9e-10)
  *   poles:          t96: proved free of zeros, |t96| >= 0.099 (rounding error <= 2.9e-11)
- *   rounding:       phi <= 7.5e-16 proved, 4.7e-16 sampled; r_xi <= 8.9e-15 proved, 2.1e-15 sampled; r_eta <= 8e-15
- *     proved, 2.1e-15 sampled; normal <= 3.3e-07 proved, 6.3e-16 sampled; gap <= 3.1e-06 proved, 7.8e-16 sampled;
- *     d_xi <= 4.3 proved, 8.6e-13 sampled; d_eta <= 4.4 proved, 8.8e-13 sampled; d_gap <= 6.5e-07 proved, 6.9e-16
- *     sampled (5215 points)
+ *   rounding:       phi <= 7.5e-16 proved, 6.3e-16 at points, 4.7e-16 sampled; r_xi <= 8.9e-15 proved, 6.2e-15 at
+ *     points, 2.1e-15 sampled; r_eta <= 8e-15 proved, 6.4e-15 at points, 2.1e-15 sampled; normal <= 3.3e-07 proved,
+ *     2.3e-15 at points, 6.3e-16 sampled; gap <= 3.2e-06 proved, 5.4e-15 at points, 7.8e-16 sampled; d_xi <= 4.3
+ *     proved, 9.4e-13 at points, 8.6e-13 sampled; d_eta <= 4.4 proved, 9.5e-13 at points, 8.8e-13 sampled; d_gap <=
+ *     6.5e-07 proved, 2.3e-15 at points, 6.9e-16 sampled (5215 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -740,7 +751,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_quad9_gradients(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -769,6 +780,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[16] = {9, 0, 3, 1, 3, 1, 3, 0, 1, 1, 30, -1, 30, -1, 30, 0}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -779,7 +791,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_quad9_gradients(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -806,11 +818,12 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[30], \
 /* footpoint_quad9_hessian
  *   operations:     2429 mul, 2 div, 918 add, 1 sqrt, 2 compare; 491 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  2f6639219d7ece16549ff5d5b4402cb9c1f49fa38f95e1c2b9927809fcf36271
- *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 5.3e-08)
+ *   genome_sha256:  7e264de22af19078126aaa750226aba3fd328351017e543300d9bffdb32133e1
+ *   poles:          t104: proved free of zeros, |t104| >= 25 (rounding error <= 5.4e-08)
  *   poles:          t110: proved free of zeros, |t110| >= 25 (rounding error <= 7.4e-07)
- *   rounding:       gap <= 0.0043 proved, 4.7e-16 sampled; d_xi 1.1e-13 sampled; d_eta 1.3e-13 sampled; d_gap <=
- *     0.00096 proved, 4.6e-16 sampled; d_normal 2.1e-13 sampled; hessian 2.1e-13 sampled (903 points)
+ *   rounding:       gap <= 0.0043 proved, 5.5e-15 at points, 4.7e-16 sampled; d_xi 8.1e-13 at points, 1.1e-13
+ *     sampled; d_eta 6e-13 at points, 1.3e-13 sampled; d_gap <= 0.00096 proved, 3.1e-15 at points, 4.6e-16 sampled;
+ *     d_normal 1.5e-12 at points, 2.1e-13 sampled; hessian 1.5e-12 at points, 2.1e-13 sampled (903 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[30 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno
@@ -1744,7 +1757,7 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[10] = {xA, xB, xC, xD, xE, xF, xG, xH, xI, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xG, xH, xI, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_quad9_hessian(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -1771,6 +1784,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[30], \
                                        int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[12] = {1, 1, 30, -1, 30, -1, 30, 0, 90, -1, 465, -1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -1781,7 +1795,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[30], \
         const double *const y[10] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_quad9_hessian(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \

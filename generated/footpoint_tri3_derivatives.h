@@ -8,8 +8,9 @@
  *     xC in [-0.1,0.1], yC in [0.9,1.1], zC in [-0.1,0.1], xS in [-0.2,1.2], yS in [-0.2,1.2], zS in [-0.15,0.15], xi
  *     in [-0.1,1.1], eta in [-0.1,1.1]
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, and sampled
- * in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
+ * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
+ * find it.
  */
 #ifndef FOOTPOINT_TRI3_DERIVATIVES_H
 #define FOOTPOINT_TRI3_DERIVATIVES_H
@@ -91,6 +92,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     } both;
     both.number = x;
     return both.bits;
+}
+
+/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
+ * instructions each where it knows them, else one. */
+FOOTPOINT_PART double footpoint_detail_zero(void)
+{
+    const volatile int zero = 0;
+    return (double)zero;
 }
 
 /* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
@@ -235,11 +244,11 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
 /* footpoint_tri3_place
  *   operations:     29 mul, 1 div, 29 add, 1 sqrt, 0 compare; 16 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  b85f1abd3c868c28a510579d72d2cecc462e78d4aa02692dd2a2e94426f7ae1c
+ *   genome_sha256:  15677b65952fa3544dbc15924e01dfdd1e42ab70ef519d45dbe80d490a03ef5e
  *   poles:          t10: proved free of zeros, |t10| >= 0.35 (rounding error <= 2.7e-15)
- *   rounding:       phi <= 2.6e-16 proved, 2e-16 sampled; r_xi <= 1.4e-16 proved, 1.2e-16 sampled; r_eta <= 1.4e-16
- *     proved, 1.2e-16 sampled; normal <= 3.9e-15 proved, 3e-16 sampled; gap <= 9.4e-15 proved, 1.1e-16 sampled (10000
- *     points)
+ *   rounding:       phi <= 2.6e-16 proved, 2.5e-16 at points, 2e-16 sampled; r_xi <= 1.4e-16 proved, 1.4e-16 at
+ *     points, 1.2e-16 sampled; r_eta <= 1.4e-16 proved, 1.4e-16 at points, 1.2e-16 sampled; normal <= 3.9e-15 proved,
+ *     5.2e-16 at points, 3e-16 sampled; gap <= 9.4e-15 proved, 5.8e-16 at points, 1.1e-16 sampled (10000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -346,7 +355,7 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[4] = {xA, xB, xC, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_tri3_place(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -372,6 +381,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[10] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -380,7 +390,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_tri3_place(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -405,12 +415,13 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[12], \
 /* footpoint_tri3_gradients
  *   operations:     89 mul, 1 div, 61 add, 1 sqrt, 0 compare; 43 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  5157836f2367485a35a5b605802aac319e475f24affea25ca51b3a599dcc19a4
+ *   genome_sha256:  2500e2431c3cdf982f8ed37fbd9c8234a4f843d5679faf13990713f746ae8738
  *   poles:          t12: proved free of zeros, |t12| >= 0.35 (rounding error <= 2.5e-15)
- *   rounding:       phi <= 3.8e-16 proved, 2.3e-16 sampled; r_xi <= 1.4e-16 proved, 1.2e-16 sampled; r_eta <= 1.4e-16
- *     proved, 1.2e-16 sampled; normal <= 6.1e-15 proved, 3.1e-16 sampled; gap <= 1.4e-14 proved, 1.3e-16 sampled;
- *     d_xi <= 1.1e-13 proved, 9.9e-16 sampled; d_eta <= 1.1e-13 proved, 8.8e-16 sampled; d_gap <= 1.3e-14 proved,
- *     4.6e-16 sampled (10000 points)
+ *   rounding:       phi <= 3.8e-16 proved, 3.5e-16 at points, 2.3e-16 sampled; r_xi <= 1.4e-16 proved, 1.4e-16 at
+ *     points, 1.2e-16 sampled; r_eta <= 1.4e-16 proved, 1.4e-16 at points, 1.2e-16 sampled; normal <= 6.1e-15 proved,
+ *     5.8e-16 at points, 3.1e-16 sampled; gap <= 1.4e-14 proved, 4.6e-16 at points, 1.3e-16 sampled; d_xi <= 1.1e-13
+ *     proved, 2.5e-15 at points, 9.9e-16 sampled; d_eta <= 1.1e-13 proved, 2.3e-15 at points, 8.8e-16 sampled; d_gap
+ *     <= 1.3e-14 proved, 1.1e-15 at points, 4.6e-16 sampled (10000 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -572,7 +583,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[4] = {xA, xB, xC, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_tri3_gradients(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -601,6 +612,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[16] = {3, 0, 3, 1, 3, 1, 3, 0, 1, 1, 12, -1, 12, -1, 12, 0}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -609,7 +621,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_tri3_gradients(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -634,11 +646,12 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[12], \
 /* footpoint_tri3_hessian
  *   operations:     212 mul, 1 div, 108 add, 1 sqrt, 0 compare; 93 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  cea0f9c44952f229080fac9d35f7fe576c26d9c95274afa771f3d4edaf3ce0f8
+ *   genome_sha256:  8b4f2b1c1d0179c0c497f6ea07acb3ca33e6fc91f53782d23f4e336f100262a2
  *   poles:          t10: proved free of zeros, |t10| >= 0.35 (rounding error <= 2.7e-15)
- *   rounding:       gap <= 1.7e-14 proved, 1.5e-16 sampled; d_xi <= 1.5e-13 proved, 8.8e-16 sampled; d_eta <= 1.5e-13
- *     proved, 9.9e-16 sampled; d_gap <= 1.4e-14 proved, 4.9e-16 sampled; d_normal <= 8.3e-14 proved, 1.2e-15 sampled;
- *     hessian <= 1.7e-12 proved, 1.3e-15 sampled (9852 points)
+ *   rounding:       gap <= 1.7e-14 proved, 5.1e-16 at points, 1.5e-16 sampled; d_xi <= 1.5e-13 proved, 2.7e-15 at
+ *     points, 8.8e-16 sampled; d_eta <= 1.5e-13 proved, 2.5e-15 at points, 9.9e-16 sampled; d_gap <= 1.4e-14 proved,
+ *     1.2e-15 at points, 4.9e-16 sampled; d_normal <= 8.3e-14 proved, 3.7e-15 at points, 1.2e-15 sampled; hessian <=
+ *     1.7e-12 proved, 4.5e-15 at points, 1.3e-15 sampled (9852 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[12 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno
@@ -905,7 +918,7 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[4] = {xA, xB, xC, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_tri3_hessian(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -932,6 +945,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
                                        int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[12] = {1, 1, 12, -1, 12, -1, 12, 0, 36, -1, 78, -1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -940,7 +954,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[12], \
         const double *const y[4] = {p[0], p[1], p[2], p[3]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_tri3_hessian(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \

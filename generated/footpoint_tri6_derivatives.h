@@ -12,8 +12,9 @@
  *     [0.45,0.55], zF in [-0.05,0.05], xS in [-0.2,1.2], yS in [-0.2,1.2], zS in [-0.15,0.15], xi in [-0.1,1.1], eta
  *     in [-0.1,1.1]; all requires > 0
  *
- * Above each function: poles and rounding errors are bounded over the region, with or without FMA, and sampled
- * in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.
+ * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 points
+ * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to
+ * find it.
  */
 #ifndef FOOTPOINT_TRI6_DERIVATIVES_H
 #define FOOTPOINT_TRI6_DERIVATIVES_H
@@ -95,6 +96,14 @@ FOOTPOINT_PART unsigned long long footpoint_detail_bits(double x)
     } both;
     both.number = x;
     return both.bits;
+}
+
+/* 0, which compilers do not know to be: added to the numbers of min and max in loops over arrays, of which gcc makes four
+ * instructions each where it knows them, else one. */
+FOOTPOINT_PART double footpoint_detail_zero(void)
+{
+    const volatile int zero = 0;
+    return (double)zero;
 }
 
 /* Unless 2^-512 <= |x| < 2^512: room for products of what x is made of, and half of all exponents. */
@@ -239,11 +248,11 @@ FOOTPOINT_COLD int footpoint_detail_place_again(footpoint_detail_place *place, c
 /* footpoint_tri6_place
  *   operations:     75 mul, 1 div, 72 add, 1 sqrt, 0 compare; 44 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  9421e2f737eaf75ee38dd0ee87b226e24ccbd3419609b544d069d8c2907baca7
+ *   genome_sha256:  99b888b961792b0e37eaa91c3afbbd78af3880f5555363176e75d3c0e967c7f3
  *   poles:          t39: proved free of zeros, |t39| >= 0.099 (rounding error <= 5.1e-13)
- *   rounding:       phi <= 3.1e-15 proved, 1.5e-15 sampled; r_xi <= 5.9e-15 proved, 1.8e-15 sampled; r_eta <= 5.4e-15
- *     proved, 1.4e-15 sampled; normal <= 1.7e-09 proved, 2.1e-15 sampled; gap <= 5.6e-09 proved, 1.1e-15 sampled
- *     (10000 points)
+ *   rounding:       phi <= 3.1e-15 proved, 2.6e-15 at points, 1.5e-15 sampled; r_xi <= 5.9e-15 proved, 5e-15 at
+ *     points, 1.8e-15 sampled; r_eta <= 5.4e-15 proved, 4.7e-15 at points, 1.4e-15 sampled; normal <= 1.7e-09 proved,
+ *     8.2e-15 at points, 2.1e-15 sampled; gap <= 5.6e-09 proved, 5.8e-15 at points, 1.1e-15 sampled (10000 points)
  *   gives:          phi[k] shape functions, r_xi, r_eta tangents, unit normal, gap
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -366,7 +375,7 @@ FOOTPOINT_FN int search##_place(const double xA[3], const double xB[3], const do
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS}; \
     double *const row[5] = {phi, r_xi, r_eta, normal, gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_tri6_place(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -392,6 +401,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
                                      int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[10] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -401,7 +411,7 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]}; \
         double *const row[5] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_tri6_place(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -427,13 +437,14 @@ FOOTPOINT_LOOP void search##_place_n(size_t n, const double *const x[21], \
 /* footpoint_tri6_gradients
  *   operations:     270 mul, 2 div, 152 add, 1 sqrt, 2 compare; 99 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  f82e0e4df87e60c183c0d3f3817d6a529a3d4198103e52deaf329ebfad95884d
+ *   genome_sha256:  c12e518d02cb687e153a343e3a6514cda6001690200c8043054b347a419ea33c
  *   poles:          t51: proved free of zeros, |t51| >= 0.0062 (rounding error <= 1.6e-13)
  *   poles:          t48: proved free of zeros, |t48| >= 0.024 (rounding error <= 1.5e-13)
- *   rounding:       phi <= 3.1e-15 proved, 1.5e-15 sampled; r_xi <= 5.5e-15 proved, 1.6e-15 sampled; r_eta <= 5.5e-15
- *     proved, 1.6e-15 sampled; normal <= 2.9e-09 proved, 1.8e-15 sampled; gap <= 1.3e-08 proved, 8.9e-16 sampled;
- *     d_xi <= 7.4e-05 proved, 6.6e-13 sampled; d_eta <= 7.4e-05 proved, 1.3e-13 sampled; d_gap <= 1.5e-08 proved,
- *     6.9e-15 sampled (7421 points)
+ *   rounding:       phi <= 3.1e-15 proved, 2.5e-15 at points, 1.5e-15 sampled; r_xi <= 5.5e-15 proved, 4.2e-15 at
+ *     points, 1.6e-15 sampled; r_eta <= 5.5e-15 proved, 4.4e-15 at points, 1.6e-15 sampled; normal <= 2.9e-09 proved,
+ *     6.8e-15 at points, 1.8e-15 sampled; gap <= 1.3e-08 proved, 4.9e-15 at points, 8.9e-16 sampled; d_xi <= 7.4e-05
+ *     proved, 1.9e-12 at points, 6.6e-13 sampled; d_eta <= 7.4e-05 proved, 1.1e-12 at points, 1.3e-13 sampled; d_gap
+ *     <= 1.5e-08 proved, 2.6e-14 at points, 6.9e-15 sampled (7421 points)
  *   gives:          what place gives, and d_xi, d_eta, d_gap[3 k + i] by coordinate i of node k, the slave node last
  *   vectorises:     -O3 -fno-math-errno
  */
@@ -651,7 +662,7 @@ FOOTPOINT_FN int search##_gradients(const double xA[3], const double xB[3], cons
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS}; \
     double *const row[8] = {phi, r_xi, r_eta, normal, gap, d_xi, d_eta, d_gap}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_tri6_gradients(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -680,6 +691,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
                                          int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[16] = {6, 0, 3, 1, 3, 1, 3, 0, 1, 1, 21, -1, 21, -1, 21, 0}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -689,7 +701,7 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]}; \
         double *const row[8] = {phi + i, r_xi + i, r_eta + i, normal + i, gap + i, d_xi + i, d_eta + i, d_gap + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_tri6_gradients(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \
@@ -715,12 +727,13 @@ FOOTPOINT_LOOP void search##_gradients_n(size_t n, const double *const x[21], \
 /* footpoint_tri6_hessian
  *   operations:     1080 mul, 2 div, 467 add, 1 sqrt, 2 compare; 335 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
- *   genome_sha256:  8750b4ee458c8685fda60c9b199690e8673820969ae4e4927c87f331bab78931
+ *   genome_sha256:  946cf33bfe90f53d82746ab9f3a5ff05ed8ad1b62901ca29f06fb8d390a8401f
  *   poles:          t55: proved free of zeros, |t55| >= 0.0062 (rounding error <= 5.6e-14)
  *   poles:          t61: proved free of zeros, |t61| >= 0.0062 (rounding error <= 2.8e-13)
- *   rounding:       gap <= 2.7e-08 proved, 7.9e-16 sampled; d_xi <= 0.00033 proved, 7.3e-14 sampled; d_eta <= 0.00033
- *     proved, 7.7e-14 sampled; d_gap <= 2.6e-08 proved, 3e-15 sampled; d_normal <= 0.79 proved, 1.8e-13 sampled;
- *     hessian <= 20 proved, 5.9e-13 sampled (1961 points)
+ *   rounding:       gap <= 2.7e-08 proved, 5.7e-15 at points, 7.9e-16 sampled; d_xi <= 0.00033 proved, 9.3e-13 at
+ *     points, 7.3e-14 sampled; d_eta <= 0.00033 proved, 8.9e-13 at points, 7.7e-14 sampled; d_gap <= 2.6e-08 proved,
+ *     2.5e-14 at points, 3e-15 sampled; d_normal <= 0.8 proved, 1.8e-12 at points, 1.8e-13 sampled; hessian <= 20
+ *     proved, 7.8e-12 at points, 5.9e-13 sampled (1961 points)
  *   gives:          gap, d_xi, d_eta, d_gap; d_normal[21 j + 3 k + i] of component j of the normal; hessian of the
  *     gap by coordinates r >= c: [r (r + 1) / 2 + c]
  *   vectorises:     -O3 -fno-math-errno
@@ -1277,7 +1290,7 @@ FOOTPOINT_FN int search##_hessian(const double xA[3], const double xB[3], const 
     const double *const x[7] = {xA, xB, xC, xD, xE, xF, xS}; \
     double *const row[6] = {gap, d_xi, d_eta, d_gap, d_normal, hessian}; \
     double xi, eta; \
-    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, &xi, &eta); \
+    unsigned long long flaw = footpoint_detail_##search(xA, xB, xC, xD, xE, xF, xS, 0.0, &xi, &eta); \
     flaw |= footpoint_detail_footpoint_tri6_hessian(x, xi, eta, row, 1, 0); \
     if (flaw >> 63) { \
         double distance; \
@@ -1304,6 +1317,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[21], \
                                        int *FOOTPOINT_RESTRICT status) \
 { \
     const int shape[12] = {1, 1, 21, -1, 21, -1, 21, 0, 63, -1, 231, -1}; \
+    const double zero = footpoint_detail_zero(); \
     size_t i; \
     FOOTPOINT_EACH \
     for (i = 0; i < n; i++) { \
@@ -1313,7 +1327,7 @@ FOOTPOINT_LOOP void search##_hessian_n(size_t n, const double *const x[21], \
         const double *const y[7] = {p[0], p[1], p[2], p[3], p[4], p[5], p[6]}; \
         double *const row[6] = {gap + i, d_xi + i, d_eta + i, d_gap + i, d_normal + i, hessian + i}; \
         double at[2]; \
-        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], &at[0], &at[1]); \
+        unsigned long long flaw = footpoint_detail_##search(p[0], p[1], p[2], p[3], p[4], p[5], p[6], zero, &at[0], &at[1]); \
         flaw |= footpoint_detail_footpoint_tri6_hessian(y, at[0], at[1], row, n, 1); \
         xi[i] = at[0]; \
         eta[i] = at[1]; \

@@ -4,13 +4,14 @@
 #include "../genome/text.h"
 #include "../program/dialects.h"
 #include "../program/evaluate.h"
+#include "../program/evaluate_float.h"
 #include "rounding_bound.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { MOST_NAME = 60, POINTS = 8, POINT_BITS = 6, TRIES_A_SAMPLE = 20 };
-enum { BOXES_FOR_EMPTY = 200 };
+enum { BOXES_FOR_EMPTY = 200, POINTS_BOUNDED = 200 };
 
 /* Limits of work, in operations on coefficients (about a nanosecond), where so many boxes or more are allowed, and in Arb's
  * operations. */
@@ -19,7 +20,11 @@ enum { BOXES_FOR_EMPTY = 200 };
 #define DRAW 16.0 /* a random coordinate */
 #define MOST_BALLS 4e6
 
-#define MOST_THRESHOLD 0x1p-26 /* a bound with fewer digits right does not tell a denominator from 0 */
+/* Half the digits: a bound with fewer of them right does not tell a denominator from 0. */
+static double most_threshold(const struct arithmetic *a)
+{
+    return sqrt(a->unit);
+}
 
 /* ---- finding out ---- */
 
@@ -99,7 +104,7 @@ static void bound_errors(struct search *s, struct evidence *e, const struct prog
     for (size_t i = 0; i < e->denominators && s->work > 0; i++) {
         struct denominator *d = &e->denominator[i];
         const double bound = find_error(s, region_op(r, d->op), 2 * (e->denominators + p->outputs));
-        d->threshold = bound < (d->verdict == POLE_FREE ? INFINITY : MOST_THRESHOLD) ? bound : 0;
+        d->threshold = bound < (d->verdict == POLE_FREE ? INFINITY : most_threshold(&r->known->arithmetic)) ? bound : 0;
     }
     for (size_t i = 0; evidence_pole_free(e) && i < p->outputs && s->work > 0; i++)
         e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
@@ -159,30 +164,87 @@ static void find_denominators(struct evidence *e, const struct genome_file *f, c
     free(seen[1]);
 }
 
-/* Worst |computed - exact| of each output at random points, with and without contraction.  A bound above the outputs
- * themselves is none. */
-static void sample_errors(struct evidence *e, const struct program *p, struct region *r,
-                          const struct evidence_options *o)
+/* Values of a program as it computes. */
+struct computed {
+    const struct program *program;      /* not owned */
+    const struct segment_kind *segment; /* not owned; of floats that are scaled, or NULL */
+    double *value;                      /* owned: by operation; of floats, those of the outputs */
+    float *input, *single;              /* owned: by input, twice, and operation; NULL of doubles */
+};
+
+static struct computed computed_new(const struct genome_file *f, const struct program *p, const struct arithmetic *a)
 {
+    struct computed c = {.program = p, .value = new_array(p->ops, sizeof *c.value)};
+    if (!a || a == &arithmetic_double) {
+        point_constants(p, c.value);
+        return c;
+    }
+    c.segment = a == &arithmetic_single_scaled ? f->segment : NULL;
+    c.input = new_array(2 * p->inputs, sizeof *c.input);
+    c.single = new_array(p->ops, sizeof *c.single);
+    single_constants(p, c.single);
+    return c;
+}
+
+static void computed_free(struct computed *c)
+{
+    free(c->value);
+    free(c->input);
+    free(c->single);
+}
+
+/* Floats are given floats. */
+static void round_inputs(const struct computed *c, double *input)
+{
+    for (size_t i = 0; c->single && i < c->program->inputs; i++)
+        input[i] = (float)input[i];
+}
+
+static void compute(struct computed *c, const double *input, uint64_t *contract)
+{
+    const struct program *p = c->program;
+    if (!c->single) {
+        point_double(p, input, contract, c->value);
+        return;
+    }
+    for (size_t i = 0; i < p->inputs; i++)
+        c->input[i] = (float)input[i];
+    if (c->segment)
+        single_inputs(c->segment, c->input, c->input + p->inputs);
+    single_values(p, c->input + (c->segment ? p->inputs : 0), c->single);
+    for (size_t i = 0; i < p->outputs; i++)
+        c->value[p->output[i]] = c->single[p->output[i]];
+}
+
+/* Worst |computed - exact| of each output at random points, of doubles with and without contraction.  A bound above the
+ * outputs themselves is none. */
+static void sample_errors(struct evidence *e, struct computed *c, struct region *r, const struct evidence_options *o)
+{
+    const struct program *p = c->program;
     const long most =
         o->samples < (long)(MOST_BALLS / (double)p->ops) ? o->samples : (long)(MOST_BALLS / (double)p->ops);
     long tries = most * TRIES_A_SAMPLE;
     uint64_t seed = o->seed;
-    double *input = new_array(p->inputs, sizeof *input), *value = new_array(p->ops, sizeof *value);
-    double *largest = new_array(p->outputs, sizeof *largest), *at = new_array(r->known->variables, sizeof *at);
+    double *input = new_array(p->inputs, sizeof *input), *at = new_array(r->known->variables, sizeof *at);
+    double *largest = new_array(p->outputs, sizeof *largest);
+    struct point_bound **bound = new_array(p->outputs, sizeof *bound);
     arb_ptr exact = _arb_vec_init((slong)p->outputs);
     arb_t error;
     arb_init(error);
-    point_constants(p, value);
+    for (size_t i = 0; i < p->outputs; i++)
+        bound[i] = point_bound_new(r, region_op(r, p->output[i]));
     while (e->samples < most && region_draw(r, &seed, 0, &tries, at)) {
         region_inputs(r, at, input);
-        if (!point_exact(p, input, exact))
+        round_inputs(c, input);
+        if (!region_limits_steps(r, at) || !point_exact(p, input, exact))
             continue;
         e->samples++;
+        for (size_t i = 0; i < p->outputs && e->samples <= POINTS_BOUNDED; i++)
+            e->error[i].points = fmax(e->error[i].points, point_bound_at(bound[i], at));
         for (int contract = 0; contract < 2; contract++) {
-            point_double(p, input, contract ? &seed : NULL, value);
+            compute(c, input, contract ? &seed : NULL);
             for (size_t i = 0; i < p->outputs; i++) {
-                const double computed = value[p->output[i]];
+                const double computed = c->value[p->output[i]];
                 arb_set_d(error, computed);
                 arb_sub(error, error, exact + i, 64);
                 const double far = isfinite(computed) ? fabs(arf_get_d(arb_midref(error), ARF_RND_NEAR)) : INFINITY;
@@ -194,11 +256,13 @@ static void sample_errors(struct evidence *e, const struct program *p, struct re
     for (size_t i = 0; i < p->outputs; i++)
         if (largest[i] > 0 && e->error[i].bound > largest[i])
             e->error[i].bound = INFINITY;
+    for (size_t i = 0; i < p->outputs; i++)
+        point_bound_free(bound[i]);
+    free(bound);
     arb_clear(error);
     _arb_vec_clear(exact, (slong)p->outputs);
     free(input);
     free(at);
-    free(value);
     free(largest);
 }
 
@@ -207,6 +271,8 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
 {
     struct evidence *e = new_array(1, sizeof *e);
     struct region *r = region_new(f, p, true);
+    if (options->arithmetic)
+        r->known->arithmetic = *options->arithmetic;
     struct search s = {
         .region = r, .boxes = options->boxes, .work = MOST_WORK * fmin(1, (double)options->boxes / BOXES_FOR_MOST)};
     find_denominators(e, f, genome, p);
@@ -217,11 +283,13 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
     for (size_t i = 0; i < e->denominators; i++)
         find_pole(&s, &e->denominator[i], e->denominators + p->outputs - i);
     for (size_t i = 0; i < p->outputs; i++)
-        e->error[i] = (struct output_error){INFINITY, -1};
+        e->error[i] = (struct output_error){INFINITY, -1, -1};
     if (e->region)
         bound_errors(&s, e, p);
+    struct computed c = computed_new(f, p, options->arithmetic);
     if (e->region)
-        sample_errors(e, p, r, options);
+        sample_errors(e, &c, r, options);
+    computed_free(&c);
     region_free(r);
     return e;
 }
@@ -255,13 +323,17 @@ bool evidence_pole_free(const struct evidence *e)
 /* One row, unless an output is undefined or without a bound at the point. */
 static bool print_point(const struct program *p, struct region *r, const double *input, arb_ptr exact, FILE *out)
 {
+    double *at = new_array(r->known->variables, sizeof *at);
+    for (size_t k = 0; k < r->known->variables; k++)
+        at[k] = input[r->known->input[k]];
     double *row = new_array(2 * p->outputs, sizeof *row);
     bool good = point_exact(p, input, exact);
     for (size_t i = 0; good && i < p->outputs; i++) {
         good = ball_nearest(exact + i, &row[i]);
         /* with the rounding of the exact result */
-        row[p->outputs + i] =
-            above(bound_error_at(r, region_op(r, p->output[i]), input) + above(fabs(row[i]) * 0x1p-53));
+        struct point_bound *bound = point_bound_new(r, region_op(r, p->output[i]));
+        row[p->outputs + i] = above(point_bound_at(bound, at) + above(fabs(row[i]) * 0x1p-53));
+        point_bound_free(bound);
         good = good && row[p->outputs + i] < INFINITY;
     }
     if (good) {
@@ -272,6 +344,7 @@ static bool print_point(const struct program *p, struct region *r, const double 
             fprintf(out, "%.17g%s", row[i], i + 1 < 2 * p->outputs ? ", " : "},\n");
     }
     free(row);
+    free(at);
     return good;
 }
 

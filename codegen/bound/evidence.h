@@ -12,12 +12,13 @@ struct denominator {
     double least;     /* POLE_FREE: |D| >= least > 0 over the region, proved; else 0 */
     double *witness;  /* owned: POLE_EXISTS: inputs where |D| is 0 or on both sides of which D has opposite signs
                        * (the enclosure of a zero, its centre); else NULL */
-    double threshold; /* |D| <= threshold is indistinguishable from 0 in double; 0 if unknown */
+    double threshold; /* |D| <= threshold is indistinguishable from 0; 0 if unknown */
 };
 
-/** Rounding error of one output in double. */
+/** Rounding error of one output. */
 struct output_error {
     double bound;   /* proved over the region, with or without contraction to FMA; +infinity: no bound was found */
+    double points;  /* the same, proved at the first 200 of the points below; -1: at none */
     double sampled; /* worst seen against MPFR at random points of the region; -1: not sampled */
 };
 
@@ -34,8 +35,9 @@ struct evidence {
 };
 
 struct evidence_options {
-    long samples; /* random points for `sampled` (default 10000) */
-    long boxes;   /* work limit of branch and bound, in boxes (same limit, same bytes) */
+    const struct arithmetic *arithmetic; /* in which the program computes; NULL: double */
+    long samples;                        /* random points for `sampled` (default 10000) */
+    long boxes;                          /* work limit of branch and bound, in boxes (same limit, same bytes) */
     unsigned long seed;
 };
 

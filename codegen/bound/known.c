@@ -6,8 +6,14 @@
 #include "../program/genome_program.h"
 #include "../prove/prove_points.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
+
+const struct arithmetic arithmetic_double = {0x1p-53, 0x1p-1074, DBL_MAX, 0};
+const struct arithmetic arithmetic_single = {0x1p-24, 0x1p-149, FLT_MAX, 0};
+const struct arithmetic arithmetic_single_scaled = {0x1p-24, 0x1p-149, FLT_MAX,
+                                                    0x1.001p-23}; /* a difference, a product */
 
 /* ---- requires as a program ---- */
 
@@ -248,7 +254,13 @@ static int *single_inputs(const struct program *p, size_t ops)
     return input;
 }
 
-/* The local coordinates on the way: v of a require W - |v - m|, m of one input alone, and its multiples. */
+static int value_of(const struct known *x, int op)
+{
+    return op >= 0 && x->twin[op] >= 0 ? x->twin[op] : op;
+}
+
+/* The local coordinates on the way: v of a require W - |v - m|, m of one input alone, and its multiples; not where these
+ * are computed of one another. */
 static void find_pinned(struct known *x)
 {
     const struct program *p = x->program;
@@ -258,9 +270,10 @@ static void find_pinned(struct known *x)
         const struct op *from = size->kind == OP_ABS ? &p->op[size->a] : size;
         if (less->kind != OP_SUB || size->kind != OP_ABS || from->kind != OP_SUB || input[from->b] < 0)
             continue;
-        const int v = x->twin[from->a] >= 0 ? x->twin[from->a] : from->a;
-        for (size_t i = x->first; i < p->ops; i++)
-            x->pinned[i] = x->pinned[i] || x->twin[i] == v;
+        const int v = value_of(x, from->a);
+        for (int i = 0; i < (int)p->ops; i++)
+            if (value_of(x, i) == v && value_of(x, p->op[i].a) != v && value_of(x, p->op[i].b) != v)
+                x->pinned[i] = true;
     }
     free(input);
 }
@@ -274,7 +287,7 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
 {
     struct known *x = new_array(1, sizeof *x);
     const struct genome_file *varies = shapes && f->region ? f->region : f;
-    *x = (struct known){.inputs = varies->inputs, .places = f->inputs};
+    *x = (struct known){.arithmetic = arithmetic_double, .inputs = varies->inputs, .places = f->inputs};
     x->placed = new_array(f->inputs, sizeof *x->placed);
     for (size_t i = 0; i < f->inputs; i++)
         x->placed[i] = (int)i;
@@ -314,6 +327,8 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
         find_twins(x);
     x->pinned = new_array(all->ops, sizeof *x->pinned);
     find_pinned(x);
+    if (f->region && x->place)
+        x->steps = step_limits_new(f, all, x->first, all->output + f->region->requires, x->twin, x->pinned);
     free(matters);
     return x;
 }
@@ -334,6 +349,7 @@ void known_free(struct known *x)
     free(x->value);
     free(x->joint);
     free(x->pinned);
+    step_limits_free(&x->steps);
     free(x->twin);
     free(x->ratio);
     free(x->length);

@@ -20,6 +20,10 @@ struct region *region_new(const struct genome_file *f, const struct program *p, 
             r->doubles[i] = (struct interval){double_nearest(&x->lo[i]), double_nearest(&x->hi[i])};
     }
     r->required = forms_new(x, -1);
+    if (x->steps.program) {
+        r->step = new_array(x->steps.program->ops, sizeof *r->step);
+        point_constants(x->steps.program, r->step);
+    }
     return r;
 }
 
@@ -35,6 +39,7 @@ void region_free(struct region *r)
         return;
     forms_free(r->required);
     free(r->doubles);
+    free(r->step);
     known_free(r->known);
     free(r);
 }
@@ -96,7 +101,8 @@ bool region_is_empty(struct region *r, long boxes)
 
 /* ---- points ---- */
 
-void region_inputs(const struct region *r, const double *at, double *input)
+/* All inputs of the region block, or of the file.  Caller frees. */
+static double *own_inputs(const struct region *r, const double *at)
 {
     const struct known *x = r->known;
     double *own = new_array(x->inputs, sizeof *own);
@@ -105,6 +111,13 @@ void region_inputs(const struct region *r, const double *at, double *input)
         const double fixed = interval_finite(range) ? range.lo : 0;
         own[i] = x->variable[i] < x->variables ? fmin(fmax(at[x->variable[i]], range.lo), range.hi) : fixed;
     }
+    return own;
+}
+
+void region_inputs(const struct region *r, const double *at, double *input)
+{
+    const struct known *x = r->known;
+    double *own = own_inputs(r, at);
     if (x->place) {
         double *value = new_array(x->place->ops, sizeof *value);
         point_constants(x->place, value);
@@ -115,6 +128,20 @@ void region_inputs(const struct region *r, const double *at, double *input)
     } else
         memcpy(input, own, x->inputs * sizeof *own);
     free(own);
+}
+
+bool region_limits_steps(const struct region *r, const double *at)
+{
+    const struct program *p = r->known->steps.program;
+    bool hold = true;
+    if (!p)
+        return true;
+    double *own = own_inputs(r, at);
+    point_double(p, own, NULL, r->step);
+    for (size_t i = 0; i < p->outputs; i++)
+        hold = hold && r->step[p->output[i]] > 0;
+    free(own);
+    return hold;
 }
 
 /* Uniform in 0..1. */

@@ -10,6 +10,7 @@ struct region {
     struct known *known;      /* owned: ranges, requires and program */
     struct interval *doubles; /* owned: by input, between the doubles nearest to its ends */
     struct forms *required;   /* owned: enclosures of the requires */
+    double *step;             /* owned: by operation of known->steps.program, its last value */
 };
 
 /** The region of the inputs of program p, made from a genome of file f; without `shapes` a region block is passed over. */
@@ -35,6 +36,9 @@ bool region_holds(struct region *r, const struct interval *box);
 /** Values of all inputs of the file at a point given by variable, which is moved into the ranges where rounding puts it
  *  outside.  What a region block computes is rounded. */
 void region_inputs(const struct region *r, const double *at, double *input);
+
+/** Whether steps at a point of the region, by variable, are within their limits, as far as rounded values tell. */
+bool region_limits_steps(const struct region *r, const double *at);
 
 /** A random point of the region, by variable; those without a range are drawn from [-1,1].  `bits` > 0: coordinates are
  *  short, whole multiples of a power of 2, so many bits below that of their range.  False when *tries, which are

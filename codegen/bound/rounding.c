@@ -1,8 +1,8 @@
 /* Bounds of rounding errors, forwards and backwards; see rounding.h.
  *
  * Forwards (running error analysis): with x the exact and x' the computed value of an operation, |x' - x| <= e and |x'
- * - x| <= r |x|: what the operands' errors make of the exact result, and one rounding, at most u |result| + h with u =
- * 2^-53 and h the smallest number above 0 (of products and quotients; a sum that underflows is exact).  A product
+ * - x| <= r |x|: what the operands' errors make of the exact result, and one rounding, at most u |result| + h with u the
+ * unit roundoff and h the smallest number above 0 (of products and quotients; a sum that underflows is exact).  A product
  * contracted into a sum is not rounded; the sum's rounding, u |sum| or h, is at most what is counted for both.  So the
  * bounds hold with and without contraction.  Absolute and relative bound narrow each other: relative ones do not care
  * by what factor a quotient's divisor varies over the box, absolute ones do not mind zeros.
@@ -21,8 +21,6 @@
 
 #include <stdlib.h>
 
-#define UNIT 0x1p-53
-#define LEAST 0x1p-1074
 #define MOST_LINKED ((size_t)1 << 24) /* operations on ways backwards from joints, in one box: a tenth of a second */
 #define GROW (1 + 0x1p-45)            /* above the roundings of the terms of a bound, all positive */
 
@@ -38,13 +36,28 @@ static bool is_joint(const struct rounding *e, int i)
     return (x->joint[i] || x->pinned[i]) && !is_given(x, i);
 }
 
+static double last_rounding(const struct rounding *e, double most)
+{
+    return e->arithmetic.unit * most + e->arithmetic.least;
+}
+
+/* How far a constant is off. */
+static double constant_error(const struct rounding *e, const struct program *p, const struct op *o)
+{
+    double error;
+    const double x = point_constant(p, o, &error);
+    if (e->arithmetic.unit == arithmetic_double.unit || (error == 0 && (double)(float)x == x))
+        return error;
+    return error + last_rounding(e, fabs(x) * (1 + 0x1p-20));
+}
+
 struct rounding *rounding_new(struct forms *w, int op)
 {
     struct rounding *e = new_array(1, sizeof *e);
     const struct program *p = w->known->program;
     bool *marked = new_array(p->ops, sizeof *marked);
     size_t joints = 0;
-    *e = (struct rounding){.forms = w, .op = op};
+    *e = (struct rounding){.arithmetic = w->known->arithmetic, .forms = w, .op = op};
     e->needed = new_array(w->needs, sizeof *e->needed);
     e->place = new_array(p->ops, sizeof *e->place);
     e->constant = new_array(p->ops, sizeof *e->constant);
@@ -63,7 +76,7 @@ struct rounding *rounding_new(struct forms *w, int op)
         if (o->b >= 0)
             marked[o->b] = true;
         if (o->kind == OP_CONSTANT)
-            point_constant(p, o, &e->constant[i]);
+            e->constant[i] = constant_error(e, p, o);
     }
     for (int i = 0; i <= op; i++)
         if (marked[i]) {
@@ -136,11 +149,6 @@ static bool is_power_of_two(const struct rounding *e, int op)
     return e->error[op] == 0 && x.lo == x.hi && fabs(frexp(x.lo, &exponent)) == 0.5;
 }
 
-static double last_rounding(double most)
-{
-    return UNIT * most + LEAST;
-}
-
 static double product_error(const struct rounding *e, const struct op *op, double most)
 {
     const struct interval *x = e->forms->range;
@@ -149,7 +157,8 @@ static double product_error(const struct rounding *e, const struct op *op, doubl
         (ea > 0 ? ea * (interval_most(x[op->b]) + eb) : 0) + (eb > 0 ? eb * interval_most(x[op->a]) : 0);
     if (is_exact_zero(e, op->a) || is_exact_zero(e, op->b))
         return 0;
-    return error + (is_power_of_two(e, op->a) || is_power_of_two(e, op->b) ? LEAST : last_rounding(most + error));
+    return error + (is_power_of_two(e, op->a) || is_power_of_two(e, op->b) ? e->arithmetic.least
+                                                                           : last_rounding(e, most + error));
 }
 
 /* a'/b' - a/b = (da - (a/b) db) / b'. */
@@ -159,7 +168,7 @@ static double quotient_error(const struct rounding *e, const struct op *op, doub
     if (!(divisor > 0))
         return INFINITY;
     const double eb = e->error[op->b], error = (e->error[op->a] + (eb > 0 ? most * eb : 0)) / divisor;
-    return error + (is_power_of_two(e, op->b) ? LEAST : last_rounding(most + error));
+    return error + (is_power_of_two(e, op->b) ? e->arithmetic.least : last_rounding(e, most + error));
 }
 
 /* sqrt(a') - sqrt(a) = da / (sqrt(a') + sqrt(a)), and at most sqrt(|da|). */
@@ -169,7 +178,7 @@ static double root_error(const struct rounding *e, const struct op *op, double m
     if (!(lo >= 0 && ea <= DBL_MAX) || (computed < 0 && !e->nonnegative[op->a]))
         return INFINITY;
     const double divisor = sqrt(lo) + sqrt(greater(0, computed)), error = ea > 0 ? lesser(sqrt(ea), ea / divisor) : 0;
-    return error * (1 + 0x1p-48) + UNIT * (most + error);
+    return error * (1 + 0x1p-48) + e->arithmetic.unit * (most + error);
 }
 
 /* By the mean value theorem. */
@@ -177,7 +186,7 @@ static double function_error(const struct rounding *e, const struct op *op, doub
 {
     const double ea = e->error[op->a];
     const double error = ea > 0 ? ea * interval_most(function_slope(op, inflated(e, op->a))) : 0;
-    return error + op_unary(op->kind)->error * UNIT * (most + error) + LEAST;
+    return error + op_unary(op->kind)->error * e->arithmetic.unit * (most + error) + e->arithmetic.least;
 }
 
 /* The operand that is chosen, where the other one lies certainly beyond. */
@@ -194,8 +203,6 @@ static double error_of(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
     const double most = interval_most(e->forms->range[i]);
-    if (is_given(e->forms->known, (int)i))
-        return 0;
     switch (op->kind) {
     case OP_CONSTANT:
         return e->constant[i];
@@ -205,7 +212,7 @@ static double error_of(const struct rounding *e, size_t i)
     case OP_ADD:
     case OP_SUB: {
         const double error = e->error[op->a] + e->error[op->b];
-        return is_exact_sum(e, op) ? error : error + UNIT * (most + error);
+        return is_exact_sum(e, op) ? error : error + e->arithmetic.unit * (most + error);
     }
     case OP_MUL:
         return product_error(e, op, most);
@@ -228,7 +235,7 @@ static double relative_error_of(const struct rounding *e, size_t i)
 {
     const struct op *op = &e->forms->known->program->op[i];
     const double ra = op->a >= 0 ? e->relative[op->a] : 0, rb = op->b >= 0 ? e->relative[op->b] : 0;
-    const double tiny = LEAST / interval_least(e->forms->range[i]);
+    const double tiny = e->arithmetic.least / interval_least(e->forms->range[i]);
     double error = INFINITY;
     if (op->kind == OP_NEG || op->kind == OP_ABS)
         return ra;
@@ -240,7 +247,7 @@ static double relative_error_of(const struct rounding *e, size_t i)
         error = (ra + rb) / (1 - rb) * (1 + 0x1p-50);
     else if (op->kind == OP_SQRT && ra < 1)
         error = ra / (1 + sqrt(1 - ra)) * (1 + 0x1p-50);
-    return error + UNIT * (1 + error) + tiny;
+    return error + e->arithmetic.unit * (1 + error) + tiny;
 }
 
 /* Rounding is monotonic: what is >= 0 exactly from operands >= 0 is computed so. */
@@ -269,20 +276,25 @@ static bool is_nonnegative(const struct rounding *e, size_t i)
 }
 
 /* NaN, anything below 0, and what may overflow, is no bound. */
-static double checked(double error, double most)
+static double checked(const struct rounding *e, double error, double most)
 {
-    const double padded = error > 0 ? error * GROW + LEAST : error;
-    return padded >= 0 && padded + most <= DBL_MAX ? padded : INFINITY;
+    const double padded = error > 0 ? error * GROW + e->arithmetic.least : error;
+    return padded >= 0 && padded + most <= e->arithmetic.most ? padded : INFINITY;
 }
 
 static void propagate(struct rounding *e, size_t i)
 {
     const struct interval range = e->forms->range[i];
     const double most = interval_most(range), least = interval_least(range);
-    const double error = checked(error_of(e, i), most), relative = checked(relative_error_of(e, i), most);
-    e->error[i] = error > 0 ? lesser(error, checked(relative * most, most)) : error;
-    e->relative[i] = e->error[i] > 0 ? lesser(relative, checked(e->error[i] / least, 0)) : 0;
     e->nonnegative[i] = is_nonnegative(e, i);
+    if (is_given(e->forms->known, (int)i)) {
+        e->relative[i] = e->arithmetic.given;
+        e->error[i] = e->relative[i] > 0 ? checked(e, e->relative[i] * most, most) : 0;
+        return;
+    }
+    const double error = checked(e, error_of(e, i), most), relative = checked(e, relative_error_of(e, i), most);
+    e->error[i] = error > 0 ? lesser(error, checked(e, relative * most, most)) : error;
+    e->relative[i] = e->error[i] > 0 ? lesser(relative, checked(e, e->error[i] / least, 0)) : 0;
 }
 
 /* ---- backwards ---- */
@@ -299,7 +311,7 @@ static double own_share(const struct rounding *e, int i, double *constant)
         return 0;
     case OP_ADD:
     case OP_SUB:
-        return is_exact_sum(e, op) ? 0 : UNIT;
+        return is_exact_sum(e, op) ? 0 : e->arithmetic.unit;
     case OP_MUL:
         if (is_exact_zero(e, op->a) || is_exact_zero(e, op->b))
             return 0;
@@ -314,11 +326,11 @@ static double own_share(const struct rounding *e, int i, double *constant)
     case OP_MAX:
         return 0;
     default:
-        *constant = op_unary(op->kind)->error > 0 ? LEAST : 0;
-        return op_unary(op->kind)->error * UNIT;
+        *constant = op_unary(op->kind)->error > 0 ? e->arithmetic.least : 0;
+        return op_unary(op->kind)->error * e->arithmetic.unit;
     }
-    *constant = LEAST;
-    return exact ? 0 : UNIT;
+    *constant = e->arithmetic.least;
+    return exact ? 0 : e->arithmetic.unit;
 }
 
 /* Derivatives of operation i by its operands. */
@@ -366,6 +378,43 @@ static void find_slopes(const struct rounding *e, int i, struct interval slope[2
     }
 }
 
+/* Of sizes: 0 times what has no bound is 0. */
+static double size_product(double a, double b)
+{
+    return a == 0 || b == 0 ? 0 : above(a * b);
+}
+
+/* 1/b' - 1/b, at most. */
+static double reciprocal_drift(const struct rounding *e, int b)
+{
+    const double least = interval_least(e->forms->range[b]), rest = below(least - e->error[b]);
+    return e->error[b] == 0 ? 0 : rest > 0 ? above(e->error[b] / below(least * rest)) : INFINITY;
+}
+
+/* How far the derivative of operation i by operand k, which lies in `slope`, may be from that at the exact values. */
+static double slope_drift(const struct rounding *e, int i, int k, struct interval slope)
+{
+    const struct op *op = &e->forms->known->program->op[i];
+    const double most = above(slope.hi - slope.lo);
+    switch (op->kind) {
+    case OP_MUL:
+        return lesser(most, e->error[k ? op->a : op->b]);
+    case OP_DIV:
+    case OP_PDIV: {
+        const double drift = reciprocal_drift(e, op->b), divisor = interval_least(e->forms->range[op->b]);
+        const double value = interval_most(e->forms->range[i]), error = e->error[i];
+        /* (q + error) (1/b + drift) - q/b */
+        return lesser(
+            most, k == 0 ? drift
+                         : above(size_product(above(value + error), drift) + (error > 0 ? above(error / divisor) : 0)));
+    }
+    case OP_SQRT:
+        return lesser(most, 0.5 * reciprocal_drift(e, i));
+    default:
+        return most; /* 0 of sums */
+    }
+}
+
 /* Slope times operand over result, where that is a number: a power of a product. */
 static double find_power(const struct op *op, int k)
 {
@@ -402,6 +451,8 @@ static void charge(struct rounding *e, int i, int k, struct interval slope, doub
                                    interval_point(power));
     reconcile(&part, &weight, inflated(e, operand));
     part = affine_charge(e->forms, i, k, e->error, part);
+    to->drift = above(to->drift + above(size_product(by->drift, interval_most(slope)) +
+                                        size_product(interval_most(by->slope), slope_drift(e, i, k, slope))));
     to->slope = interval_add(to->slope, part);
     to->weight = interval_add(to->weight, weight);
     to->slope_size += op->kind == OP_NEG ? by->slope_size : interval_most(part);
@@ -417,6 +468,24 @@ static bool is_link(const struct rounding *e, int i, enum way way)
     return way == BY_JOINTS ? e->linked[i] : way == BY_PINNED && e->forms->known->pinned[i];
 }
 
+/* What is said of the result's derivative by operation i, as far as the errors move that. */
+static struct interval step_slope(const struct rounding *e, int result, int i)
+{
+    const double most = step_limits_most(&e->forms->known->steps, result, i), moved = above(most + e->by[i].drift);
+    return most < INFINITY ? (struct interval){-moved, moved} : interval_whole();
+}
+
+/* The part of a link.  Where its last operation is a product, that may be rounded in some of its uses and not in others, when
+ * contracted; what its factors' errors make of it is the same in all. */
+static double link_error(const struct rounding *e, int i)
+{
+    const enum op_kind kind = e->forms->known->program->op[i].kind;
+    const struct sensitivity *by = &e->by[i];
+    const double rounding = last_rounding(e, interval_most(e->forms->range[i]) + e->error[i]);
+    return e->error[i] * interval_most(by->slope) +
+           (kind == OP_MUL || kind == OP_NEG ? 2 * rounding * by->slope_size : 0);
+}
+
 /* The part of operation i: what it adds by itself, or, of a link, its error.  Infinite: there is no bound. */
 static double part_error(struct rounding *e, int i, bool link, bool *ends)
 {
@@ -425,8 +494,8 @@ static double part_error(struct rounding *e, int i, bool link, bool *ends)
     const struct sensitivity *by = &e->by[i];
     double constant;
     *ends = link;
-    if (link) /* also of a product that is contracted: what its factors' errors make of it is part of its bound */
-        return e->error[i] * (product || op->kind == OP_NEG ? by->slope_size : interval_most(by->slope));
+    if (link)
+        return link_error(e, i);
     const double share = own_share(e, i, &constant);
     /* the rounded value and the one that the weight is of are both within the error from the exact one */
     const double size = product ? by->slope_size : interval_most(by->slope);
@@ -443,21 +512,27 @@ static double backward_error(struct rounding *e, int result, enum way way)
     static const struct sensitivity none;
     double error = 0;
     const struct interval value = inflated(e, result);
-    e->by[result] = (struct sensitivity){{1, 1}, value, 1, interval_most(value)};
+    e->by[result] = (struct sensitivity){{1, 1}, value, 1, interval_most(value), 0};
     affine_result(e->forms, result);
     size_t n = e->place[result];
     for (n++; n-- > 0;) {
         const int i = e->needed[n];
         struct sensitivity *by = &e->by[i];
-        if (by->slope_size == 0 || is_given(e->forms->known, i) || error == INFINITY) {
+        const bool given = is_given(e->forms->known, i);
+        if (given && by->slope_size > 0 && e->error[i] > 0)
+            error += e->error[i] * interval_most(interval_meet(by->slope, affine_slope(e->forms, i)));
+        if (by->slope_size == 0 || given || error == INFINITY) {
             *by = none;
             affine_discharge(e->forms, i);
             continue;
         }
         by->slope = interval_meet(by->slope, affine_slope(e->forms, i));
+        const bool link = i != result && is_link(e, i, way);
+        if (link && way == BY_PINNED)
+            by->slope = interval_meet(by->slope, step_slope(e, result, i));
         reconcile(&by->slope, &by->weight, inflated(e, i));
         bool ends;
-        const double own = part_error(e, i, i != result && is_link(e, i, way), &ends);
+        const double own = part_error(e, i, link, &ends);
         error += own;
         if (!(own >= 0 && error <= DBL_MAX))
             error = INFINITY;
@@ -472,7 +547,7 @@ static double backward_error(struct rounding *e, int result, enum way way)
         *by = none;
         affine_discharge(e->forms, i);
     }
-    return checked(error * (1 + 0x1p-30), 0); /* its terms are many */
+    return checked(e, error * (1 + 0x1p-30), 0); /* its terms are many */
 }
 
 /* A joint's error, found backwards from those before it. */
@@ -482,11 +557,11 @@ static void bound_joint(struct rounding *e, int i)
     const bool pinned = e->forms->known->pinned[i] || i == e->op;
     const double by_joints = backward_error(e, i, BY_JOINTS);
     const double by_pinned = pinned ? backward_error(e, i, BY_PINNED) : INFINITY;
-    const double error = checked(lesser(by_joints, by_pinned), most);
+    const double error = checked(e, lesser(by_joints, by_pinned), most);
     if (!(error < e->error[i]))
         return;
     e->error[i] = error;
-    e->relative[i] = lesser(e->relative[i], checked(error / least, 0));
+    e->relative[i] = lesser(e->relative[i], checked(e, error / least, 0));
     e->linked[i] = true;
 }
 

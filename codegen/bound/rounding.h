@@ -1,4 +1,4 @@
-/* Rounding errors of a program in double, bounded over a box. */
+/* Rounding errors of a program, bounded over a box. */
 #ifndef FOOTPOINT_ROUNDING_H
 #define FOOTPOINT_ROUNDING_H
 
@@ -8,9 +8,11 @@
 struct sensitivity {
     struct interval slope, weight;
     double slope_size, weight_size; /* sums of the sizes of their parts, one for each use of the value */
+    double drift;                   /* how far the derivative is from that at the exact values, at most */
 };
 
 struct rounding {
+    struct arithmetic arithmetic;
     struct forms *forms; /* not owned: the enclosures of the exact values */
     int op;              /* whose error is asked for */
     int *needed;         /* owned: operations that it depends on, ascending */

@@ -129,16 +129,32 @@ double bound_error(struct region *r, int op, long boxes, double *work)
     return bound;
 }
 
-double bound_error_at(const struct region *r, int op, const double *input)
+struct point_bound {
+    struct forms *forms;       /* owned */
+    struct rounding *rounding; /* owned */
+    struct interval *box;      /* owned */
+};
+
+struct point_bound *point_bound_new(const struct region *r, int op)
 {
-    struct forms *w = forms_new(r->known, op);
-    struct rounding *e = rounding_new(w, op);
-    struct interval *box = new_array(r->known->variables, sizeof *box);
-    for (size_t k = 0; k < r->known->variables; k++)
-        box[k] = interval_point(input[r->known->input[k]]);
-    const double bound = forms_evaluate(w, box) ? rounding_error(e) : INFINITY;
-    rounding_free(e);
-    forms_free(w);
-    free(box);
-    return bound;
+    struct point_bound *b = new_array(1, sizeof *b);
+    b->forms = forms_new(r->known, op);
+    b->rounding = rounding_new(b->forms, op);
+    b->box = new_array(r->known->variables, sizeof *b->box);
+    return b;
+}
+
+double point_bound_at(struct point_bound *b, const double *at)
+{
+    for (size_t k = 0; k < b->forms->known->variables; k++)
+        b->box[k] = interval_point(at[k]);
+    return forms_evaluate(b->forms, b->box) ? rounding_error(b->rounding) : INFINITY;
+}
+
+void point_bound_free(struct point_bound *b)
+{
+    rounding_free(b->rounding);
+    forms_free(b->forms);
+    free(b->box);
+    free(b);
 }

@@ -9,7 +9,11 @@
  *  which are counted down.  +infinity: none was found. */
 double bound_error(struct region *r, int op, long boxes, double *work);
 
-/** The same at one point: values of all inputs. */
-double bound_error_at(const struct region *r, int op, const double *input);
+/** The same at single points. */
+struct point_bound;
+struct point_bound *point_bound_new(const struct region *r, int op);
+/** @param[in] at  by variable */
+double point_bound_at(struct point_bound *b, const double *at);
+void point_bound_free(struct point_bound *b);
 
 #endif

@@ -69,6 +69,7 @@ static bool print_and_read(const struct genome_file *f, const struct genome *gen
         return true;
     const bool read = c->program != NULL;
     compiled_free(c);
+    *c = (struct compiled){0};
     return read && diag_at(d, f->path, genome->line, 1, "internal error: the code of genome '%s' reads otherwise",
                            genome->name);
 }

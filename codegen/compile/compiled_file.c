@@ -14,7 +14,6 @@
 enum { SAMPLES = 10000, BOXES_FOR_EFFORT = 20 };
 
 /* Rounding errors in float are 2^29 times those in double. */
-#define FLOAT_TO_DOUBLE 536870912.0
 
 bool function_has_poles(const struct function *f)
 {
@@ -26,8 +25,7 @@ double unit_threshold(const struct unit *u, const struct denominator *d)
     if (u->file->region)
         return 0; /* segments of the region are of many sizes */
     const bool single = u->options.precision == PRECISION_FLOAT;
-    const double threshold = single ? d->threshold * FLOAT_TO_DOUBLE : d->threshold;
-    return threshold >= (single ? (double)FLT_MIN : DBL_MIN) ? threshold : 0.0;
+    return d->threshold >= (single ? (double)FLT_MIN : DBL_MIN) ? d->threshold : 0.0;
 }
 
 /* Do the ranges say that A = (0,0,0) and B = (1,0,0)? */
@@ -168,13 +166,17 @@ static bool build(struct unit *u, size_t k, const struct unit_options *o, struct
         return true;
     if (o->precision == PRECISION_FLOAT && !check_float(f, function, d))
         return false;
-    const struct evidence_options options = {
-        .samples = SAMPLES, .boxes = BOXES_FOR_EFFORT * (1 + o->compile.effort), .seed = o->compile.seed};
+    function->scaled = o->samples && single_is_relative(f->segment, function->program);
+    const struct evidence_options options = {.arithmetic = o->precision == PRECISION_DOUBLE ? &arithmetic_double
+                                                           : function->scaled               ? &arithmetic_single_scaled
+                                                                                            : &arithmetic_single,
+                                             .samples = SAMPLES,
+                                             .boxes = BOXES_FOR_EFFORT * (1 + o->compile.effort),
+                                             .seed = o->compile.seed};
     function->evidence = evidence_new(f, function->genome, function->program, &options);
     if (function->evidence->empty)
         return diag_at(d, f->path, f->require[0].line, 1, "no inputs in the ranges have all requires > 0");
     hash_genome(f, k, function->sha256);
-    function->scaled = o->samples && single_is_relative(f->segment, function->program);
     if (o->samples) {
         function->measured = new_array(1, sizeof *function->measured);
         *function->measured = measure_program(f, function->program, function->scaled, o->samples);

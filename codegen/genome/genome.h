@@ -10,7 +10,7 @@
  *                                          on the segment
  *     input x y                            names of inputs, in order, where there is no segment; may be repeated
  *     range xC -0.5 2                      closed interval of an input; at most one for each
- *     range D 0 1 0 1 -0.3 0.3             the same of a vector of inputs: of xD, yD and zD
+ *     range D 0 1 0 1 -0.3 0.3, xS 0 1     the same of a vector of inputs: of xD, yD and zD; and of another
  *     region ... end                       lines that say where the inputs are, by other numbers; see below
  *     let c1 = - B A                       a value: one expression of inputs and earlier values; here a vector
  *     let c11 = dot c1 c1                  a number
@@ -24,15 +24,16 @@
  *     exchange u2 c11                      of a frame: exchanging xi and eta turns the one number into the other
  *     least c11                            of a frame: an expression whose least value on samples bounds the region
  *     require - xC xD, - 5 abs u2          expressions that are > 0 on the region; any number
+ *     require - 0.1 abs - u3 xi step 0.02  and how u3 changes with values before it; see below
  *     genome fast                          a function to be made
  *     note training_xi genes 5 mean 1e-3   its own provenance
  *     xi = + * 0.05 c1x yA                 an output: one expression; any number
- *     eta = u2
+ *     eta = u2, gap = * u2 3               outputs in a line
  *     end
  *
  *     file       = "footpoint-genome" "2" { line | function | genome }
- *     line       = note | input | segment | face | range | region | list
- *     list       = ( let | exchange | least | require ) { "," item }      an item is such a line without its first word
+ *     line       = note | input | segment | face | region | list
+ *     list       = ( range | let | exchange | least | require ) { "," item }      an item is such a line without its first word
  *     note       = "note" KEY text-to-the-end-of-the-line
  *     input      = "input" [ "vector" ] NAME { [ "vector" ] NAME }   before the first let and the first genome; no segment
  *     segment    = "segment" KIND ORDER                        at most one, before the first let, function and genome;
@@ -47,8 +48,8 @@
  *     function   = "function" NAME { [ "vector" ] NAME } "->" NAME { NAME } newline { let { "," item } } "end"
  *     exchange   = "exchange" SYMBOL SYMBOL                    each symbol in one exchange at most
  *     least      = "least" expression
- *     require    = "require" expression
- *     genome     = "genome" NAME newline { note | output } "end"
+ *     require    = "require" expression [ "step" NUMBER ]      the latter where there is a region block
+ *     genome     = "genome" NAME newline { note | output { "," output } } "end"
  *     output     = NAME "=" expression
  *                | NAME "=" expression { expression }          of a face; a vector stands for its components
  *                | "require" expression { expression }         of a face
@@ -87,7 +88,9 @@
  * A region block has names of its own: inputs with ranges, and lets, one for each of the file's inputs (of a segment
  * one for each of its vectors, or an input), which says where it is.  The region is where the inputs are as these lie in their
  * ranges, as far as the requires of block and file are > 0; those of the file may use the block's values, where it has no
- * such name itself.  What the block's other lets are equal to, but for a factor, is enclosed by them as well: other
+ * such name itself.  A require W - |v - m|, v a value and m one of the block, may end in a step K: v is a local coordinate on
+ * the way, or the result, and for each w of such requires that v is made of |dv/dw| < K on the region, where w varies by
+ * itself and the others of them do not.  What the block's other lets are equal to, but for a factor, is enclosed by them as well: other
  * forms of the values on the way make bounds closer.
  *
  * Version 1 has no vectors and no lists, "vector", "face", "derivative", "least", "region", "dot" and "cross" are names like others, `input` lines name the inputs of a
@@ -135,7 +138,8 @@ struct genome_expr {
     char *name; /* owned */
     int *gene;  /* owned, length genes */
     size_t length;
-    int line; /* where it stands in the file; 0 when made by a program */
+    int line;    /* where it stands in the file; 0 when made by a program */
+    size_t step; /* of a require: 1 + the constant behind "step"; 0: there is none */
 };
 
 /** A provenance line. */

@@ -97,6 +97,15 @@ static bool find_types(struct reader *r)
     return good;
 }
 
+bool end_of_expression(struct reader *r)
+{
+    const struct words end = r->w;
+    if (!next_is_comma(r) && next_word(r, true))
+        return reader_fail(r, "gene '%s' follows a complete expression");
+    r->w = end;
+    return true;
+}
+
 bool read_expression(struct reader *r, const char *name, bool more)
 {
     long missing = 1;
@@ -114,11 +123,7 @@ bool read_expression(struct reader *r, const char *name, bool more)
         n->vector = n->gene >= GENE_VECTOR;
         missing += arity(n->gene) - 1;
     }
-    const struct words end = r->w;
-    if (!more && !next_is_comma(r) && next_word(r, true))
-        return reader_fail(r, "gene '%s' follows a complete expression");
-    r->w = end;
-    return find_types(r);
+    return (more || end_of_expression(r)) && find_types(r);
 }
 
 /* ---- expansion ---- */

@@ -67,29 +67,6 @@ static void print_inputs(const struct genome_file *f, FILE *stream)
     }
 }
 
-static void print_interval(const struct genome_file *f, size_t input, FILE *stream)
-{
-    const struct genome_range *r = &f->range[input];
-    fprintf(stream, " %s %s", f->constant[r->lo].text, f->constant[r->hi].text);
-}
-
-/* A line for each vector whose three ranges are given. */
-static void print_ranges(const struct genome_file *f, FILE *stream)
-{
-    const struct genome_range *r = f->range;
-    char name[NAME_ROOM];
-    for (size_t i = 0, n; i < f->inputs; i += n) {
-        const bool vector = input_vector(f, i, name) && r[i].given && r[i + 1].given && r[i + 2].given;
-        n = vector ? 3 : 1;
-        if (!r[i].given)
-            continue;
-        fprintf(stream, "range %s", vector ? name : f->input[i]);
-        for (size_t c = 0; c < n; c++)
-            print_interval(f, i + c, stream);
-        fputc('\n', stream);
-    }
-}
-
 /* A keyword and its items, parted by commas, on as many lines as it takes: those that fit behind the one before share its
  * line.  Names before "->" and "=" are not broken: the reader wants it. */
 static void print_items(const char *line, const char *indent, FILE *stream)
@@ -147,7 +124,31 @@ static void print_statements(const struct genome_file *f, const bool *needed, FI
     print_lines(&line, stream);
 }
 
-/* Lines of version 1 have one item each. */
+/* An item for each vector whose three ranges are given; lines of version 1 have one item each. */
+static void print_ranges(const struct genome_file *f, FILE *stream)
+{
+    const struct genome_range *r = f->range;
+    struct growing line = {NULL, 0, 0};
+    char name[NAME_ROOM];
+    for (size_t i = 0, n; i < f->inputs; i += n) {
+        const bool vector = input_vector(f, i, name) && r[i].given && r[i + 1].given && r[i + 2].given;
+        n = vector ? 3 : 1;
+        if (!r[i].given)
+            continue;
+        growing_add(&line, line.text ? ", " : "range ");
+        growing_add(&line, vector ? name : f->input[i]);
+        for (size_t c = i; c < i + n; c++) {
+            char *limits = new_format(" %s %s", f->constant[r[c].lo].text, f->constant[r[c].hi].text);
+            growing_add(&line, limits);
+            free(limits);
+        }
+        if (f->format == 1)
+            print_lines(&line, stream);
+    }
+    if (line.text)
+        print_lines(&line, stream);
+}
+
 static void print_requires(const struct genome_file *f, FILE *stream)
 {
     struct growing line = {NULL, 0, 0};
@@ -155,12 +156,36 @@ static void print_requires(const struct genome_file *f, FILE *stream)
         char *text = genome_expr_text(f, line.text ? "," : "require", &f->require[i]);
         growing_add(&line, text);
         free(text);
+        if (f->require[i].step > 0) {
+            growing_add(&line, " step ");
+            growing_add(&line, f->constant[f->require[i].step - 1].text);
+        }
         if (f->format == 1 || i + 1 == f->requires)
             print_lines(&line, stream);
     }
 }
 
-/* Outputs from the k-th on that are elements of one row, or one output; returns the next. */
+/* Outputs that one line holds share it; of those from the k-th on, returns the next. */
+static size_t print_outputs(const struct genome_file *f, const struct genome *g, size_t k, FILE *stream)
+{
+    struct growing line = {NULL, 0, 0};
+    do {
+        char *head = new_joined(line.text ? ", " : "", g->out[k].name, " =");
+        char *text = genome_expr_text(f, head, &g->out[k]);
+        free(head);
+        if (line.text && (f->format == 1 || strlen(line.text) + strlen(text) > PRINT_WIDTH)) {
+            free(text);
+            break;
+        }
+        growing_add(&line, text);
+        free(text);
+    } while (++k < g->outs);
+    print_line(line.text, stream);
+    free(line.text);
+    return k;
+}
+
+/* Outputs from the k-th on that are elements of one row; returns the next. */
 static size_t print_row(const struct genome_file *f, const struct genome *g, size_t k, FILE *stream)
 {
     const char *name = g->out[k].name;
@@ -183,7 +208,7 @@ static void print_genome(const struct genome_file *f, const struct genome *g, FI
     fprintf(stream, "\ngenome %s\n", g->name);
     print_notes(g->note, g->notes, stream);
     for (size_t k = 0; k < g->outs;)
-        k = print_row(f, g, k, stream);
+        k = f->face ? print_row(f, g, k, stream) : print_outputs(f, g, k, stream);
     fputs("end\n", stream);
 }
 

@@ -138,7 +138,9 @@ static bool read_output(struct reader *r, struct genome *g)
         return false;
     genome_add_expr(&g->out, &g->outs, &g->out_room, name, r->gene, r->genes);
     g->out[g->outs - 1].line = line;
-    return true;
+    if (!next_is_comma(r))
+        return true;
+    return next_word(r, true) ? read_output(r, g) : reader_fail(r, "an output is missing behind the comma");
 }
 
 static bool read_genome(struct reader *r)
@@ -251,19 +253,40 @@ static bool read_range(struct reader *r)
     for (int c = 0; c < (n->kind == NAME_VECTOR ? 3 : 1); c++)
         if (!read_interval(r, (size_t)(n->gene - GENE_SYMBOL + c)))
             return false;
-    return end_of_line(r);
+    return end_of_item(r);
+}
+
+/* "step K" behind a require W - |v - m|. */
+static bool read_step(struct reader *r, struct genome_expr *e)
+{
+    const struct words end = r->w;
+    int number;
+    if (r->file->format == 1 || !next_word(r, true) || !word_is(&r->w, "step")) {
+        r->w = end;
+        return true;
+    }
+    if (!r->file->region || e->length < 6 || e->gene[0] != GENE_SUB || e->gene[1] >= 0 || e->gene[2] != GENE_ABS ||
+        e->gene[3] != GENE_SUB)
+        return reader_fail(r, "'%s' of what is not the distance of a value from one of the region");
+    if (!next_word(r, true) || !looks_like_number(r))
+        return reader_fail(r, "'step' needs a decimal number");
+    if (!read_number(r, &number))
+        return false;
+    e->step = (size_t)-number;
+    return true;
 }
 
 static bool read_require(struct reader *r)
 {
     r->in_require = true;
-    const bool good = read_expression(r, "require", false) && expand_number(r, "require");
+    const bool good = read_expression(r, "require", true) && expand_number(r, "require");
     r->in_require = false;
     if (!good)
         return false;
     genome_add_require(r->file, r->gene, r->genes);
-    r->file->require[r->file->requires - 1].line = r->node[0].line;
-    return true;
+    struct genome_expr *e = &r->file->require[r->file->requires - 1];
+    e->line = r->node[0].line;
+    return read_step(r, e) && end_of_expression(r);
 }
 
 /* Of a frame; a statement, so that it goes wherever the lets go. */
@@ -339,7 +362,7 @@ static bool read_line(struct reader *r)
            : word_is(&r->w, "input")    ? read_inputs(r)
            : word_is(&r->w, "segment")  ? read_segment(r)
            : word_is(&r->w, "face")     ? read_face(r)
-           : word_is(&r->w, "range")    ? read_range(r)
+           : word_is(&r->w, "range")    ? read_list(r, read_range)
            : word_is(&r->w, "region")   ? read_region(r)
            : word_is(&r->w, "let")      ? read_list(r, read_let)
            : word_is(&r->w, "exchange") ? read_list(r, read_exchange)

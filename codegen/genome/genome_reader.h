@@ -81,6 +81,8 @@ bool read_symbol(struct reader *r, int *gene);
 /** An expression, to the node array.  Unless `more` may follow, it ends its line or its item of a list.
  *  @param[in] name  whose it is, for messages */
 bool read_expression(struct reader *r, const char *name, bool more);
+/** Nothing but a comma follows on its line; the comma is still to be read. */
+bool end_of_expression(struct reader *r);
 /** A component of the expression that was read, or its number, to the gene array. */
 bool expand(struct reader *r, int component);
 /** The expression must be a number; it is expanded. */

@@ -51,8 +51,8 @@ static void print_nearest(const struct unit *u, const struct function *f, FILE *
     const enum precision precision = u->options.precision;
     char *vectors = lines_rows(u, "x"), *least = sizes_least_name(u);
     char *nearest = new_format("    return footpoint_detail_%s_nearest(x, flaw, ", u->file->segment->name);
-    fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s at[4],\n%*sint *region)\n{\n", name, lines_real(u),
-            lines_real(u), (int)strlen(name) + 20, "");
+    fprintf(out, "\nFOOTPOINT_PART int %s(const %s *const *x, %s zero, %s at[4],\n%*sint *region)\n{\n", name,
+            lines_real(u), lines_real(u), lines_real(u), (int)strlen(name) + 20, "");
     fprintf(out, "    %s xi, eta;\n", lines_real(u));
     lines_print_search(u, f, vectors, "&xi, &eta", "    ", out);
     c_print(nearest, precision, out);

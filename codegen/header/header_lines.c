@@ -163,8 +163,8 @@ static void print_ordered_search(const struct unit *u, const struct function *f,
     fputs(indent, out);
     c_print("REAL_BITS ", u->options.precision, out);
     fprintf(out, "flaw = footpoint_detail_%s(\n%s    x[k], ", f->name, indent);
-    fputs(shorter ? "x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, &u, &v);\n"
-                  : "x[(k + 1) & 3], x[(k + 2) & 3], x[(k + 3) & 3], xS, &u, &v);\n",
+    fputs(shorter ? "x[(k + (mirror ? 3 : 1)) & 3], x[(k + 2) & 3], x[(k + (mirror ? 1 : 3)) & 3], xS, zero, &u, &v);\n"
+                  : "x[(k + 1) & 3], x[(k + 2) & 3], x[(k + 3) & 3], xS, zero, &u, &v);\n",
           out);
     fputs(indent, out);
     c_print("footpoint_detail_turn_back(k, ", u->options.precision, out);
@@ -184,5 +184,5 @@ void lines_print_search(const struct unit *u, const struct function *f, const ch
     fprintf(out, "flaw = footpoint_detail_%s(", f->name);
     if (!fits)
         fprintf(out, "\n%s    ", indent);
-    fprintf(out, "%s, %s);\n", vectors, results);
+    fprintf(out, "%s, zero, %s);\n", vectors, results);
 }

@@ -175,7 +175,8 @@ static void print_one(const struct unit *u, const struct function *f, const stru
     print_rows(u, r, "    ", "", out);
     if (joined) {
         c_print("    REAL xi, eta;\n    REAL_BITS flaw = ", precision, out);
-        fprintf(out, "footpoint_detail_##search(%s, &xi, &eta);\n", names);
+        fprintf(out, "footpoint_detail_##search(%s, ", names);
+        c_print("0.0, &xi, &eta);\n", precision, out);
         fprintf(out, "    flaw |= footpoint_detail_%s(x, xi, eta, row, 1, 0);\n", f->name);
         c_print("    if (flaw >> REAL_TOP) {\n        REAL distance;\n", precision, out);
         fprintf(out, "        const int status = search(%s, loc, &distance);\n", names);
@@ -220,12 +221,14 @@ static void print_loop(const struct unit *u, const struct function *f, const str
         fprintf(out, "%*s%s *FOOTPOINT_RESTRICT %.*s,\n", column, "", real, (int)r->row[i].length, r->row[i].name);
     fprintf(out, "%*sint *FOOTPOINT_RESTRICT status)\n{\n", column, "");
     print_shape(r, "    ", out);
+    if (joined)
+        c_print("    const REAL zero = footpoint_detail_zero();\n", u->options.precision, out);
     fputs("    size_t i;\n    FOOTPOINT_EACH\n    for (i = 0; i < n; i++) {\n", out);
     print_pair(u, "        ", out);
     print_rows(u, r, "        ", " + i", out);
     if (joined) {
         c_print("        REAL at[2];\n        REAL_BITS flaw = ", u->options.precision, out);
-        fprintf(out, "footpoint_detail_##search(%s, &at[0], &at[1]);\n", vectors);
+        fprintf(out, "footpoint_detail_##search(%s, zero, &at[0], &at[1]);\n", vectors);
         fprintf(out, "        flaw |= footpoint_detail_%s(y, at[0], at[1], row, n, 1);\n", f->name);
         fputs("        xi[i] = at[0];\n        eta[i] = at[1];\n        status[i] = FOOTPOINT_ERR_DEGENERATE * "
               "(int)(flaw >> ",

@@ -56,11 +56,13 @@ static void print_at(const struct unit *u, const struct function *f, const char 
 {
     char *head = new_format("footpoint_detail_%s", f->name), *flaw = c_flaw(u, f, search_hides_poles(f));
     c_print("FOOTPOINT_PART REAL_BITS\n", u->options.precision, out);
-    lines_print_head(u, head, "REAL *xi,REAL *eta", out);
+    lines_print_head(u, head, "REAL zero,REAL *xi,REAL *eta", out);
     fputs("{\n", out);
     single_print_inputs(u, f, out);
     c_print_statements(u, f, out);
     c_print_unused(u, f, out);
+    if (!strstr(f->code.text, " = zero "))
+        fputs("    (void)zero;\n", out);
     char *last = new_format("    return %s;", flaw);
     c_print_broken(last, out);
     fputs("}\n\n", out);
@@ -69,7 +71,8 @@ static void print_at(const struct unit *u, const struct function *f, const char 
     free(head);
     head = new_format("FOOTPOINT_FN void %s_at", f->name);
     lines_print_head(u, head, "REAL *xi,REAL *eta", out);
-    fprintf(out, "{\n    (void)footpoint_detail_%s(%s, xi, eta);\n}\n", f->name, vectors);
+    fprintf(out, "{\n    (void)footpoint_detail_%s(%s, ", f->name, vectors);
+    c_print("0.0, xi, eta);\n}\n", u->options.precision, out);
     free(head);
 }
 
@@ -82,7 +85,8 @@ static void print_search(const struct unit *u, const struct function *f, FILE *o
     char *least = sizes_least_name(u),
          *full = new_format("footpoint_detail_%s_gap(x, *xi, *eta, %s, gap)", kind, least);
     c_print("\nFOOTPOINT_PART REAL_BITS\n", precision, out);
-    fprintf(out, "%s(const %s *const *x, int full, %s *xi, %s *eta, %s *gap)\n{\n", name, real, real, real, real);
+    fprintf(out, "%s(const %s *const *x, int full, %s zero, %s *xi, %s *eta, %s *gap)\n{\n", name, real, real, real,
+            real, real);
     if (u->file->order != CORNERS_ANY)
         fprintf(out, "    const %s *const xS = x[4];\n    %s u, v;\n", real, real);
     lines_print_search(u, f, vectors, "xi, eta", "    ", out);
@@ -113,8 +117,8 @@ static void print_checked(const struct unit *u, const struct function *f, const 
     lines_print_head(u, head, "REAL loc[2],REAL *gap", out);
     fprintf(out, "{\n    const %s *const x[%zu] = {%s};\n    %s xi, eta, g;\n", lines_real(u), n, vectors,
             lines_real(u));
-    fprintf(out, "    if (footpoint_detail_checked_%s(x, 0, &xi, &eta, &g) >> ", f->name);
-    c_print("REAL_TOP)\n        return footpoint_detail_again(", u->options.precision, out);
+    fprintf(out, "    if (footpoint_detail_checked_%s(x, ", f->name);
+    c_print("0, 0.0, &xi, &eta, &g) >> REAL_TOP)\n        return footpoint_detail_again(", u->options.precision, out);
     fprintf(out, "footpoint_detail_checked_%s, x, %zu, %zu, loc, gap);\n", f->name, lines_scaled_nodes(u, f), n);
     fputs("    loc[0] = xi;\n    loc[1] = eta;\n    *gap = g;\n    return FOOTPOINT_OK;\n}\n", out);
     free(head);

@@ -91,13 +91,13 @@ static void print_notes(const struct function *f, FILE *out)
 }
 
 /* What a compiler needs to vectorise the loop over arrays. */
-static void print_loop(const struct function *f, FILE *out)
+static void print_loop(const struct genome_file *file, const struct function *f, FILE *out)
 {
-    const bool roots = f->code.ops.sqrt > 0;
+    const bool roots = f->code.ops.sqrt > 0, hides = program_hides_constants(file);
     bool chooses = false;
     for (size_t i = 0; i < f->program->ops; i++) {
         const enum op_kind kind = f->program->op[i].kind;
-        chooses = chooses || kind == OP_MIN || kind == OP_MAX || kind == OP_PDIV;
+        chooses = chooses || (!hides && (kind == OP_MIN || kind == OP_MAX)) || kind == OP_PDIV;
     }
     struct banner_line l = banner_about_function("vectorises", out);
     banner_add(&l, "-O3%s%s", roots ? " -fno-math-errno" : "", chooses ? " -fno-trapping-math" : "");
@@ -142,13 +142,15 @@ static void print_legend(const struct unit *u, FILE *out)
 {
     const bool single = u->options.precision == PRECISION_FLOAT, measured = u->options.samples != NULL;
     fputs(" *\n"
-          " * Above each function: poles and rounding errors are bounded over the region, with or without FMA, and "
-          "sampled\n"
-          " * in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not used to find it.\n",
+          " * Above each function: poles and rounding errors are bounded over the region, with or without FMA, at 200 "
+          "points\n"
+          " * of it, and sampled in it; heldout...: mean, 99 % and worst error of xi and eta on samples that were not "
+          "used "
+          "to\n"
+          " * find it.\n",
           out);
-    if (single)
-        fprintf(out, " * Poles%s rounding errors%s are those of the same code in double.\n", measured ? " and" : ",",
-                measured ? "" : " and heldout...");
+    if (single && !measured)
+        fputs(" * heldout... are those of the same code in double.\n", out);
 }
 
 static void print_file(const struct unit *u, FILE *out)
@@ -203,7 +205,7 @@ void banner_print_function(const struct unit *u, const struct function *f, FILE 
 {
     struct memory *m = memory_open();
     print_function(u, f, m->stream);
-    print_loop(f, m->stream);
+    print_loop(u->file, f, m->stream);
     print_comment(memory_close(m), out);
 }
 

@@ -132,13 +132,15 @@ static void print_poles(const struct genome_file *f, const struct program *p, co
 static void add_error(struct banner_line *l, const struct output_error *e, const char *name, size_t length, double most,
                       const char *end)
 {
-    char bound[NUMBER], sampled[NUMBER];
-    const bool bounded = e->bound < INFINITY && e->bound <= most;
+    char number[NUMBER];
+    const bool bounded = e->bound < INFINITY && e->bound <= most, points = e->points >= 0 && e->points <= most;
     banner_add(l, "%.*s", (int)length, name);
     if (bounded)
-        banner_add(l, "<= %s proved%s", rounded(e->bound, 1, bound), e->sampled >= 0 ? "," : end);
+        banner_add(l, "<= %s proved%s", rounded(e->bound, 1, number), e->sampled >= 0 ? "," : end);
+    if (points)
+        banner_add(l, "%s at points,", rounded(e->points, 1, number));
     if (e->sampled >= 0)
-        banner_add(l, "%s sampled%s", rounded(e->sampled, 1, sampled), end);
+        banner_add(l, "%s sampled%s", rounded(e->sampled, 1, number), end);
     else if (!bounded)
         banner_add(l, "no bound found%s", end);
 }
@@ -154,6 +156,7 @@ static void add_errors(struct banner_line *l, const struct genome_file *f, const
         const size_t length = strcspn(name, "[");
         for (i++; i < e->outputs && strncmp(out[i].name, name, length + 1) == 0 && name[length]; i++) {
             worst.bound = fmax(worst.bound, e->error[i].bound);
+            worst.points = fmax(worst.points, e->error[i].points);
             worst.sampled = fmax(worst.sampled, e->error[i].sampled);
         }
         if (strncmp(name, "require[", length + 1) != 0)

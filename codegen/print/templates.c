@@ -88,7 +88,8 @@ static void print_text(const char *text, enum precision precision, const struct 
             print_parts(text, n, precision, own, out);
         else
             fwrite(text, 1, n, out);
-        if (number && precision == PRECISION_FLOAT && strcspn(text, ".e") < n && text[n] != 'f')
+        const bool ends = n > 0 && text[n - 1] == '.'; /* a sentence */
+        if (number && !ends && precision == PRECISION_FLOAT && strcspn(text, ".e") < n && text[n] != 'f')
             fputc('f', out);
     }
 }

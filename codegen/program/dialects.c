@@ -27,8 +27,8 @@ static char *relative_text(const struct genome_file *f, size_t k)
     return text;
 }
 
-/* A variable that is a constant is not const, so that gcc's front end does not see through it: it would turn a comparison
- * round, and later passes would not find the one instruction that c < x ? c : x is. */
+/* A variable that is a constant has `zero` added to it, or is not const, so that gcc's front end does not see through it: it
+ * would turn a comparison round, and later passes would not find the one instruction that c < x ? c : x is. */
 #define OF_DOUBLE(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "($a0)", LEVEL_NAME},
 #define OF_FLOAT(gene, text, value, slope, derivative, c, ...) [OP_##gene] = {c "f($a0)", LEVEL_NAME},
 #define DIALECT(real, unary, decimal_format, quotient_format, input_function, protected_quotient)                      \
@@ -63,12 +63,14 @@ static void write_c(void *to, const char *name, long output, const char *text)
     const bool constant = text[strspn(text, "-.0123456789f/ ()")] == '\0';
     if (!t->out)
         return;
-    char *head = output < 0         ? new_format("    %s%s %s = ", constant ? "" : "const ", t->type, name)
+    const bool hidden = constant && output < 0 && program_hides_constants(t->file), negative = *text == '-';
+    char *head = hidden             ? new_format("    const %s %s = zero %c ", t->type, name, negative ? '-' : '+')
+                 : output < 0       ? new_format("    %s%s %s = ", constant ? "" : "const ", t->type, name)
                  : t->file->face    ? new_format("    %s = ", name)
                  : t->file->segment ? new_format("    *%s = ", name)
                                     : new_format("    *out_%s = ", name);
     fputs(head, t->out);
-    print_broken(text, strlen(head), WIDTH, "\n        ", NULL, t->out);
+    print_broken(text + (hidden && negative), strlen(head), WIDTH, "\n        ", NULL, t->out);
     fputs(";\n", t->out);
     free(head);
 }

@@ -360,6 +360,11 @@ bool program_is_constant(const struct program *p, int op)
     return p->op[p->op[op].kind == OP_NEG ? p->op[op].a : op].kind == OP_CONSTANT;
 }
 
+bool program_hides_constants(const struct genome_file *f)
+{
+    return f->segment && !f->face;
+}
+
 static bool read_statement(struct reader *r)
 {
     struct program *p = r->program;
@@ -375,8 +380,11 @@ static bool read_statement(struct reader *r)
         return false;
     if (!read_word(r, word) || (output && !is_next_output(r, word)) || !accept(r, "="))
         return false;
+    const bool hidden = !output && program_hides_constants(r->file) && accept(r, "zero");
+    if (hidden && !accept(r, "+") && *r->at != '-')
+        return false;
     const int op = read_expression(r);
-    if (op < 0 || !accept(r, ";") || (changes && !program_is_constant(p, op)))
+    if (op < 0 || !accept(r, ";") || ((hidden || changes) && !program_is_constant(p, op)))
         return false;
     if (!output) {
         program_add_statement(p, word, op, first, -1);

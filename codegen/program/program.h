@@ -75,6 +75,8 @@ const struct unary *op_unary(enum op_kind kind);
 
 /** A constant, with or without a sign. */
 bool program_is_constant(const struct program *p, int op);
+/** Whether functions have a parameter `zero`, which is added to the constants of min and max: see the template "bits". */
+bool program_hides_constants(const struct genome_file *f);
 bool program_equal(const struct program *p, const struct program *q);
 struct operations program_count(const struct program *p);
 

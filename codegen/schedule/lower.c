@@ -255,7 +255,7 @@ static int compared_constant(struct lowering *l, rational c)
 
 /* A constant comes first: c < x ? c : x passes on what is no number.  So does !(x >= c) ? x : c, which a constant that
  * comes second means and which is better for the second choice of a clamp on the way to an output: in a loop it needs
- * fewer masks. */
+ * fewer masks, where compilers know the constant. */
 static int choice(struct lowering *l, int n)
 {
     const struct node *node = &l->s->dag->node[n];
@@ -263,7 +263,8 @@ static int choice(struct lowering *l, int n)
     const bool swap = node->edge[1].node == 0, constant = swap || node->edge[0].node == 0;
     const int b = operand(l, n, !swap);
     const int a = constant ? compared_constant(l, schedule_coefficient(l->s, n, swap)) : operand(l, n, swap);
-    const bool second = constant && l->last[n] && node_chooses(&l->s->dag->node[node->edge[!swap].node]);
+    const bool second = constant && !program_hides_constants(l->file) && l->last[n] &&
+                        node_chooses(&l->s->dag->node[node->edge[!swap].node]);
     return forest_binary(&l->forest, kind, second ? b : a, second ? a : b);
 }
 

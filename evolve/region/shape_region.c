@@ -329,6 +329,8 @@ struct genome_file *shape_region(const struct shape *p)
         region = f->region;
         f->region = NULL;
         genome_file_free(f);
+        for (size_t i = 1; i < region->statements; i++)
+            region->statement[i].joined = true; /* nobody needs to read these by the line */
     }
     free(text);
     return region;

@@ -12,19 +12,26 @@
 enum { PIECE = 4096, MOST_MARKS = 32 };
 
 #define LEAST_NEARNESS 1e-6 /* of the largest: nearer than that bounds are no closer */
+#define LEAST_STEP 1e-3     /* nothing is gained from smaller derivatives */
+#define SHIFT 0x1p-14       /* of local coordinates, to either side, for derivatives */
 
 /* A value of the block that others may be near to. */
 struct mark {
     size_t symbol;
+    bool coordinate; /* xi or eta */
 };
 
 /* A value on the way, or an output. */
 struct value {
     const int *gene; /* not owned */
     size_t length;
-    int own; /* the gene of a let */
+    int own;                        /* the gene of a let */
+    const struct genome_expr *made; /* not owned: what it is made of */
     double lo, hi;
     double factor[MOST_MARKS], far[MOST_MARKS]; /* largest distance from factor times a mark */
+    size_t near;     /* the mark that it is nearest to, as far as that tells more than its size */
+    bool coordinate; /* a local coordinate on the way, or the result */
+    double step;     /* largest derivative by coordinates that it is made of */
 };
 
 struct survey {
@@ -40,30 +47,29 @@ struct survey {
 
 /* ---- what is looked at ---- */
 
-static void add_value(struct survey *s, const int *gene, size_t length)
+/* `own` is 0 of outputs. */
+static void add_value(struct survey *s, const struct genome_expr *made, int own)
 {
     grow_array(&s->value, s->values, &s->value_room, sizeof *s->value);
-    struct value *v = &s->value[s->values++];
-    *v = (struct value){.gene = gene, .length = length, .lo = INFINITY, .hi = -INFINITY};
-    if (length == 0) {
-        v->own = *gene;
-        v->length = 1;
-    }
+    s->value[s->values++] = (struct value){.gene = made->gene,
+                                           .length = own ? 1 : made->length,
+                                           .own = own,
+                                           .made = made,
+                                           .lo = INFINITY,
+                                           .hi = -INFINITY};
 }
 
 static void find_values(struct survey *s)
 {
     const struct genome_file *f = s->file;
     bool *used = used_lets(f), *named = named_quotients(f, used);
-    for (size_t i = 0; i < f->lets; i++) {
-        const int gene = GENE_SYMBOL + (int)(f->inputs + i);
+    for (size_t i = 0; i < f->lets; i++)
         if (named[i])
-            add_value(s, &gene, 0);
-    }
+            add_value(s, &f->let[i], GENE_SYMBOL + (int)(f->inputs + i));
     for (size_t g = 0; g < f->genomes; g++)
         for (size_t k = 0; k < f->genome[g].outs; k++)
             if (output_is_quotient(f, &f->genome[g].out[k]))
-                add_value(s, f->genome[g].out[k].gene, f->genome[g].out[k].length);
+                add_value(s, &f->genome[g].out[k], 0);
     for (size_t i = 0; i < s->values; i++)
         if (s->value[i].own)
             s->value[i].gene = &s->value[i].own;
@@ -76,8 +82,9 @@ static void find_marks(struct survey *s)
     const struct genome_file *r = s->file->region;
     for (size_t i = 0; i < r->inputs + r->lets && s->marks < MOST_MARKS; i++) {
         const char *name = genome_symbol_name(r, i);
-        if (strcmp(name, "xi") == 0 || strcmp(name, "eta") == 0 || strncmp(name, "foot_", 5) == 0)
-            s->mark[s->marks++].symbol = i;
+        const bool coordinate = strcmp(name, "xi") == 0 || strcmp(name, "eta") == 0;
+        if (coordinate || strncmp(name, "foot_", 5) == 0)
+            s->mark[s->marks++] = (struct mark){i, coordinate};
     }
 }
 
@@ -137,7 +144,8 @@ static void take_in(struct survey *s, struct value *v, const double *x, const st
     }
 }
 
-static void measure_piece(struct survey *s, const struct sample *sample, size_t n, bool first)
+/* Values of n samples, placed as the block says; its own too. */
+static struct columns place(struct survey *s, const struct sample *sample, size_t n, struct columns *block)
 {
     struct sample *placed = new_array(n, sizeof *placed);
     double(*number)[SHAPE_NUMBERS] = new_array(n, sizeof *number);
@@ -148,7 +156,16 @@ static void measure_piece(struct survey *s, const struct sample *sample, size_t 
             s->most[k] = fmax(s->most[k], number[i][k]);
         }
     }
-    struct columns table = frame_columns(s->kernel, s->file, placed, n), block = block_columns(s, number, n);
+    *block = block_columns(s, number, n);
+    struct columns table = frame_columns(s->kernel, s->file, placed, n);
+    free(placed);
+    free(number);
+    return table;
+}
+
+static void measure_piece(struct survey *s, const struct sample *sample, size_t n, bool first)
+{
+    struct columns block, table = place(s, sample, n, &block);
     double *x = new_array(n, sizeof *x);
     for (size_t i = 0; i < s->values; i++) {
         struct value *v = &s->value[i];
@@ -159,18 +176,116 @@ static void measure_piece(struct survey *s, const struct sample *sample, size_t 
     columns_free(&table);
     columns_free(&block);
     free(x);
-    free(placed);
-    free(number);
 }
 
-static void measure(struct survey *s, const struct sample_set *set, size_t sets)
+static void for_pieces(struct survey *s, const struct sample_set *set, size_t sets,
+                       void (*measure)(struct survey *s, const struct sample *sample, size_t n, bool first))
 {
     bool begun = false;
-    for (size_t k = 0; k < SHAPE_NUMBERS; k++)
-        s->most[k] = -(s->least[k] = INFINITY);
     for (size_t k = 0; k < sets; k++)
         for (size_t first = 0; first < set[k].n; first += PIECE, begun = true)
-            measure_piece(s, &set[k].s[first], set[k].n - first < PIECE ? set[k].n - first : PIECE, !begun);
+            measure(s, &set[k].s[first], set[k].n - first < PIECE ? set[k].n - first : PIECE, !begun);
+}
+
+/* ---- steps ---- */
+
+static void find_nearest(struct survey *s)
+{
+    for (size_t i = 0; i < s->values; i++) {
+        struct value *v = &s->value[i];
+        v->near = 0;
+        for (size_t k = 1; k < s->marks; k++)
+            v->near = v->far[k] < v->far[v->near] ? k : v->near;
+        if (!(v->far[v->near] < 0.5 * fmax(-v->lo, v->hi)))
+            v->near = s->marks;
+        v->coordinate =
+            v->near < s->marks && s->mark[v->near].coordinate && v->made->length > 1; /* not another's name */
+    }
+}
+
+static bool uses(const struct genome_expr *e, const bool *symbol)
+{
+    for (size_t i = 0; i < e->length; i++)
+        if (e->gene[i] >= GENE_SYMBOL && symbol[e->gene[i] - GENE_SYMBOL])
+            return true;
+    return false;
+}
+
+/* By symbol: it is one, or made of it but by way of no other coordinate. */
+static bool *made_of(const struct survey *s, size_t symbol, const bool *coordinate)
+{
+    const struct genome_file *f = s->file;
+    bool *made = new_array(f->inputs + f->lets, sizeof *made);
+    made[symbol] = true;
+    for (size_t j = symbol + 1; j < f->inputs + f->lets; j++)
+        made[j] = !coordinate[j] && uses(&f->let[j - f->inputs], made);
+    return made;
+}
+
+/* An expression of other values in the table. */
+static void compute(const struct survey *s, const struct genome_expr *e, const struct columns *table, double *x)
+{
+    const struct kernel_task task = {e->gene, e->length, s->file->constant, table};
+    kernel_values(s->kernel, &task, x);
+}
+
+/* A symbol's column, and what is made of it, as if its values were others. */
+static void shift(const struct survey *s, size_t symbol, double by, const bool *made, const struct columns *from,
+                  struct columns *to)
+{
+    const struct genome_file *f = s->file;
+    for (size_t i = 0; i < from->n; i++)
+        columns_at(to, symbol)[i] = columns_at(from, symbol)[i] + by;
+    for (size_t j = symbol + 1; j < from->count - 2; j++)
+        if (made[j])
+            compute(s, &f->let[j - f->inputs], to, columns_at(to, j));
+}
+
+static void measure_steps_by(struct survey *s, size_t symbol, const bool *coordinate, const struct columns *table,
+                             struct columns moved[2])
+{
+    const struct genome_file *f = s->file;
+    bool *made = made_of(s, symbol, coordinate);
+    double *x[2] = {new_array(table->n, sizeof **x), new_array(table->n, sizeof **x)};
+    for (int k = 0; k < 2; k++)
+        shift(s, symbol, k ? SHIFT : -SHIFT, made, table, &moved[k]);
+    for (size_t i = 0; i < s->values; i++) {
+        struct value *v = &s->value[i];
+        if (!v->coordinate || !uses(v->made, made))
+            continue;
+        for (int k = 0; k < 2; k++)
+            compute(s, v->made, &moved[k], x[k]);
+        for (size_t j = 0; j < table->n; j++) {
+            const double step = fabs(x[1][j] - x[0][j]) / (2 * SHIFT);
+            v->step = !(step <= v->step) ? step : v->step;
+        }
+    }
+    for (size_t j = symbol; j < f->inputs + f->lets; j++)
+        for (int k = 0; k < 2 && made[j]; k++)
+            memcpy(columns_at(&moved[k], j), columns_at(table, j), table->n * sizeof(double));
+    free(x[0]);
+    free(x[1]);
+    free(made);
+}
+
+static void measure_steps(struct survey *s, const struct sample *sample, size_t n, bool first)
+{
+    (void)first;
+    const struct genome_file *f = s->file;
+    struct columns block, table = place(s, sample, n, &block);
+    struct columns moved[2] = {columns_thin(&table, 1), columns_thin(&table, 1)};
+    bool *coordinate = new_array(f->inputs + f->lets, sizeof *coordinate);
+    for (size_t i = 0; i < s->values; i++)
+        if (s->value[i].coordinate && s->value[i].own)
+            coordinate[s->value[i].own - GENE_SYMBOL] = true;
+    for (size_t j = 0; j < f->inputs + f->lets; j++)
+        if (coordinate[j])
+            measure_steps_by(s, j, coordinate, &table, moved);
+    for (int k = 0; k < 2; k++)
+        columns_free(&moved[k]);
+    columns_free(&table);
+    columns_free(&block);
+    free(coordinate);
 }
 
 /* ---- what is written ---- */
@@ -224,17 +339,26 @@ static void require_sign(struct genome_file *f, const struct value *v, double ne
     free(gene);
 }
 
+/* What is nothing but the step's own start has none. */
+static void add_step(struct genome_file *f, const struct value *v)
+{
+    char text[32];
+    if (!v->coordinate || v->step == 0 || !isfinite(v->step))
+        return;
+    snprintf(text, sizeof text, "%.2g", 2 * fmax(v->step, LEAST_STEP));
+    f->require[f->requires - 1].step = 1 + genome_add_constant(f, text);
+}
+
 static void require_value(const struct survey *s, const struct value *v)
 {
     const double most = fmax(-v->lo, v->hi);
-    size_t near = 0;
     if (!(most > 0 && isfinite(most)))
         return;
-    for (size_t k = 1; k < s->marks; k++)
-        near = v->far[k] < v->far[near] ? k : near;
-    if (v->far[near] < 0.5 * most)
-        require_near(s->file, v, v->factor[near], s->mark[near].symbol, 2 * fmax(v->far[near], LEAST_NEARNESS * most));
-    else
+    if (v->near < s->marks) {
+        require_near(s->file, v, v->factor[v->near], s->mark[v->near].symbol,
+                     2 * fmax(v->far[v->near], LEAST_NEARNESS * most));
+        add_step(s->file, v);
+    } else
         require_magnitude(s->file, v->gene, v->length, 2 * most);
     if (v->lo > 0 || v->hi < 0)
         require_sign(s->file, v, 0.5 * (v->lo > 0 ? v->lo : v->hi));
@@ -249,7 +373,11 @@ bool shape_requires_add(struct genome_file *f, const struct sample_set *set, siz
     s.kernel = kernel_new_widest();
     find_marks(&s);
     find_values(&s);
-    measure(&s, set, sets);
+    for (size_t k = 0; k < SHAPE_NUMBERS; k++)
+        s.most[k] = -(s.least[k] = INFINITY);
+    for_pieces(&s, set, sets, measure_piece);
+    find_nearest(&s);
+    for_pieces(&s, set, sets, measure_steps);
     add_ranges(&s);
     for (size_t i = 0; i < s.values; i++)
         require_value(&s, &s.value[i]);

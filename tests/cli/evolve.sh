@@ -126,7 +126,7 @@ lean() { ranks=$1; shift; $mpirun -n "$ranks" "$evolve" --scene "$work/lean.scen
 lean 1 --from-scratch --generations 100000 -o "$work/l1.gen" > "$work/table"
 grep -q '^lean: segments are parallelograms (.*), frame affine: nothing to evolve, the formula is exact$' "$work/table"
 report $((! $?)) 'parallelograms say that their formula is exact'
-grep -q '^xi = parallelogram_xi$' "$work/l1.gen" && grep -q '^note exact_eta nothing evolved' "$work/l1.gen"
+grep -q '^xi = parallelogram_xi, eta = parallelogram_eta$' "$work/l1.gen" && grep -q '^note exact_eta nothing evolved' "$work/l1.gen"
 report $((! $?)) 'and so does the genome'
 lean 3 --from-scratch --generations 7 --islands 3 -o "$work/l3.gen" > /dev/null
 lean 2 --start "$work/l1.gen" --generations 3 -o "$work/l2.gen" | grep -c 'unchanged$' > "$work/count"
@@ -150,14 +150,14 @@ report $((! $?)) 'has the frame and the tiers of its kind'
 grep -q '^faces: nothing to evolve for fast coarse medium balanced sharp: one gene, chosen among the frame.s values$' "$work/stdout" &&
     grep -q '^faces: .*: nothing to evolve for full$' "$work/stdout" &&
     [ "$(grep -c '^note found_.* nothing to evolve, chosen among the frame' "$work/faces.gen")" = 10 ] &&
-    grep -q '^xi = p_xi$' "$work/faces.gen" && grep -q '^eta = eta5t$' "$work/faces.gen"
+    grep -q '^xi = xi5t, eta = eta5t$' "$work/faces.gen"
 report $((! $?)) 'tiers of one gene need no generations'
 "$evolve" --scene "$work/faces.scene" --start "$work/faces.gen" --generations 0 --quiet -o "$work/again.gen" > /dev/null 2>&1
 cmp -s "$work/faces.gen" "$work/again.gen"; report $((! $?)) 'and their genomes come again'
 scene 's/max_length = 30/max_length = 1/; s/-0.5/0.0/g; s/nearest/any/; s/"xi0", "eta0", "p"/"p"/'
 run 2 --scene "$work/s.scene" --from-scratch --generations 5 -o "$work/one.gen" 2> /dev/null > "$work/table"
 grep -q '^s: nothing to evolve for steps: ' "$work/table" && grep -q '^note found_both seed 5 generations 5 ' "$work/one.gen" &&
-    [ "$(grep -c '^note found_.* nothing to evolve' "$work/one.gen")" = 2 ] && grep -q '^xi = p$' "$work/one.gen" && grep -q '^eta = q$' "$work/one.gen"
+    [ "$(grep -c '^note found_.* nothing to evolve' "$work/one.gen")" = 2 ] && grep -q '^xi = p, eta = q$' "$work/one.gen"
 report $((! $?)) 'one tier of one gene beside one that is evolved'
 
 # On a terminal of 60 columns one line updates itself, under mpirun, too; elsewhere lines are plain.

@@ -38,9 +38,9 @@ strict='-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror'
         curved*) files="$files ${nearest}_nearest closest_arrays ${shape}_powers curved_along along_again along_calls closest_calls" ;;
         *) files="$files ${nearest}_nearest closest_arrays ${nearest}_along along_again along_calls closest_calls" ;;
         esac
-        echo "REAL_BITS ${kind}_bare($parameters, REAL *xi, REAL *eta);"
-        echo "REAL_BITS ${kind}_checked(const REAL *const *x, int full, REAL *xi, REAL *eta, REAL *gap);"
-        echo "int ${kind}_closest(const REAL *const *x, REAL at[4], int *region);"
+        echo "REAL_BITS ${kind}_bare($parameters, REAL zero, REAL *xi, REAL *eta);"
+        echo "REAL_BITS ${kind}_checked(const REAL *const *x, int full, REAL zero, REAL *xi, REAL *eta, REAL *gap);"
+        echo "int ${kind}_closest(const REAL *const *x, REAL zero, REAL at[4], int *region);"
         for name in $files arrays_calls over_calls; do echo "#include \"$(find "$PWD/$folder" -name "$name.h")\""; done
         for name in $words; do echo "#undef $name"; done
     done

@@ -337,6 +337,39 @@ static void test_region(void **state)
     }
 }
 
+/* Newton's steps to the root xi of v v + p v = q, whose derivatives are small, which enclosures do not know. */
+static void test_steps(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "footpoint-genome 2\ninput p q\nregion\ninput p xi\nrange p 0 3, xi 0.5 2\nlet q = * xi + xi p\n"
+        "end\nlet v1 = / q + 1 p, v2 = / + * v1 v1 q + * 2 v1 p, v3 = / + * v2 v2 q + * 2 v2 p\n"
+        "let v4 = / + * v3 v3 q + * 2 v3 p\nrequire - 2 abs - v1 xi, - 0.5 abs - v2 xi%s\n"
+        "require - 0.1 abs - v3 xi%s, - 0.01 abs - v4 xi%s\ngenome g\nr = v4\nend\n";
+    static const char *const step[2][3] = {{"", "", ""}, {" step 0.5", " step 0.25", " step 0.1"}};
+    static const char code[] =
+        "const double t1 = in_q / (in_p + 1.0);\nconst double t2 = (in_q + t1 * t1) / (in_p + 2.0 * t1);\n"
+        "const double t3 = (in_q + t2 * t2) / (in_p + 2.0 * t2);\n"
+        "*out_r = (in_q + t3 * t3) / (in_p + 2.0 * t3);\n";
+    double bound[2], worst[2];
+    for (int i = 0; i < 2; i++) {
+        char whole[1000];
+        double work = INFINITY;
+        snprintf(whole, sizeof whole, text, step[i][0], step[i][1], step[i][2]);
+        struct genome_file *f = parse(whole);
+        struct program *p = read_program(f, 0, code);
+        struct subject s = subject_new(whole, p);
+        assert_int_equal(s.region->known->steps.limits, i ? 3 : 0);
+        bound[i] = bound_error(s.region, region_op(s.region, p->output[0]), 2, &work);
+        worst_errors(&s, &worst[i]);
+        assert_true(bound[i] >= worst[i]);
+        subject_free(&s);
+        genome_file_free(f);
+    }
+    print_message("steps: %g, limited %g; worst errors %g, %g\n", bound[0], bound[1], worst[0], worst[1]);
+    assert_true(bound[1] < 0.5 * bound[0] && bound[1] < 8 * worst[1]);
+}
+
 static void check_row(struct subject *s, const char *row, uint64_t *seed)
 {
     const struct program *p = s->program;
@@ -400,6 +433,7 @@ int main(void)
         cmocka_unit_test(test_random_programs_with_requires),
         cmocka_unit_test(test_known_programs),
         cmocka_unit_test(test_region),
+        cmocka_unit_test(test_steps),
         cmocka_unit_test(test_rows),
     };
     return cmocka_run_group_tests_name("bound", tests, NULL, NULL);

@@ -47,19 +47,17 @@ static const char region[] = "footpoint-genome 2\n"
                              "region\n"
                              "input vector A vector ex vector ey\n"
                              "input t xi eta\n"
-                             "range A 0 0 0 0 0 0\n"
-                             "range t -1 2.5\n"
+                             "range A 0 0 0 0 0 0, t -1 2.5\n"
                              "let B = ex\n"
                              "let C = + ey * t ex\n"
                              "let S = + * xi B * eta C\n"
                              "require - 1 + xi eta\n"
                              "end\n"
                              "let s = - S A\n"
-                             "let u = dot s s\n"
-                             "require - 0.5 abs - u xi\n"
+                             "let u = dot s s, s2 = sqrt u\n"
+                             "require - 0.5 abs - u xi, - 0.25 abs - * u s2 eta step 1e-3, - 3 u\n"
                              "genome one\n"
-                             "xi = u\n"
-                             "eta = xS\n"
+                             "xi = u, eta = xS\n"
                              "end\n";
 
 static char *print(const struct genome_file *f, size_t *size)
@@ -206,7 +204,7 @@ static void test_lists(void **state)
         "require a, - b 2\nrequire - 3 abs c\ngenome g\nxi = c\neta = d\nend\n";
     static const char expected[] =
         "footpoint-genome 2\nsegment tri3 any\nlet a = + xA 1, b = + xB 1, c = * a b\nlet d = + c 1\n"
-        "require a, - b 2, - 3 abs c\n\ngenome g\nxi = c\neta = d\nend\n";
+        "require a, - b 2, - 3 abs c\n\ngenome g\nxi = c, eta = d\nend\n";
     struct diag d;
     char *needed, *all;
     size_t size;
@@ -291,11 +289,19 @@ static void test_functions_of_frames(void **state)
 static void test_region(void **state)
 {
     (void)state;
-    static const char *const bad[][2] = {{"region\nlet x = 1\nend", "3:1: error: the region does not say where 'y' is"},
-                                         {"region\ninput x y\n", "3:1: error: the file ends inside the region"},
-                                         {"region\ninput x y\nend\nregion\nend", "6:1: error: a second 'region'"},
-                                         {"region\ninput x y\nnote a b\nend", "5:1: error: 'note' inside the region"},
-                                         {"region\ninput x y t\nend\nlet u = * x t", "6:13: error: unknown gene 't'"}};
+    static const char *const bad[][2] = {
+        {"region\nlet x = 1\nend", "3:1: error: the region does not say where 'y' is"},
+        {"region\ninput x y\n", "3:1: error: the file ends inside the region"},
+        {"region\ninput x y\nend\nregion\nend", "6:1: error: a second 'region'"},
+        {"region\ninput x y\nnote a b\nend", "5:1: error: 'note' inside the region"},
+        {"region\ninput x y t\nend\nlet u = * x t", "6:13: error: unknown gene 't'"},
+        {"region\ninput x y t\nend\nrequire - 1 abs - x t step", "6:27: error: 'step' needs a decimal number"},
+        {"region\ninput x y t\nend\nrequire - 1 x step 2",
+         "6:15: error: 'step' of what is not the distance of a value from one of the region"},
+        {"require - 1 abs - x y step 2",
+         "3:23: error: 'step' of what is not the distance of a value from one of the region"},
+        {"range x 0 1,\nrange y 0 1", "3:13: error: range without an input"},
+        {"genome g\nr = x,\nend", "4:7: error: an output is missing behind the comma"}};
     struct diag d;
     size_t size, again;
     struct genome_file *f = genome_parse("region", region, sizeof region - 1, &d);
@@ -303,6 +309,8 @@ static void test_region(void **state)
     assert_int_equal(f->region->inputs, 12);
     assert_int_equal(genome_region_symbol(f, 0), 0);
     assert_int_equal(f->require[0].gene[f->require[0].length - 1], GENE_LOCAL + 10);
+    assert_int_equal(f->require[0].step, 0);
+    assert_string_equal(f->constant[f->require[1].step - 1].text, "1e-3");
     char *text = print(f, &size);
     struct genome_file *g = genome_parse("printed", text, size, &d);
     assert_non_null(g);
@@ -313,7 +321,7 @@ static void test_region(void **state)
     free(text);
     free(second);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        char whole[200], wanted[100];
+        char whole[200], wanted[200];
         snprintf(whole, sizeof whole, "footpoint-genome 2\ninput x y\n%s\n", bad[i][0]);
         snprintf(wanted, sizeof wanted, "frame:%s", bad[i][1]);
         assert_null(genome_parse("frame", whole, strlen(whole), &d));

@@ -199,6 +199,10 @@ static void test_refusals(void **state)
     check_refused(one_output, "const double t1 = t1;\n*out_r = t1;\n");
     check_refused(two_outputs, "*out_r = in_x;\n");
     check_refused(two_outputs, "*out_s = in_x;\n*out_r = in_y;\n");
+    check_refused(one_output, "const double t1 = zero + 1.0;\n*out_r = t1;\n"); /* segments' functions have it */
+    check_refused(segment, "const double u1 = zero + xA[0];\n*xi = u1;\n*eta = u1;\n");
+    check_refused(segment, "const double u1 = zero 1.0;\n*xi = u1;\n*eta = u1;\n");
+    check_refused(segment, "*xi = zero + 1.0;\n*eta = 1.0;\n");
     check_refused(segment, "*xi = xA[3];\n*eta = yS;\n");
     check_refused(segment, "*xi = xE[0];\n*eta = xS[1];\n");
     check_refused(segment, "*xi = in_xA;\n*eta = xS[1];\n");
@@ -213,6 +217,10 @@ static void test_segment(void **state)
     assert_int_equal(p->output[0], 2);
     assert_int_equal(p->op[p->output[1]].a, 13);
     assert_int_equal(p->op[p->output[1]].b, 9);
+    program_free(p);
+    p = read_program(f, 0, "const double u1 = zero - 0.5;\n*xi = (u1 > xA[2] ? u1 : xA[2]);\n*eta = 1.0;\n");
+    assert_int_equal(p->op[p->output[0]].kind, OP_MAX);
+    assert_int_equal(p->op[p->op[p->output[0]].a].kind, OP_NEG);
     program_free(p);
     genome_file_free(f);
 }

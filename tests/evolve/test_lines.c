@@ -144,8 +144,8 @@ static void check_against_text(const struct fixture *f, const struct tree *t)
             assert_true(isnan(e) ? error[half * n + i] == INFINITY : error[half * n + i] == e);
         }
     }
-    const struct genome_expr answer[2] = {{"xi", out[0].gene, out[0].length, 0},
-                                          {"eta", out[1].gene, out[1].length, 0}};
+    const struct genome_expr answer[2] = {{.name = "xi", .gene = out[0].gene, .length = out[0].length},
+                                          {.name = "eta", .gene = out[1].gene, .length = out[1].length}};
     const struct genome_expr *const both[2] = {&answer[0], &answer[1]};
     struct tree again = {new_array(LONGEST, sizeof *again.gene), 0};
     assert_true(lines_read(f->lines, copy, both, &f->genes, true, LONGEST, &again) && tree_equal(t, &again));

@@ -3,6 +3,7 @@
 
 #include "../../codegen/bound/rounding.h"
 #include "../../codegen/program/evaluate.h"
+#include "../../codegen/program/evaluate_float.h"
 #include "genome_text.h"
 
 #include <float.h>
@@ -10,7 +11,7 @@
 
 long sample_count(void)
 {
-    return getenv("FOOTPOINT_LONG") ? 1000000 : 3000;
+    return getenv("FOOTPOINT_LONG") ? 1000000 : 10000;
 }
 
 static long double nearest(const fmpq_t x)
@@ -23,18 +24,34 @@ static long double nearest(const fmpq_t x)
     return value;
 }
 
+/* Values by operation, the constants' filled in. */
+static struct lanes *lanes_new(const struct program *p)
+{
+    struct lanes *v = new_array(p->ops, sizeof *v);
+    double *constant = new_array(p->ops, sizeof *constant);
+    point_constants(p, constant);
+    for (size_t i = 0; i < p->ops; i++)
+        for (int l = 0; l < SIDE_BY_SIDE; l++)
+            v[i].at[l] = constant[i];
+    free(constant);
+    return v;
+}
+
 struct subject subject_new(const char *text, struct program *p)
 {
     struct subject s = {.file = parse(text), .program = p};
     s.region = region_new(s.file, p, true);
-    const size_t sides = s.region->known->variables > p->inputs ? s.region->known->variables : p->inputs;
+    const struct known *x = s.region->known;
+    const size_t sides = x->variables > p->inputs ? x->variables : p->inputs;
     s.input = new_array(p->inputs, sizeof *s.input);
     s.at = new_array(sides, sizeof *s.at);
     s.value = new_array(p->ops, sizeof *s.value);
     s.near = new_array(p->ops, sizeof *s.near);
-    s.own = new_array(s.region->known->inputs, sizeof *s.own);
-    s.known = new_array(s.region->known->program->ops, sizeof *s.known);
-    point_constants(s.region->known->program, s.known);
+    for (int l = 0; l < SIDE_BY_SIDE; l++)
+        s.point[l] = new_array(sides, sizeof *s.point[l]);
+    s.own = new_array(x->inputs, sizeof *s.own);
+    s.required = lanes_new(x->program);
+    s.step = x->steps.program ? lanes_new(x->steps.program) : NULL;
     s.box = new_array(sides, sizeof *s.box);
     s.exact = _arb_vec_init((slong)p->outputs);
     point_constants(p, s.value);
@@ -44,15 +61,27 @@ struct subject subject_new(const char *text, struct program *p)
     return s;
 }
 
+void subject_in_float(struct subject *s)
+{
+    s->single = new_array(s->program->ops, sizeof *s->single);
+    s->coordinate = new_array(2 * s->program->inputs, sizeof *s->coordinate);
+    single_constants(s->program, s->single);
+}
+
 void subject_free(struct subject *s)
 {
+    free(s->single);
+    free(s->coordinate);
     _arb_vec_clear(s->exact, (slong)s->program->outputs);
     free(s->input);
     free(s->at);
     free(s->value);
     free(s->near);
+    for (int l = 0; l < SIDE_BY_SIDE; l++)
+        free(s->point[l]);
     free(s->own);
-    free(s->known);
+    free(s->required);
+    free(s->step);
     free(s->box);
     region_free(s->region);
     program_free(s->program);
@@ -70,8 +99,9 @@ double error_of(double x, const arb_t exact)
     return isfinite(x) ? far : INFINITY;
 }
 
-/* Some coordinates anew, each kept with a chance of `keep`; a quarter of the new ones are ends of their ranges. */
-static void move(struct subject *s, double keep, uint64_t *seed)
+/* Some coordinates of a point anew, each kept with a chance of `keep`; a quarter of the new ones are ends of their
+ * ranges. */
+static void move(const struct subject *s, double keep, uint64_t *seed, double *at)
 {
     for (size_t k = 0; k < s->region->known->variables; k++) {
         const size_t input = s->region->known->input[k];
@@ -80,22 +110,68 @@ static void move(struct subject *s, double keep, uint64_t *seed)
         if (fraction(seed) < keep)
             continue;
         const double x = range.lo + (fraction(seed) + fraction(seed) * 0x1p-51) * (range.hi - range.lo);
-        s->at[k] = choice == 0 ? range.lo : choice == 1 ? range.hi : fmin(x, range.hi);
+        at[k] = choice == 0 ? range.lo : choice == 1 ? range.hi : fmin(x, range.hi);
     }
-    region_inputs(s->region, s->at, s->input);
 }
 
-/* As far as rounded values of the requires tell. */
-static bool seems_in_region(struct subject *s)
+/* All operations of a program, at points side by side. */
+static void values(const struct program *p, const struct lanes *input, struct lanes *v)
+{
+#define EACH(value)                                                                                                    \
+    for (int l = 0; l < SIDE_BY_SIDE; l++)                                                                             \
+        x[l] = value;                                                                                                  \
+    break
+    for (size_t i = 0; i < p->ops; i++) {
+        const struct op *op = &p->op[i];
+        const double *a = v[op->a >= 0 ? op->a : 0].at, *b = v[op->b >= 0 ? op->b : 0].at;
+        double *restrict x = v[i].at;
+        switch (op->kind) {
+        case OP_CONSTANT:
+            break; /* by lanes_new */
+        case OP_INPUT:
+            EACH(input[op->input].at[l]);
+        case OP_NEG:
+            EACH(-a[l]);
+        case OP_ADD:
+            EACH(a[l] + b[l]);
+        case OP_SUB:
+            EACH(a[l] - b[l]);
+        case OP_MUL:
+            EACH(a[l] * b[l]);
+        default:
+            EACH(point_operation(op->kind, a[l], b[l]));
+        }
+    }
+#undef EACH
+}
+
+/* Of the points, those at which all outputs are > 0, a bit each. */
+static unsigned positive(const struct program *p, const struct lanes *input, struct lanes *v)
+{
+    unsigned all = (1U << SIDE_BY_SIDE) - 1;
+    values(p, input, v);
+    for (size_t i = 0; i < p->outputs; i++)
+        for (unsigned l = 0; l < SIDE_BY_SIDE; l++)
+            all &= v[p->output[i]].at[l] > 0 ? ~0U : ~(1U << l);
+    return all;
+}
+
+/* Of the candidates, those in the region as far as rounded values tell. */
+static unsigned in_region_about(struct subject *s)
 {
     const struct known *x = s->region->known;
     for (size_t i = 0; i < x->inputs; i++)
-        s->own[i] = x->variable[i] < x->variables ? s->at[x->variable[i]] : fmax(s->region->doubles[i].lo, -DBL_MAX);
-    point_double(x->program, s->own, NULL, s->known);
-    bool inside = true;
-    for (size_t i = 0; i < x->program->outputs && inside; i++)
-        inside = s->known[x->program->output[i]] > 0;
-    return inside;
+        for (int l = 0; l < SIDE_BY_SIDE; l++)
+            s->own[i].at[l] =
+                x->variable[i] < x->variables ? s->point[l][x->variable[i]] : fmax(s->region->doubles[i].lo, -DBL_MAX);
+    const unsigned inside = positive(x->program, s->own, s->required);
+    return inside && s->step ? inside & positive(x->steps.program, s->own, s->step) : inside;
+}
+
+static void place(struct subject *s, const double *at)
+{
+    memcpy(s->at, at, s->region->known->variables * sizeof *at);
+    region_inputs(s->region, s->at, s->input);
 }
 
 static bool in_region(struct subject *s)
@@ -148,16 +224,34 @@ static void near_values(struct subject *s)
     }
 }
 
+/* The outputs at the point, of products contracted where there is a seed. */
+static void compute(struct subject *s, uint64_t *seed)
+{
+    const size_t n = s->program->inputs;
+    if (!s->single) {
+        point_double(s->program, s->input, seed, s->value);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+        s->coordinate[i] = (float)s->input[i];
+    single_inputs(s->file->segment, s->coordinate, s->coordinate + n);
+    single_values(s->program, s->coordinate + n, s->single);
+    for (size_t i = 0; i < s->program->outputs; i++)
+        s->value[s->program->output[i]] = s->single[s->program->output[i]];
+}
+
 /* Errors of the outputs at the point, of products contracted or not whichever is worse, about; the worst so far, exactly.
  * False: it is not in the region, or has no exact value, a quotient by 0. */
 static bool look(struct subject *s, uint64_t *seed, double *about, double *worst)
 {
     bool exact = false;
+    for (size_t i = 0; s->single && i < s->program->inputs; i++)
+        s->input[i] = (float)s->input[i];
     near_values(s);
     for (size_t i = 0; i < s->program->outputs; i++)
         about[i] = 0;
     for (int k = 0; k < 2; k++) {
-        point_double(s->program, s->input, k ? seed : NULL, s->value);
+        compute(s, k ? seed : NULL);
         for (size_t i = 0; i < s->program->outputs; i++) {
             const int op = s->program->output[i];
             const double error = (double)fabsl(s->value[op] - s->near[op]);
@@ -179,45 +273,46 @@ static bool walk(struct subject *s, double *from, uint64_t *seed, long *tries)
 {
     static const double keep[] = {0, 0.5, 0.8, 0.95};
     const size_t size = s->region->known->variables * sizeof *from;
-    while ((*tries)-- > 0) {
-        memcpy(s->at, from, size);
-        move(s, keep[*tries & 3], seed);
-        if (seems_in_region(s)) {
-            memcpy(from, s->at, size);
-            return true;
-        }
+    for (; !s->inside; s->inside = in_region_about(s), *tries -= SIDE_BY_SIDE) {
+        if (*tries <= 0)
+            return false;
+        for (int l = 0; l < SIDE_BY_SIDE; l++)
+            move(s, keep[l & 3], seed, memcpy(s->point[l], from, size));
     }
-    return false;
+    place(s, memcpy(from, s->point[__builtin_ctz(s->inside)], size));
+    s->inside &= s->inside - 1;
+    return true;
 }
 
 /* One coordinate changed, by from all of its range to its last digits. */
-static void step(struct subject *s, uint64_t *seed)
+static void step(const struct subject *s, uint64_t *seed, double *at)
 {
     const struct known *x = s->region->known;
     const size_t k = random_next(seed) % x->variables;
     const struct interval range = s->region->doubles[x->input[k]];
     const double far = ldexp(2 * fraction(seed) - 1, -(int)(random_next(seed) % 52)) * (range.hi - range.lo);
-    s->at[k] = fmin(fmax(s->at[k] + far, range.lo), range.hi);
-    region_inputs(s->region, s->at, s->input);
+    at[k] = fmin(fmax(at[k] + far, range.lo), range.hi);
 }
 
-/* Uphill from a point, by what makes the error of one output larger. */
+/* Uphill from a point of the region, by what makes the error of one output larger. */
 static void climb(struct subject *s, size_t output, double *from, uint64_t *seed, double *about, double *worst)
 {
     const size_t size = s->region->known->variables * sizeof *from;
-    enum { STEPS = 100 };
-    double highest = -1;
-    for (int n = 0; n <= STEPS; n++) {
-        memcpy(s->at, from, size);
-        if (n > 0)
-            step(s, seed);
-        else
-            region_inputs(s->region, s->at, s->input);
-        if (!seems_in_region(s) || !look(s, seed, about, worst) || !(about[output] > highest))
-            continue;
-        highest = about[output];
-        memcpy(from, s->at, size);
+    enum { STEPS = 200 };
+    place(s, from);
+    double highest = look(s, seed, about, worst) ? about[output] : -1;
+    for (int n = 0; n < STEPS; n += SIDE_BY_SIDE) {
+        for (int l = 0; l < SIDE_BY_SIDE; l++)
+            step(s, seed, memcpy(s->point[l], from, size));
+        for (unsigned inside = in_region_about(s); inside; inside &= inside - 1) {
+            place(s, s->point[__builtin_ctz(inside)]);
+            if (!look(s, seed, about, worst) || !(about[output] > highest))
+                continue;
+            highest = about[output];
+            memcpy(from, s->at, size);
+        }
     }
+    s->inside = 0;
 }
 
 void worst_errors(struct subject *s, double *worst)

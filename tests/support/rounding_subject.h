@@ -8,15 +8,26 @@
 
 #include <arb.h>
 
+enum { SIDE_BY_SIDE = 8 };
+
+/* A value at several points. */
+struct lanes {
+    double at[SIDE_BY_SIDE];
+};
+
 struct subject {
     struct genome_file *file;
     struct program *program;
     struct region *region;
-    double *input, *at, *value; /* owned */
-    long double *near;          /* owned: by operation */
-    double *own, *known;        /* owned: by input and operation of the region's program */
-    struct interval *box;       /* owned */
-    arb_ptr exact;              /* owned: by output */
+    double *input, *at, *value;          /* owned */
+    long double *near;                   /* owned: by operation */
+    double *point[SIDE_BY_SIDE];         /* owned: candidates, by variable of the region */
+    unsigned inside;                     /* those in the region that were not looked at yet, a bit each */
+    struct lanes *own, *required, *step; /* owned: by input and operation of the region's programs */
+    struct interval *box;                /* owned */
+    arb_ptr exact;                       /* owned: by output */
+    float *single;                       /* owned: by operation, of a program in float; else NULL */
+    float *coordinate;                   /* owned: by input, twice: as given, as it is computed with */
 };
 
 /** Points looked at in a subject: few, or a million with FOOTPOINT_LONG. */
@@ -30,6 +41,8 @@ static inline double fraction(uint64_t *seed)
 
 /** Of the genome file `text`, which says where; p is the subject's from then on. */
 struct subject subject_new(const char *text, struct program *p);
+/** The program of a segment computes in float, with coordinates that are scaled (single_inputs). */
+void subject_in_float(struct subject *s);
 void subject_free(struct subject *s);
 
 /** |x - exact|; infinite unless x is finite. */

@@ -1,9 +1,9 @@
 /* Checked searches where the quick way does not tell. */
 
 /* A checked search: x as NAME has its vectors.  The highest bit of what it returns is set if the answer is not good; unless
- * `full`, if it is not good beyond doubt. */
-typedef REAL_BITS footpoint_detail_search(const REAL *const *x, int full, REAL *xi, REAL *eta,
-                                          REAL *gap);
+ * `full`, if it is not good beyond doubt.  zero: see footpoint_detail_zero. */
+typedef REAL_BITS footpoint_detail_search(const REAL *const *x, int full, REAL zero, REAL *xi,
+                                          REAL *eta, REAL *gap);
 
 /* NAME in full: the search, and where that is not good once more, in a unit of length in which the segment is about 1
  * long; with nodes = 0 not. */
@@ -13,13 +13,13 @@ FOOTPOINT_COLD int footpoint_detail_again(footpoint_detail_search *search, const
     REAL y[10][3], xi, eta, g;
     const REAL *z[10];
     int exponent = 0, status, i;
-    if (search(x, 1, &xi, &eta, &g) >> REAL_TOP) {
+    if (search(x, 1, 0.0, &xi, &eta, &g) >> REAL_TOP) {
         status = footpoint_detail_scale(x, nodes, vectors, y, &exponent);
         if (status != FOOTPOINT_OK)
             return status;
         for (i = 0; i < vectors; i++)
             z[i] = y[i];
-        if (search(z, 1, &xi, &eta, &g) >> REAL_TOP)
+        if (search(z, 1, 0.0, &xi, &eta, &g) >> REAL_TOP)
             return FOOTPOINT_ERR_DEGENERATE;
     }
     g = exponent ? ldexp(g, exponent) : g;

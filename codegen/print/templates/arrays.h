@@ -1,17 +1,18 @@
 /* Loops over arrays, which FOOTPOINT_LOOP inlines with the searches that they call: without that they do not vectorise. */
 
 /* The search of NAME_at. */
-typedef REAL_BITS footpoint_detail_KIND_search(NODE_PARAMETERS, REAL *xi, REAL *eta);
+typedef REAL_BITS footpoint_detail_KIND_search(NODE_PARAMETERS, REAL zero, REAL *xi, REAL *eta);
 
 FOOTPOINT_PART void footpoint_detail_KIND_n(footpoint_detail_KIND_search *search, size_t n,
                                             const REAL *const *x, REAL *FOOTPOINT_RESTRICT xi,
                                             REAL *FOOTPOINT_RESTRICT eta)
 {
+    const REAL zero = footpoint_detail_zero();
     size_t i;
     FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const REAL p[VECTORS][3] = {COLUMNS};
-        (void)search(ROWS, &xi[i], &eta[i]);
+        (void)search(ROWS, zero, &xi[i], &eta[i]);
     }
 }
 
@@ -36,13 +37,14 @@ FOOTPOINT_PART void footpoint_detail_KIND_checked_n(footpoint_detail_search *sea
                                                     REAL *FOOTPOINT_RESTRICT gap,
                                                     int *FOOTPOINT_RESTRICT status)
 {
+    const REAL zero = footpoint_detail_zero();
     size_t i;
     FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const REAL p[VECTORS][3] = {COLUMNS};
         const REAL *const row[VECTORS] = {ROWS};
         REAL u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> REAL_TOP);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, zero, &u, &v, &g) >> REAL_TOP);
         xi[i] = u;
         eta[i] = v;
         gap[i] = g;

@@ -8,6 +8,7 @@ footpoint_detail_KIND_over_n(footpoint_detail_search *search, const REAL *const 
                              REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT gap,
                              int *FOOTPOINT_RESTRICT status)
 {
+    const REAL zero = footpoint_detail_zero();
     REAL c[SEGMENT_VECTORS][3];
     size_t i;
     int j, k;
@@ -19,7 +20,7 @@ footpoint_detail_KIND_over_n(footpoint_detail_search *search, const REAL *const 
         const REAL s[3] = {x[0][i], x[1][i], x[2][i]};
         const REAL *const row[VECTORS] = {SEGMENT_ROWS, s};
         REAL u, v, g;
-        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, &u, &v, &g) >> REAL_TOP);
+        status[i] = FOOTPOINT_ERR_DEGENERATE * (int)(search(row, 0, zero, &u, &v, &g) >> REAL_TOP);
         xi[i] = u;
         eta[i] = v;
         gap[i] = g;

@@ -29,7 +29,7 @@ FOOTPOINT_PART REAL footpoint_detail_signed_root(REAL dd)
 
 /* A search of closest points: x as NAME has its vectors; at = {xi, eta, square of the distance with its sign, square of
  * the cosine between xS - r and the normal}. */
-typedef int footpoint_detail_nearest(const REAL *const *x, REAL at[4], int *region);
+typedef int footpoint_detail_nearest(const REAL *const *x, REAL zero, REAL at[4], int *region);
 
 /* NAME_closest in a unit of length in which the segment is about 1 long; with nodes = 0 not. */
 FOOTPOINT_COLD int footpoint_detail_closest_again(footpoint_detail_nearest *nearest,
@@ -43,7 +43,7 @@ FOOTPOINT_COLD int footpoint_detail_closest_again(footpoint_detail_nearest *near
         return status;
     for (i = 0; i < vectors; i++)
         z[i] = y[i];
-    status = nearest(z, at, region);
+    status = nearest(z, 0.0, at, region);
     at[2] = footpoint_detail_signed_root(at[2]);
     at[2] = exponent ? ldexp(at[2], exponent) : at[2];
     return status;
@@ -54,7 +54,7 @@ FOOTPOINT_PART int footpoint_detail_closest(footpoint_detail_nearest *nearest, c
                                             int nodes, int vectors, REAL at[4], int *region)
 {
     REAL other[4] = {0.0, 0.0, 0.0, 0.0};
-    int i, where = 0, status = nearest(x, at, region);
+    int i, where = 0, status = nearest(x, 0.0, at, region);
     at[2] = footpoint_detail_signed_root(at[2]);
     if (status == FOOTPOINT_ERR_DEGENERATE) {
         status = footpoint_detail_closest_again(nearest, x, nodes, vectors, other, &where);

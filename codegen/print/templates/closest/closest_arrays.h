@@ -7,13 +7,14 @@ footpoint_detail_KIND_closest_n(footpoint_detail_nearest *nearest, size_t n, con
                                 REAL *FOOTPOINT_RESTRICT eta, REAL *FOOTPOINT_RESTRICT dist,
                                 int *FOOTPOINT_RESTRICT region, int *FOOTPOINT_RESTRICT status)
 {
+    const REAL zero = footpoint_detail_zero();
     size_t i;
     FOOTPOINT_EACH
     for (i = 0; i < n; i++) {
         const REAL p[VECTORS][3] = {COLUMNS};
         const REAL *const row[VECTORS] = {ROWS};
         REAL at[4];
-        status[i] = nearest(row, at, &region[i]);
+        status[i] = nearest(row, zero, at, &region[i]);
         xi[i] = at[0];
         eta[i] = at[1];
         dist[i] = at[2];
