@@ -186,11 +186,11 @@ use() {
 fused=
 ! grep -q -w fma /proc/cpuinfo 2> /dev/null || fused='-mfma -ffp-contract=fast'
 mkdir "$work/fresh"
-later 'header: fresh headers of most scenes, most functions of quad4'
+later 'header: fresh headers of most scenes'
 for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     name=$(basename "$file" .gen)
     case $name in *-float) continue ;; esac # quad4's
-    case $name in quad4 | tri3 | scalars | poles) ;; *) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
+    case $name in parallelogram-quad4 | tri3 | scalars | poles) ;; *) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
     case $name in scalars | poles) cp "$file" "$work/fresh/" ;; *) some "$file" > "$work/fresh/$name.gen" ;; esac
     poles=--allow-poles
     [ "$name" != scalars ] || poles=
