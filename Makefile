@@ -351,7 +351,7 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_test)
 
-jobs := $(or $(JOBS),$(shell nproc))
+jobs := $(or $(JOBS),$(shell expr $$(nproc) + 1))
 
 # What takes longest comes first, but make comes back to what waits for something only when all others are under way: so
 # what that waits for is made before, in two steps.
@@ -359,7 +359,9 @@ bench_text := $(OBJ)/footpoint_perceptron.h $(OBJ)/footpoint_perceptron.inc $(OB
 build_tests = for part in codegen bench-text build-tests; do \
                   $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(jobs)) $$part || exit; \
               done
-bench-text: $(bench_text) evolve runtime
+bench-text: bench-words evolve runtime
+bench-words: # by a make of its own, so that it begins with it
+	$(Q)$(MAKE) --no-print-directory $(bench_text)
 build-tests: $(isa_parts) all $(TESTS)
 
 # The longest first, so that processors are busy to the end.
@@ -538,5 +540,5 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  %-15s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 .PHONY: all codegen evolve runtime calibrate-program bench-program regenerate front check check-long bench calibrate report \
-        perceptrons paper rivals bench-text build-tests deps deps-long deps-rivals install install-runtime uninstall \
+        perceptrons paper rivals bench-text bench-words build-tests deps deps-long deps-rivals install install-runtime uninstall \
         dist abi clean help FORCE
