@@ -351,7 +351,7 @@ $(TESTS): $(OBJ)/support.a $(OBJ)/evolve.a $(OBJ)/codegen.a $(LIB)_ccx.a $(LIB).
 	$(call say,LD,$@)
 	$(Q)$(link) $(LIBS_test)
 
-jobs := $(or $(JOBS),$(shell expr $$(nproc) + 1))
+jobs := $(or $(JOBS),$(shell echo $$(($$(nproc) + 1))))
 
 # What takes longest comes first, but make comes back to what waits for something only when all others are under way: so
 # what that waits for is made before, in two steps.
