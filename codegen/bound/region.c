@@ -8,6 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Room for the values of a program's operations, those of constants filled in; NULL without a program. */
+static double *last_values(const struct program *p)
+{
+    double *value = p ? new_array(p->ops, sizeof *value) : NULL;
+    if (p)
+        point_constants(p, value);
+    return value;
+}
+
 struct region *region_new(const struct genome_file *f, const struct program *p, bool shapes)
 {
     struct region *r = new_array(1, sizeof *r);
@@ -20,10 +29,8 @@ struct region *region_new(const struct genome_file *f, const struct program *p, 
             r->doubles[i] = (struct interval){double_nearest(&x->lo[i]), double_nearest(&x->hi[i])};
     }
     r->required = forms_new(x, -1);
-    if (x->steps.program) {
-        r->step = new_array(x->steps.program->ops, sizeof *r->step);
-        point_constants(x->steps.program, r->step);
-    }
+    r->step = last_values(x->steps.program);
+    r->place = last_values(x->place);
     return r;
 }
 
@@ -40,6 +47,7 @@ void region_free(struct region *r)
     forms_free(r->required);
     free(r->doubles);
     free(r->step);
+    free(r->place);
     known_free(r->known);
     free(r);
 }
@@ -119,12 +127,9 @@ void region_inputs(const struct region *r, const double *at, double *input)
     const struct known *x = r->known;
     double *own = own_inputs(r, at);
     if (x->place) {
-        double *value = new_array(x->place->ops, sizeof *value);
-        point_constants(x->place, value);
-        point_double(x->place, own, NULL, value);
+        point_double(x->place, own, NULL, r->place);
         for (size_t i = 0; i < x->places; i++)
-            input[i] = value[x->place->output[i]];
-        free(value);
+            input[i] = r->place[x->place->output[i]];
     } else
         memcpy(input, own, x->inputs * sizeof *own);
     free(own);

@@ -10,7 +10,7 @@ struct region {
     struct known *known;      /* owned: ranges, requires and program */
     struct interval *doubles; /* owned: by input, between the doubles nearest to its ends */
     struct forms *required;   /* owned: enclosures of the requires */
-    double *step;             /* owned: by operation of known->steps.program, its last value */
+    double *step, *place;     /* owned: by operation of known->steps.program and known->place, its last value */
 };
 
 /** The region of the inputs of program p, made from a genome of file f; without `shapes` a region block is passed over. */
