@@ -142,6 +142,19 @@ struct writing {
     struct errors *found[HELDOUT_PARTS]; /* owned; NULL where the scene has no such part */
 };
 
+/* Lets and outputs of a program of a tier, as its text is read again. */
+static void expand(const struct archive *a, const struct tree *t, size_t tier, struct genome_file *f, const char *name,
+                   struct tree out[2])
+{
+    const struct tier *own = &a->scene->tier[tier];
+    const struct gene_set genes = {.symbol = archive_symbols(a, tier), .symbols = own->terminals};
+    struct tree again = {new_array(tier_genes(own), sizeof *again.gene), 0};
+    const bool good = lines_respell(a->lines, t, &genes, tier_genes(own), &again);
+    lines_expand(a->lines, good ? &again : t, archive_last(a, tier), f, name, out);
+    free(again.gene);
+    free(genes.symbol);
+}
+
 static struct writing expand_tiers(struct archive *a)
 {
     struct writing w = {.out = new_array(2 * a->scene->tiers, sizeof *w.out),
@@ -154,7 +167,7 @@ static struct writing expand_tiers(struct archive *a)
         out[0] = c[0].tree;
         out[1] = c[1].tree;
         if (a->scene->tier[i].program)
-            lines_expand(a->lines, &c[TIER_BOTH].tree, archive_last(a, i), a->program, a->scene->tier[i].name, out);
+            expand(a, &c[TIER_BOTH].tree, i, a->program, a->scene->tier[i].name, out);
         w.output[w.n + 1] = 1;
         w.n += 2;
     }
@@ -251,7 +264,7 @@ static void add_member(const struct archive *a, struct kernel *kernel, const str
     const int first = output == TIER_BOTH ? 0 : output, last = output == TIER_BOTH ? 1 : output;
     snprintf(name, sizeof name, "%.250s_%s_c%.0f", a->scene->tier[tier].name, frame_output[output], m->cost);
     if (output == TIER_BOTH) {
-        lines_expand(a->lines, &m->tree, archive_last(a, tier), f, name, out);
+        expand(a, &m->tree, tier, f, name, out);
     } else {
         out[output].gene = new_array(m->tree.length, sizeof *out[output].gene);
         tree_bind(f, &m->tree, &out[output]);

@@ -100,6 +100,36 @@ bool lines_read(struct lines *c, const struct genome_file *f, const struct genom
     return good && lines_store(c, max, t);
 }
 
+bool lines_respell(struct lines *c, const struct tree *t, const struct gene_set *genes, size_t max, struct tree *to)
+{
+    const struct genome_file *f = c->rules->program;
+    const size_t symbols = f->inputs + f->lets;
+    lines_load(c, t, -1, LINES_INNER);
+    const size_t n = c->lines;
+    const int root[2] = {c->root[0], c->root[1]};
+    struct line *from = new_array(n, sizeof *from);
+    memcpy(from, c->line, n * sizeof *from);
+    int *map = new_array(n, sizeof *map);
+    struct reader r = {c, f, genes, new_array(symbols, sizeof *r.line)};
+    for (size_t i = 0; i < symbols; i++)
+        r.line[i] = -1;
+    lines_begin(c);
+    bool good = true;
+    for (size_t i = 0; i < n && good; i++) {
+        const struct line *x = &from[i];
+        map[i] = x->gene >= GENE_SYMBOL ? read_symbol(&r, (size_t)(x->gene - GENE_SYMBOL))
+                 : x->gene < 0          ? lines_number(c, x->number)
+                                        : lines_operation(c, x->gene, map[x->a], x->b >= 0 ? map[x->b] : -1);
+        good = map[i] >= 0;
+    }
+    for (int k = 0; k < 2 && good; k++)
+        c->root[k] = map[root[k]];
+    free(r.line);
+    free(map);
+    free(from);
+    return good && lines_store(c, max, to);
+}
+
 /* ---- to lets and outputs ---- */
 
 struct writer {

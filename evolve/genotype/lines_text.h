@@ -19,6 +19,11 @@
 bool lines_read(struct lines *c, const struct genome_file *f, const struct genome_expr *const out[2],
                 const struct gene_set *genes, bool called, size_t max, struct tree *t);
 
+/** A program as reading its text gives it: values that functions bring along and that are none of the set's symbols are
+ *  what they are made of.
+ *  @returns false, with *to undefined, where that has more than max genes */
+bool lines_respell(struct lines *c, const struct tree *t, const struct gene_set *genes, size_t max, struct tree *to);
+
 /** Write a program as expressions of the file that the rules are of: values that are used twice, and divisors, become
  *  lets <name>_1, <name>_2, ..., or are those of a program written before; xi and eta follow from them, and divisors are
  *  measured (`least`)
