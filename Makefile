@@ -325,11 +325,7 @@ MPIRUN ?= mpirun -q $(if $(filter 0,$(shell id -u)),--allow-run-as-root) --overs
 regenerate: codegen evolve ## evolve from the committed genomes, then emit the headers: SCENE= RANKS= GENERATIONS= SEED= FROM=scratch
 	$(Q)BIN=$(BIN) MPIRUN='$(MPIRUN)' RANKS=$(RANKS) GENERATIONS=$(GENERATIONS) SEED=$(SEED) FROM=$(FROM) \
 	    sh evolve/regenerate.sh $(or $(SCENE),$(SCENES))
-	$(Q)for face in $(if $(SCENE),,$(FACES)); do \
-	    header=generated/footpoint_$${face}_derivatives.h; \
-	    $(BIN)/footpoint-codegen --allow-poles codegen/derivatives/$$face.gen -o $$header || exit $$?; \
-	    echo "$$header"; \
-	done
+	$(if $(SCENE),,$(Q)BIN=$(BIN) GENERATIONS=$(GENERATIONS) sh evolve/regenerate.sh --derivatives $(FACES))
 
 front: codegen evolve ## which members of the fronts to ship as tiers, measured on validation samples: SCENE= MEMBERS= of each tier
 	$(call demand,SCENE,$(SCENE),no scene)

@@ -78,13 +78,13 @@ const struct option_table codegen_option_table = {
     .usage =
         "usage: footpoint-codegen GENOMES -o FILE       write code: a header of static inline C functions\n"
         "       footpoint-codegen --count GENOMES       print genome,mul,div,add,sqrt,compare of each genome as CSV\n",
-    .notes = "Every function is checked to equal its genome in exact rational arithmetic before anything is written.\n"
-             "Infix is read by Python, SymPy, Maxima and FORM: constants are exact quotients, pdiv(a,b) is a/b, and 1 "
-             "where b\n"
-             "is 0.  NAME_n, the loop over arrays in C, vectorises with -O3, and needs -fno-math-errno for square "
-             "roots and\n"
-             "-fno-trapping-math for minima, maxima and protected quotients; neither changes a result.\n"
-             "Exit status: 0 done, 1 input rejected, 2 usage, 3 memory or I/O.\n",
+    .notes =
+        "Every function is checked to equal its genome in exact rational arithmetic before anything is written.\n"
+        "Infix is read by Python, SymPy, Maxima and FORM: constants are exact quotients, pdiv(a,b) is a/b, and 1\n"
+        "where b is 0.  NAME_n, the loop over arrays in C, vectorises with -O3, and needs -fno-math-errno for square\n"
+        "roots and -fno-trapping-math for protected quotients (where inputs are no segment's, for minima and maxima,\n"
+        "too); neither changes a result.\n"
+        "Exit status: 0 done, 1 input rejected, 2 usage, 3 memory or I/O.\n",
     .row = rows,
     .rows = sizeof rows / sizeof *rows,
     .unknown = "unknown option or missing value: %s (try --help)",

@@ -1,34 +1,32 @@
 #!/bin/sh
-# regenerate.sh SCENE...: the main job.  Evolve each scene from its committed genomes; where these change, or there is no
-# header yet, emit the header.  Several scenes are done side by side, as many as there are ranks.  Reads BIN, MPIRUN
-# (without -n), RANKS, GENERATIONS, SEED and FROM (scratch, or nothing) from the environment; `make regenerate` calls it.
-# What a scene's run says is in $BIN/regenerate/NAME.log, if there are several.
+# regenerate.sh SCENE...: the main job.  Evolve each scene from its committed genomes, then emit the headers that were not
+# emitted from these genomes, or all if GENERATIONS is 0.  Several scenes are done side by side, as many as there are ranks.
+# regenerate.sh --derivatives FACE...: emit the headers of derivatives, as above.  Reads BIN, MPIRUN (without -n), RANKS,
+# GENERATIONS, SEED and FROM (scratch, or nothing) from the environment; `make regenerate` calls it.  What a scene's run
+# says is in $BIN/regenerate/NAME.log, if there are several.
 progress() { printf '%s\n' "$*" >&2; }
 
-# The header of a scene, if its genomes are others than before.
-emit() { # emit SCENE GENOMES HEADER
-    samples=
-    if grep -q '^note precision float' "$2"; then
-        samples=$BIN/$(basename "$2").samples
-        "$BIN/footpoint-evolve" --scene "$1" --samples "$samples" || return
+emit() { # emit GENOMES HEADER [SCENE whose samples single precision is measured on]
+    if [ "$GENERATIONS" -gt 0 ] && grep -q "sha256: $(sha256sum < "$1" | cut -d ' ' -f 1)" "$2" 2> /dev/null; then
+        echo "$2 is as it was"
+        return
     fi
-    "$BIN/footpoint-codegen" --allow-poles ${samples:+--samples "$samples"} "$2" -o "$3" || return
+    samples=
+    if grep -q '^note precision float' "$1"; then
+        samples=$BIN/$(basename "$1").samples
+        "$BIN/footpoint-evolve" --scene "$3" --samples "$samples" || return
+    fi
+    "$BIN/footpoint-codegen" --allow-poles ${samples:+--samples "$samples"} "$1" -o "$2" || return
     rm -f "$samples"
-    echo "$3"
+    echo "$2"
 }
 
 regenerate() { # regenerate SCENE RANKS
     name=$(basename "$1" .scene)
-    genomes=evolve/genomes/$name.gen header=generated/footpoint_$(echo "$name" | tr - _).h
-    before=$(cat "$genomes" 2> /dev/null | cksum)
     # shellcheck disable=SC2086
     $MPIRUN -n "$2" "$BIN/footpoint-evolve" --scene "$1" --generations "$GENERATIONS" --seed "$SEED" \
         ${FROM:+--from-scratch} || return
-    if [ "$GENERATIONS" -gt 0 ] && [ -e "$header" ] && [ "$(cksum < "$genomes")" = "$before" ]; then
-        echo "$header is as it was"
-    else
-        emit "$1" "$genomes" "$header"
-    fi
+    emit "evolve/genomes/$name.gen" "generated/footpoint_$(echo "$name" | tr - _).h" "$1"
 }
 
 if [ "$1" = --one ]; then # regenerate.sh --one SCENE RANKS: one of several
@@ -42,6 +40,14 @@ if [ "$1" = --one ]; then # regenerate.sh --one SCENE RANKS: one of several
     [ $status -eq 0 ] || tail -n 5 "$log" >&2
     progress "$name: scene $done of $SCENES, about $(((left + 59) / 60)) min left"
     exit $status
+fi
+
+if [ "$1" = --derivatives ]; then
+    shift
+    for face in "$@"; do
+        emit "codegen/derivatives/$face.gen" "generated/footpoint_${face}_derivatives.h" || exit
+    done
+    exit
 fi
 
 if [ $# = 1 ]; then

@@ -34,6 +34,9 @@ for value in RANKS=10 GENERATIONS=0 SEED=18446744073709551615 JOBS=3 FROM=scratc
     expect "$value" 0 '*' '' make -n help $value
 done
 
+expect 'headers of genomes that did not change are not emitted anew' 0 'generated/footpoint_tri3_derivatives.h is as it was
+generated/footpoint_quad9_derivatives.h is as it was' '' env GENERATIONS=4 sh evolve/regenerate.sh --derivatives tri3 quad9
+
 # ---- a tree with files of one's own ----
 tree=$work/tree root=$PWD
 mkdir "$tree" && cp -a Makefile evolve generated "$tree"
