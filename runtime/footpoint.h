@@ -66,7 +66,7 @@ const char *footpoint_strerror(int status);
 /** Foot point of one slave node on one segment: approximates (7), (8) by a fixed sequence of operations.  How far off
  *  it may be stands in the banner of generated/footpoint_quad4.h, and every answer is checked for it: by the residual
  *  of (7), (8) and the Hessian's determinant, with proof that a foot point is within the worst error stated there, and
- *  that no point of the segment is nearer.  On the segments named there this loses no answer.
+ *  that no point of the segment is nearer.  On the segments named there this loses no answer that lies on the segment.
  *  @param[out] loc  {xi, eta}, dimensionless; in [-1,1] if the foot point lies on the segment, not clamped to it
  *  @param[out] gap  (xS - r(xi,eta)) . n with n the segment's own unit normal r_xi x r_eta / |r_xi x r_eta| at the foot
  *                   point; mesh length, > 0 open, < 0 penetrating.  For (9) with the normal (6), call footpoint_gap.

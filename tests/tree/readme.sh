@@ -120,6 +120,9 @@ for f in fast coarse gauss2 medium balanced fine precise accurate full; do
     row=$(awk -F' *\\| *' -v f="\`_$f\`" '$2 == f { print $3, $4, $5, $6, $7 }' README.md)
     [ -n "$row" ] && [ "$row" = "${counted% *} $noted" ]; report $((! $?)) "quad4_$f on the front page"
 done
+sed -n '/^\/\* footpoint_quad4_fast$/,/^ \*\/$/p' generated/README.md > "$work/banner"
+sed -n "/^\/\* footpoint_quad4_fast\$/,/^ \*\/\$/p" generated/footpoint_quad4.h | cmp -s - "$work/banner"
+report $((! $?)) "the banner shown"
 # outputs HEADER...: how many have a proved bound of their rounding error, and how many there are
 outputs() {
     awk '/^ \*   [a-z]/ { on = /^ \*   rounding:/ } on { sub(/^ \*/, ""); text = text " " $0 }
