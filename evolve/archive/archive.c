@@ -384,7 +384,6 @@ static double merit(const struct plan *plan, double budget, double error, double
 
 /* Errors of one output of one tier: as the islands found them, or on the validation samples. */
 struct court {
-    const struct archive *a; /* not owned */
     struct objective *judge; /* not owned; NULL: as they were found */
     size_t target;
     const struct tree *champion; /* not owned; NULL: none within the budget */
@@ -408,8 +407,7 @@ static void choose_champion(struct archive *a, const struct plan *plan, struct o
     const struct front *f = a->front[tier][output];
     const struct champion *c = &a->champion[tier][output];
     const double budget = a->scene->tier[tier].budget;
-    struct court court = {
-        .a = a, .judge = output == TIER_BOTH ? judge : NULL, .target = archive_target(a, tier, output)};
+    struct court court = {.judge = output == TIER_BOTH ? judge : NULL, .target = archive_target(a, tier, output)};
     const bool fits = c->tree.length > 0 && merit(plan, budget, c->error, c->cost) < INFINITY;
     if (court.judge && c->tree.length > 0)
         court.tails = objective_tails(judge, &c->tree, court.target);

@@ -6,6 +6,8 @@
 #include "../../codegen/genome/genome.h"
 
 #include <libconfig.h>
+#include <sha256.h>
+#include <stdint.h>
 
 /** Keys that a scene lacks, gathered so that they are named at once. */
 struct scene_lacking {
@@ -20,6 +22,7 @@ struct scene_reader {
     struct diag *d;
     struct scene_lacking *lacking;
     char **warnings; /* owned by the scene: lines, or NULL */
+    SHA2_CTX *sum;   /* of the scene's text and, after it, of the mesh content */
 };
 
 /** A key and the text of a usual value. */

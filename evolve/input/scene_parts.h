@@ -13,10 +13,9 @@ bool scene_find_source(const struct scene_reader *r, config_setting_t *root, str
  *  whose kind of segment is not known. */
 bool scene_check_source(const struct scene_reader *r, config_setting_t *group, const struct scene *scene);
 
-/** The group `mesh`.  Where the scene names no segment, scene->segment becomes what the master faces are.
- *  @param[out] data, size  what the mesh adds to the scene's digest; the caller frees it */
-bool scene_read_mesh(const struct scene_reader *r, config_setting_t *group, struct scene *scene, char **data,
-                     size_t *size);
+/** The group `mesh`.  Where the scene names no segment, scene->segment becomes what the master faces are.  The
+ *  mesh is added to the scene's digest. */
+bool scene_read_mesh(const struct scene_reader *r, config_setting_t *group, struct scene *scene);
 
 /** The group `lattice` or `shapes`. */
 bool scene_read_source(const struct scene_reader *r, config_setting_t *group, struct scene *scene);

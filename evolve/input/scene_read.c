@@ -57,8 +57,7 @@ static bool check_keys(const struct scene_reader *r, config_setting_t *root, str
     return scene_check_source(r, *source, scene) && scene_check_tiers(r, root) && keys_complete(r);
 }
 
-static bool read_scene(const struct scene_reader *r, config_setting_t *root, struct scene *scene, char **mesh,
-                       size_t *size)
+static bool read_scene(const struct scene_reader *r, config_setting_t *root, struct scene *scene)
 {
     static const char *const order[] = {"any", "nearest", "nearest-shorter"};
     static const char *const norm[] = {"mean", "p99", "max"}, *const precision[] = {"double", "float"};
@@ -66,8 +65,7 @@ static bool read_scene(const struct scene_reader *r, config_setting_t *root, str
     config_setting_t *source = NULL;
     const config_setting_t *s;
     int which;
-    if (!check_keys(r, root, scene, &source) ||
-        (scene->source == SOURCE_MESH && !scene_read_mesh(r, source, scene, mesh, size)) ||
+    if (!check_keys(r, root, scene, &source) || (scene->source == SOURCE_MESH && !scene_read_mesh(r, source, scene)) ||
         !read_word(r, root, "order", order, 3, &which))
         return false;
     scene->order = (enum corner_order)which;
@@ -111,17 +109,6 @@ static int include_line(const char *text)
     }
 }
 
-/* SHA-256 of the scene text and, after it, of the mesh content. */
-static void digest(struct scene *scene, const char *text, size_t size, const char *mesh, size_t mesh_size)
-{
-    char *both = new_array(size + mesh_size, 1);
-    memcpy(both, text, size);
-    if (mesh)
-        memcpy(both + size, mesh, mesh_size);
-    sha256_hex(both, size + mesh_size, scene->sha256);
-    free(both);
-}
-
 static char *scene_name(const char *path)
 {
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
@@ -132,12 +119,13 @@ static char *scene_name(const char *path)
 
 struct scene *scene_read(const char *root, const char *name_or_path, struct diag *d)
 {
-    char *path = scene_path(root, name_or_path), *mesh = NULL;
-    size_t size = 0, mesh_size = 0;
+    char *path = scene_path(root, name_or_path);
+    size_t size = 0;
     char *text = read_text(path, &size, d);
     struct scene *scene = NULL;
     struct scene_lacking lacking = {.groups = 0};
     config_t config;
+    SHA2_CTX sum;
     if (!text) {
         free(path);
         return NULL;
@@ -145,7 +133,9 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
     scene = new_array(1, sizeof *scene);
     scene->path = path;
     scene->name = scene_name(path);
-    const struct scene_reader r = {root, path, text, d, &lacking, &scene->warnings};
+    const struct scene_reader r = {root, path, text, d, &lacking, &scene->warnings, &sum};
+    SHA256Init(&sum);
+    SHA256Update(&sum, (const uint8_t *)text, size);
     config_init(&config);
     bool good = strlen(text) == size;
     const int line = include_line(text);
@@ -156,15 +146,14 @@ struct scene *scene_read(const char *root, const char *name_or_path, struct diag
     else if (!config_read_string(&config, text))
         good = diag_at(d, path, config_error_line(&config), 0, "%s", config_error_text(&config));
     else
-        good = read_scene(&r, config_root_setting(&config), scene, &mesh, &mesh_size);
+        good = read_scene(&r, config_root_setting(&config), scene);
     if (good)
-        digest(scene, text, size, mesh, mesh_size);
+        SHA256End(&sum, scene->sha256);
     else {
         scene_free(scene);
         scene = NULL;
     }
     config_destroy(&config);
-    free(mesh);
     free(text);
     return scene;
 }

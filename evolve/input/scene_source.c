@@ -128,36 +128,21 @@ static bool read_shapes(const struct scene_reader *r, config_setting_t *g, const
     return true;
 }
 
-static void append(char **data, size_t *size, const void *more, size_t n)
+static void add(SHA2_CTX *sum, const void *data, size_t bytes)
 {
-    char *all = new_array(*size + n, 1);
-    if (*size)
-        memcpy(all, *data, *size);
-    if (n)
-        memcpy(all + *size, more, n);
-    free(*data);
-    *data = all;
-    *size += n;
-}
-
-static void append_faces(char **data, size_t *size, const struct mesh_face *face, size_t faces)
-{
-    int *node = new_array(faces * (sizeof face->node / sizeof *face->node), sizeof *node);
-    size_t n = 0;
-    for (size_t i = 0; i < faces; i++)
-        for (int k = 0; k < face[i].nodes; k++)
-            node[n++] = face[i].node[k];
-    append(data, size, node, n * sizeof *node);
-    free(node);
+    if (bytes)
+        SHA256Update(sum, data, bytes);
 }
 
 /* What the mesh contributes to the scene's digest: its nodes and contact pairs, whatever files they stand in. */
-static void append_mesh(char **data, size_t *size, const struct mesh *m)
+static void add_mesh(SHA2_CTX *sum, const struct mesh *m)
 {
-    append(data, size, m->xyz, m->nodes * sizeof *m->xyz);
+    add(sum, m->xyz, m->nodes * sizeof *m->xyz);
     for (size_t i = 0; i < m->pairs; i++) {
-        append(data, size, m->pair[i].slave, m->pair[i].slaves * sizeof *m->pair[i].slave);
-        append_faces(data, size, m->pair[i].master, m->pair[i].masters);
+        const struct mesh_pair *p = &m->pair[i];
+        add(sum, p->slave, p->slaves * sizeof *p->slave);
+        for (size_t k = 0; k < p->masters; k++)
+            add(sum, p->master[k].node, (size_t)p->master[k].nodes * sizeof *p->master[k].node);
     }
 }
 
@@ -176,7 +161,7 @@ static bool choose_segment(const struct scene_reader *r, const config_setting_t 
 }
 
 /* The mesh file's path is relative to the scene's folder. */
-bool scene_read_mesh(const struct scene_reader *r, config_setting_t *g, struct scene *scene, char **data, size_t *size)
+bool scene_read_mesh(const struct scene_reader *r, config_setting_t *g, struct scene *scene)
 {
     struct mesh_pairs *m = &scene->mesh;
     const config_setting_t *s;
@@ -201,7 +186,7 @@ bool scene_read_mesh(const struct scene_reader *r, config_setting_t *g, struct s
     struct mesh *read = mesh_read(path, r->d);
     if (!read)
         return false;
-    append_mesh(data, size, read);
+    add_mesh(r->sum, read);
     const bool chosen = choose_segment(r, g, read, scene);
     mesh_free(read);
     return chosen;
