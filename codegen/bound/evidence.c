@@ -110,14 +110,6 @@ static void bound_errors(struct search *s, struct evidence *e, const struct prog
         e->error[i].bound = find_error(s, region_op(r, p->output[i]), p->outputs - i);
 }
 
-static void skip_statement(void *to, const char *name, long output, const char *text)
-{
-    (void)to;
-    (void)name;
-    (void)output;
-    (void)text;
-}
-
 /* As the text has it; of a long expression, the statement that divides by it. */
 static char *denominator_name(struct printer *r, int op, const struct statement *s)
 {
@@ -126,26 +118,13 @@ static char *denominator_name(struct printer *r, int op, const struct statement 
     return new_format("divisor of %s", s->name);
 }
 
-static void add_denominator(struct evidence *e, size_t *room, int op, char *name)
-{
-    grow_array(&e->denominator, e->denominators, room, sizeof *e->denominator);
-    e->denominator[e->denominators++] = (struct denominator){.op = op, .name = name};
-}
-
-static void add_protected(struct evidence *e, size_t *room, char *name)
-{
-    grow_array(&e->protected_name, e->protecteds, room, sizeof *e->protected_name);
-    e->protected_name[e->protecteds++] = name;
-}
-
 static void find_denominators(struct evidence *e, const struct genome_file *f, const struct genome *genome,
                               const struct program *p)
 {
-    struct printer *r = printer_new(f, genome, p, &c_double);
+    struct printer *r = c_statements(f, genome, p, &c_double, NULL);
     const struct statement *s = p->statement;
     bool *seen[2] = {new_array(p->ops, sizeof **seen), new_array(p->ops, sizeof **seen)}; /* of protected quotients */
     size_t room = 0, protected_room = 0;
-    printer_run(r, skip_statement, NULL);
     for (size_t i = 0; i < p->ops; i++) {
         const int b = p->op[i].b;
         const bool protects = p->op[i].kind == OP_PDIV;
@@ -154,10 +133,12 @@ static void find_denominators(struct evidence *e, const struct genome_file *f, c
         while (s->op < (int)i)
             s++;
         seen[protects][b] = true;
+        grow_array(&e->denominator, e->denominators, &room, sizeof *e->denominator);
+        grow_array(&e->protected_name, e->protecteds, &protected_room, sizeof *e->protected_name);
         if (protects)
-            add_protected(e, &protected_room, denominator_name(r, b, s));
+            e->protected_name[e->protecteds++] = denominator_name(r, b, s);
         else
-            add_denominator(e, &room, b, denominator_name(r, b, s));
+            e->denominator[e->denominators++] = (struct denominator){.op = b, .name = denominator_name(r, b, s)};
     }
     printer_free(r);
     free(seen[0]);
@@ -348,11 +329,8 @@ static bool print_point(const struct program *p, struct region *r, const double 
     return good;
 }
 
-int evidence_print_points(const struct genome_file *f, const struct genome *genome, const struct program *p,
-                          const struct evidence *e, FILE *out)
+int evidence_print_points(const struct genome_file *f, const struct program *p, FILE *out)
 {
-    (void)genome;
-    (void)e;
     struct region *r = region_new(f, p, true), *inputs = region_new(f, p, false);
     double *input = new_array(p->inputs, sizeof *input), *at = new_array(r->known->variables, sizeof *at);
     arb_ptr exact = _arb_vec_init((slong)p->outputs);

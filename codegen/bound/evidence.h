@@ -51,7 +51,6 @@ bool evidence_pole_free(const struct evidence *e);
 
 /** Eight test points of the region (of [-1,1] without ranges) with their exact results rounded to nearest, as rows of a
  * C table "    {in..., out..., bound...},\n"; points at which a denominator is 0 are left out.  Returns their number. */
-int evidence_print_points(const struct genome_file *f, const struct genome *genome, const struct program *p,
-                          const struct evidence *e, FILE *out);
+int evidence_print_points(const struct genome_file *f, const struct program *p, FILE *out);
 
 #endif

@@ -136,24 +136,9 @@ static struct program *read_shapes(struct known *x, const struct genome_file *f,
 
 /* ---- ranges ---- */
 
-static void mark_inputs(const struct program *p, bool *matters)
-{
-    for (size_t i = 0; i < p->ops; i++)
-        for (int k = 0; k < 2; k++) {
-            const int operand = k ? p->op[i].b : p->op[i].a;
-            if (operand >= 0 && p->op[operand].kind == OP_INPUT)
-                matters[p->op[operand].input] = true;
-        }
-    for (size_t i = 0; i < p->outputs; i++)
-        if (p->op[p->output[i]].kind == OP_INPUT)
-            matters[p->op[p->output[i]].input] = true;
-}
-
 static void read_range(struct known *x, const struct genome_file *f, size_t i)
 {
     const struct genome_range *range = &f->range[i];
-    fmpq_init(&x->lo[i]);
-    fmpq_init(&x->hi[i]);
     x->range[i] = interval_whole();
     if (!range->given)
         return;
@@ -164,8 +149,8 @@ static void read_range(struct known *x, const struct genome_file *f, size_t i)
 
 static void read_ranges(struct known *x, const struct genome_file *f, const bool *matters)
 {
-    x->lo = new_array(f->inputs, sizeof *x->lo);
-    x->hi = new_array(f->inputs, sizeof *x->hi);
+    x->lo = _fmpq_vec_init((slong)f->inputs);
+    x->hi = _fmpq_vec_init((slong)f->inputs);
     x->range = new_array(f->inputs, sizeof *x->range);
     x->input = new_array(f->inputs, sizeof *x->input);
     x->variable = new_array(f->inputs, sizeof *x->variable);
@@ -200,17 +185,13 @@ static void find_twins(struct known *x)
     int divisor;
     struct points *points = points_new(p, &divisor);
     int *class = points ? points_classes(points) : NULL;
-    fmpq *input = new_array(p->inputs, sizeof *input), *value = new_array(p->ops, sizeof *value);
+    fmpq *input = _fmpq_vec_init((slong)p->inputs), *value = _fmpq_vec_init((slong)p->ops);
     bool *defined = new_array(p->ops, sizeof *defined);
     uint64_t seed = 1;
     fmpq_t ratio;
     fmpq_init(ratio);
-    for (size_t i = 0; i < p->inputs; i++) {
-        fmpq_init(&input[i]);
+    for (size_t i = 0; i < p->inputs; i++)
         fmpq_set_si(&input[i], (slong)(random_next(&seed) % 61) - 30, 8);
-    }
-    for (size_t i = 0; i < p->ops; i++)
-        fmpq_init(&value[i]);
     if (class)
         point_rational(p, p->ops, input, value, defined);
     for (size_t i = 0; class && i < p->ops; i++) {
@@ -229,12 +210,8 @@ static void find_twins(struct known *x)
         x->twin[i] = twin;
     }
     fmpq_clear(ratio);
-    for (size_t i = 0; i < p->inputs; i++)
-        fmpq_clear(&input[i]);
-    for (size_t i = 0; i < p->ops; i++)
-        fmpq_clear(&value[i]);
-    free(input);
-    free(value);
+    _fmpq_vec_clear(input, (slong)p->inputs);
+    _fmpq_vec_clear(value, (slong)p->ops);
     free(defined);
     free(class);
     points_free(points);
@@ -278,7 +255,7 @@ static void find_pinned(struct known *x)
     free(input);
 }
 
-static int placed_op(const struct known *x, int op)
+int known_op(const struct known *x, int op)
 {
     return op < (int)x->places ? x->placed[op] : op + (int)x->first - (int)x->places;
 }
@@ -296,11 +273,11 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
         x->place = read_places(f, shape);
     struct program *all = shape ? read_shapes(x, f, shape) : read_requires(f);
     free(shape);
-    bool *matters = new_array(varies->inputs, sizeof *matters);
+    bool *matters = program_reads(all), *reads = program_reads(p);
     x->program = all;
-    if (!x->place)
-        mark_inputs(p, matters);
-    mark_inputs(all, matters);
+    for (size_t i = 0; !x->place && i < p->inputs; i++)
+        matters[i] = matters[i] || reads[i];
+    free(reads);
     read_ranges(x, varies, matters);
     x->first = all->ops;
     program_append(all, p, x->placed);
@@ -313,10 +290,10 @@ struct known *known_new(const struct genome_file *f, const struct program *p, bo
     }
     x->joint = new_array(all->ops, sizeof *x->joint);
     for (size_t i = 0; i < p->statements; i++)
-        x->joint[placed_op(x, p->statement[i].op)] = true;
+        x->joint[known_op(x, p->statement[i].op)] = true;
     for (size_t i = 0; i < p->ops; i++)
         if (p->op[i].kind == OP_DIV || p->op[i].kind == OP_PDIV)
-            x->joint[placed_op(x, p->op[i].b)] = true;
+            x->joint[known_op(x, p->op[i].b)] = true;
     x->length = new_array(all->ops, sizeof *x->length);
     for (size_t i = 0; i < x->first; i++) {
         const struct op *op = &all->op[i];
@@ -337,12 +314,8 @@ void known_free(struct known *x)
 {
     if (!x)
         return;
-    for (size_t i = 0; i < x->inputs; i++) {
-        fmpq_clear(&x->lo[i]);
-        fmpq_clear(&x->hi[i]);
-    }
-    free(x->lo);
-    free(x->hi);
+    _fmpq_vec_clear(x->lo, (slong)x->inputs);
+    _fmpq_vec_clear(x->hi, (slong)x->inputs);
     free(x->range);
     free(x->input);
     free(x->variable);

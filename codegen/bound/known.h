@@ -47,5 +47,7 @@ struct known {
  *  has one; otherwise all that is said of the inputs themselves is known. */
 struct known *known_new(const struct genome_file *f, const struct program *p, bool shapes);
 void known_free(struct known *x);
+/** Where the joint program has operation `op` of p. */
+int known_op(const struct known *x, int op);
 
 #endif

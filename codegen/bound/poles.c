@@ -79,29 +79,21 @@ static bool is_exact_zero(struct search *s, const double *at)
 {
     const struct known *x = s->region->known;
     const size_t ops = (size_t)s->op + 1;
-    fmpq *point = new_array(x->inputs, sizeof *point), *exact = new_array(ops, sizeof *exact);
+    fmpq *point = _fmpq_vec_init((slong)x->inputs), *exact = _fmpq_vec_init((slong)ops);
     bool *defined = new_array(ops, sizeof *defined);
-    for (size_t i = 0; i < x->inputs; i++) {
-        fmpq_init(&point[i]);
+    for (size_t i = 0; i < x->inputs; i++)
         fmpq_set(&point[i], &x->lo[i]);
-    }
     for (size_t k = 0; k < sides(s); k++) {
         exact_coordinate(x, x->input[k], at[k], &point[x->input[k]]);
         s->thin[k] = interval_around(&point[x->input[k]]);
     }
-    for (size_t i = 0; i < ops; i++)
-        fmpq_init(&exact[i]);
     bool zero = region_holds(s->region, s->thin);
     if (zero) {
         point_rational(x->program, ops, point, exact, defined);
         zero = defined[s->op] && fmpq_is_zero(&exact[s->op]);
     }
-    for (size_t i = 0; i < x->inputs; i++)
-        fmpq_clear(&point[i]);
-    for (size_t i = 0; i < ops; i++)
-        fmpq_clear(&exact[i]);
-    free(point);
-    free(exact);
+    _fmpq_vec_clear(point, (slong)x->inputs);
+    _fmpq_vec_clear(exact, (slong)ops);
     free(defined);
     return zero;
 }

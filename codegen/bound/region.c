@@ -36,8 +36,7 @@ struct region *region_new(const struct genome_file *f, const struct program *p, 
 
 int region_op(const struct region *r, int op)
 {
-    const struct known *x = r->known;
-    return op < (int)x->places ? x->placed[op] : op + (int)x->first - (int)x->places;
+    return known_op(r->known, op);
 }
 
 void region_free(struct region *r)

@@ -487,13 +487,12 @@ static double link_error(const struct rounding *e, int i)
 }
 
 /* The part of operation i: what it adds by itself, or, of a link, its error.  Infinite: there is no bound. */
-static double part_error(struct rounding *e, int i, bool link, bool *ends)
+static double part_error(struct rounding *e, int i, bool link)
 {
     const struct op *op = &e->forms->known->program->op[i];
     const bool product = op->kind == OP_MUL;
     const struct sensitivity *by = &e->by[i];
     double constant;
-    *ends = link;
     if (link)
         return link_error(e, i);
     const double share = own_share(e, i, &constant);
@@ -531,12 +530,11 @@ static double backward_error(struct rounding *e, int result, enum way way)
         if (link && way == BY_PINNED)
             by->slope = interval_meet(by->slope, step_slope(e, result, i));
         reconcile(&by->slope, &by->weight, inflated(e, i));
-        bool ends;
-        const double own = part_error(e, i, link, &ends);
+        const double own = part_error(e, i, link);
         error += own;
         if (!(own >= 0 && error <= DBL_MAX))
             error = INFINITY;
-        else if (!ends) {
+        else if (!link) {
             struct interval slope[2];
             const struct op *op = &e->forms->known->program->op[i];
             find_slopes(e, i, slope);

@@ -49,22 +49,6 @@ int unit_degree(const struct unit *u, const struct function *f, const struct den
     return degree;
 }
 
-bool *function_reads(const struct function *f)
-{
-    const struct program *p = f->program;
-    bool *reads = new_array(p->inputs, sizeof *reads);
-    for (size_t i = 0; i < p->ops; i++) {
-        if (p->op[i].a >= 0 && (size_t)p->op[i].a < p->inputs)
-            reads[p->op[i].a] = true;
-        if (p->op[i].b >= 0 && (size_t)p->op[i].b < p->inputs)
-            reads[p->op[i].b] = true;
-    }
-    for (size_t i = 0; i < p->outputs; i++)
-        if ((size_t)p->output[i] < p->inputs)
-            reads[p->output[i]] = true;
-    return reads;
-}
-
 /* A genome NAME takes the names NAME, NAME_n, NAME_points and, for a segment, NAME_at, NAME_checked_n, NAME_sure,
  * NAME_closest and NAME_closest_n; along and along_n are none of a genome. */
 static bool check_names(const struct genome_file *f, struct diag *d)

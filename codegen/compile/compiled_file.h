@@ -49,9 +49,6 @@ void unit_free(struct unit *u);
 /** True if the function has a denominator that may be 0. */
 bool function_has_poles(const struct function *f);
 
-/** By input of the file: whether the function reads it.  Caller frees. */
-bool *function_reads(const struct function *f);
-
 /** |D| at or below which a denominator cannot be told from 0 in the unit's precision; 0 if unknown. */
 double unit_threshold(const struct unit *u, const struct denominator *d);
 

@@ -92,7 +92,7 @@ static void print_contract(const struct unit *u, FILE *out)
 static void print_points(const struct unit *u, const struct function *f, FILE *out)
 {
     struct memory *m = memory_open();
-    const int rows = evidence_print_points(u->file, f->genome, f->program, f->evidence, m->stream);
+    const int rows = evidence_print_points(u->file, f->program, m->stream);
     char *text = memory_close(m);
     if (rows)
         fprintf(out,

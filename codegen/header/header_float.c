@@ -36,7 +36,7 @@ void single_print_inputs(const struct unit *u, const struct function *f, FILE *o
 {
     const struct segment_kind *k = u->file->segment;
     const size_t nodes = strlen(k->nodes), vectors = segment_vectors(k);
-    bool *reads = function_reads(f), scaled = false;
+    bool *reads = program_reads(f->program), scaled = false;
     for (size_t i = 0; f->scaled && i <= vectors; i++) {
         char name[4];
         if ((i >= nodes && i < vectors) || !(reads[3 * i] || reads[3 * i + 1] || reads[3 * i + 2]))

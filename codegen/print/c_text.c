@@ -162,7 +162,7 @@ void c_print_broken(const char *text, FILE *out)
 void c_print_unused(const struct unit *u, const struct function *f, FILE *out)
 {
     const struct segment_kind *kind = u->file->segment;
-    bool *reads = function_reads(f), begun = false;
+    bool *reads = program_reads(f->program), begun = false;
     for (size_t i = 0; i < u->file->inputs; i += kind ? 3 : 1) {
         char vector[4];
         if (reads[i] || (kind && (reads[i + 1] || reads[i + 2])))

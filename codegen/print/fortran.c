@@ -124,7 +124,7 @@ static void print_body(const struct unit *u, const struct function *f, bool stat
 /* Parameters are read, which silences warnings of those that are not used. */
 static void print_unused(const struct unit *u, const struct function *f, FILE *out)
 {
-    bool *reads = function_reads(f);
+    bool *reads = program_reads(f->program);
     for (size_t i = 0; i < u->file->inputs; i += u->file->segment ? 3 : 1) {
         char vector[4];
         if (u->file->segment && !(reads[i] || reads[i + 1] || reads[i + 2])) {

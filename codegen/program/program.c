@@ -456,6 +456,20 @@ bool program_equal(const struct program *p, const struct program *q)
     return equal;
 }
 
+bool *program_reads(const struct program *p)
+{
+    bool *reads = new_array(p->ops, sizeof *reads);
+    for (size_t i = 0; i < p->ops; i++) {
+        if (p->op[i].a >= 0)
+            reads[p->op[i].a] = true;
+        if (p->op[i].b >= 0)
+            reads[p->op[i].b] = true;
+    }
+    for (size_t i = 0; i < p->outputs; i++)
+        reads[p->output[i]] = true;
+    return reads;
+}
+
 struct operations program_count(const struct program *p)
 {
     long n[OP_KINDS] = {0};

@@ -78,6 +78,8 @@ bool program_is_constant(const struct program *p, int op);
 /** Whether functions have a parameter `zero`, which is added to the constants of min and max: see the template "bits". */
 bool program_hides_constants(const struct genome_file *f);
 bool program_equal(const struct program *p, const struct program *q);
+/** By operation, inputs of the file first: whether an operation or an output reads it.  Caller frees. */
+bool *program_reads(const struct program *p);
 struct operations program_count(const struct program *p);
 
 #endif

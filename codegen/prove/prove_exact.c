@@ -245,18 +245,6 @@ static enum verdict compare_with(struct comparison c, const bool *read)
     return verdict;
 }
 
-static void mark_read(const struct program *p, bool *read)
-{
-    for (size_t i = 0; i < p->ops; i++) {
-        if (p->op[i].a >= 0)
-            read[p->op[i].a] = true;
-        if (p->op[i].b >= 0)
-            read[p->op[i].b] = true;
-    }
-    for (size_t i = 0; i < p->outputs; i++)
-        read[p->output[i]] = true;
-}
-
 /* Whether the values differ at one of some rational points: where they stay small, min, max and abs choose as they do
  * in the code.  Half of the points are such that values coincide and divisors of protected quotients vanish. */
 static bool differ_at_points(const struct program *p, size_t border, const bool *read)
@@ -292,8 +280,7 @@ enum verdict exact_compare(const struct program *p, size_t border, const struct 
     enum verdict verdict = UNDECIDED;
     if (p->ops > MOST_OPS)
         return UNDECIDED;
-    bool *read = new_array(p->ops, sizeof *read);
-    mark_read(p, read);
+    bool *read = program_reads(p);
     if (has_functions(p) && differ_at_points(p, border, read)) {
         free(read);
         return DIFFERENT;

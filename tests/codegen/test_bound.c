@@ -410,7 +410,7 @@ static void test_rows(void **state)
         struct evidence *e =
             evidence_new(s.file, &s.file->genome[0], p, &(struct evidence_options){.samples = 100, .boxes = 100});
         FILE *out = open_memstream(&rows, &size);
-        const int n = evidence_print_points(s.file, &s.file->genome[0], p, e, out);
+        const int n = evidence_print_points(s.file, p, out);
         fclose(out);
         assert_int_equal(n, 8);
         char *row = rows;
