@@ -15,17 +15,14 @@ void along_print(const struct unit *u, FILE *out)
         return;
     const enum precision precision = u->options.precision;
     const bool closed = lines_straight(u);
-    char *guard = new_format("FOOTPOINT_%s_ALONG", k->name), *method = new_format("%s_along", k->name);
-    struct placeholder *own = lines_words(u, NULL);
+    char *method = new_format("%s_along", k->name);
     templates_print("FOOTPOINT_DETAIL_ALONG", (const char *const[]){"along", NULL}, precision, NULL, out);
     if (!closed)
         templates_print("FOOTPOINT_DETAIL_DOMAINS", (const char *const[]){"curved_domain", NULL}, precision, NULL, out);
     const char *const curved[] = {k->triangle ? "triangle_powers" : "square_powers", "curved_along", "along_again",
                                   NULL},
                       *const straight[] = {method, "along_again", NULL};
-    templates_print(guard, closed ? straight : curved, precision, own, out);
-    templates_print(NULL, (const char *const[]){"along_calls", NULL}, precision, own, out);
-    lines_words_free(own);
+    lines_print_templates(u, NULL, "ALONG", closed ? straight : curved, out);
+    lines_print_templates(u, NULL, NULL, (const char *const[]){"along_calls", NULL}, out);
     free(method);
-    free(guard);
 }

@@ -16,17 +16,11 @@ static bool prepares(const struct unit *u)
 
 void arrays_print_helpers(const struct unit *u, FILE *out)
 {
-    char *guard = new_format("FOOTPOINT_%s_ARRAYS", u->file->segment->name);
-    struct placeholder *own = lines_words(u, NULL);
-    templates_print(guard, (const char *const[]){"arrays", "over", NULL}, u->options.precision, own, out);
-    lines_words_free(own);
-    free(guard);
+    lines_print_templates(u, NULL, "ARRAYS", (const char *const[]){"arrays", "over", NULL}, out);
 }
 
 void arrays_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    struct placeholder *own = lines_words(u, f);
     const char *const calls[] = {"arrays_calls", prepares(u) ? "over_calls" : NULL, NULL};
-    templates_print(NULL, calls, u->options.precision, own, out);
-    lines_words_free(own);
+    lines_print_templates(u, f, NULL, calls, out);
 }

@@ -25,23 +25,18 @@ void closest_print_helpers(const struct unit *u, FILE *out)
     const enum precision precision = u->options.precision;
     const struct segment_kind *k = u->file->segment;
     const bool straight = lines_straight(u);
-    char *guard = new_format("FOOTPOINT_%s_NEAREST", k->name), *own_nearest = new_format("%s_nearest", k->name);
+    char *own_nearest = new_format("%s_nearest", k->name);
     const char *nearest = straight ? own_nearest : k->triangle ? "curved_triangle_nearest" : "curved_quad_nearest";
-    struct placeholder *own = lines_words(u, NULL);
     templates_print("FOOTPOINT_DETAIL_CLOSEST", (const char *const[]){"closest", NULL}, precision, NULL, out);
     templates_print(straight ? "FOOTPOINT_DETAIL_EDGE" : "FOOTPOINT_DETAIL_CURVE",
                     (const char *const[]){straight ? "edge" : "curve", NULL}, precision, NULL, out);
-    templates_print(guard, (const char *const[]){nearest, "closest_arrays", NULL}, precision, own, out);
-    lines_words_free(own);
+    lines_print_templates(u, NULL, "NEAREST", (const char *const[]){nearest, "closest_arrays", NULL}, out);
     free(own_nearest);
-    free(guard);
 }
 
 void closest_print_contract(const struct unit *u, FILE *out)
 {
-    struct placeholder *own = lines_words(u, NULL);
-    templates_print(NULL, (const char *const[]){"contract_closest", NULL}, u->options.precision, own, out);
-    lines_words_free(own);
+    lines_print_templates(u, NULL, NULL, (const char *const[]){"contract_closest", NULL}, out);
 }
 
 /* The search and what is nearest. */
@@ -65,8 +60,6 @@ static void print_nearest(const struct unit *u, const struct function *f, FILE *
 
 void closest_print(const struct unit *u, const struct function *f, FILE *out)
 {
-    struct placeholder *own = lines_words(u, f);
     print_nearest(u, f, out);
-    templates_print(NULL, (const char *const[]){"closest_calls", NULL}, u->options.precision, own, out);
-    lines_words_free(own);
+    lines_print_templates(u, f, NULL, (const char *const[]){"closest_calls", NULL}, out);
 }

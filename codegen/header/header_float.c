@@ -11,7 +11,6 @@
 #include "../genome/text.h"
 #include "../print/templates.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,9 +63,8 @@ bool single_checks(const struct unit *u)
 
 char *single_worst_name(const struct function *f)
 {
-    char *name = new_format("%s_WORST", f->name);
-    for (char *c = name; *c; c++)
-        *c = (char)toupper((unsigned char)*c);
+    char *capitals = new_capitals(f->name), *name = new_format("%s_WORST", capitals);
+    free(capitals);
     return name;
 }
 

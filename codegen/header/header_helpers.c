@@ -16,17 +16,13 @@ static void print_kind(const struct unit *u, FILE *out)
 {
     const enum precision precision = u->options.precision;
     const struct segment_kind *k = u->file->segment;
-    char *guard = new_format("FOOTPOINT_%s_SEARCH", k->name);
-    struct placeholder *own = lines_words(u, NULL);
     if (!*k->normals)
         templates_print("FOOTPOINT_DETAIL_PRODUCTS", (const char *const[]){"products", NULL}, precision, NULL, out);
     if (!k->bilinear && !*k->normals)
         templates_print("FOOTPOINT_DETAIL_WEIGHTED", (const char *const[]){"weighted", NULL}, precision, NULL, out);
     if (lines_straight(u))
         templates_print("FOOTPOINT_DETAIL_HEIGHT", (const char *const[]){"height", NULL}, precision, NULL, out);
-    templates_print(guard, (const char *const[]){k->name, k->bilinear ? NULL : "gap", NULL}, precision, own, out);
-    lines_words_free(own);
-    free(guard);
+    lines_print_templates(u, NULL, "SEARCH", (const char *const[]){k->name, k->bilinear ? NULL : "gap", NULL}, out);
 }
 
 void helpers_print(const struct unit *u, FILE *out)

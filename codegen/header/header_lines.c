@@ -99,7 +99,7 @@ bool lines_straight(const struct unit *u)
     return k->bilinear || strcmp(k->name, "tri3") == 0;
 }
 
-struct placeholder *lines_words(const struct unit *u, const struct function *f)
+static struct placeholder *words_of(const struct unit *u, const struct function *f)
 {
     const struct segment_kind *k = u->file->segment;
     const size_t n = segment_vectors(k) + 1;
@@ -140,11 +140,16 @@ struct placeholder *lines_words(const struct unit *u, const struct function *f)
     return words;
 }
 
-void lines_words_free(struct placeholder *words)
+void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,
+                           FILE *out)
 {
+    char *whole = guard ? new_format("FOOTPOINT_%s_%s", u->file->segment->name, guard) : NULL;
+    struct placeholder *words = words_of(u, f);
+    templates_print(whole, names, u->options.precision, words, out);
     for (struct placeholder *w = words; w->word; w++)
         free((char *)(uintptr_t)w->text);
     free(words);
+    free(whole);
 }
 
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f)

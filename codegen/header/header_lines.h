@@ -24,14 +24,16 @@ char *lines_columns(size_t vectors);
 /** Whether its edges are straight: of bilinear segments and flat triangles. */
 bool lines_straight(const struct unit *u);
 
-/** What templates are told of the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, NORMAL, ACCURACY and MISSED
+/** Templates that are told of the kind: KIND, PREFIX; SHAPE, "square" or "triangle"; EDGES, NORMAL, ACCURACY and MISSED
  *  for contracts; VECTORS, the slave node included, SEGMENT_VECTORS, without it, NODES,
  *  COORDINATES, of all vectors; NODE_PARAMETERS, "const double xA[3], ..."; NODE_NAMES, "xA, ..., xS"; COLUMNS, what p, the
  *  vectors of pair i, is made of: "{x[0][i], x[1][i], x[2][i]}, ..."; ROWS, "p[0], p[1], ...", and SEGMENT_ROWS, "c[0], ...",
  *  without the slave node; and of a function, unless it is NULL: NAME, SCALED_NODES, how many vectors another unit of
- *  length changes, and its searches BARE_SEARCH, CHECKED_SEARCH, CLOSEST_SEARCH.  Caller frees with lines_words_free(). */
-struct placeholder *lines_words(const struct unit *u, const struct function *f);
-void lines_words_free(struct placeholder *words);
+ *  length changes, and its searches BARE_SEARCH, CHECKED_SEARCH, CLOSEST_SEARCH.
+ *  @param[in] guard  of an include guard FOOTPOINT_<KIND>_<guard>; NULL: there is none
+ *  @param[in] names  templates, ended by NULL */
+void lines_print_templates(const struct unit *u, const struct function *f, const char *guard, const char *const *names,
+                           FILE *out);
 
 /** How many vectors another unit of length changes: none of a search that depends on it. */
 size_t lines_scaled_nodes(const struct unit *u, const struct function *f);

@@ -142,9 +142,7 @@ static void print_sure(const struct unit *u, const struct function *f, const cha
 
 void search_print_contract(const struct unit *u, FILE *out)
 {
-    struct placeholder *own = lines_words(u, NULL);
-    templates_print(NULL, (const char *const[]){"contract", NULL}, u->options.precision, own, out);
-    lines_words_free(own);
+    lines_print_templates(u, NULL, NULL, (const char *const[]){"contract", NULL}, out);
     if (closest_exists(u))
         closest_print_contract(u, out);
 }

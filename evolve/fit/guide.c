@@ -312,22 +312,6 @@ static int saved(struct guide *g, int n)
     return sum;
 }
 
-static void count_uses(struct guide *g)
-{
-    const struct lines *c = g->editor->from;
-    memset(g->uses, 0, c->lines * sizeof *g->uses);
-    for (size_t i = 0; i < c->lines; i++) {
-        if (!c->needed[i])
-            continue;
-        if (c->line[i].a >= 0)
-            g->uses[c->line[i].a]++;
-        if (c->line[i].b >= 0)
-            g->uses[c->line[i].b]++;
-    }
-    for (int k = 0; k < 2; k++)
-        g->uses[c->root[k]]++;
-}
-
 /* What the sum of |r| grows by where line n becomes c m. */
 WIDE static double growth(const struct guide *g, int n, const double *m, double c)
 {
@@ -364,7 +348,8 @@ static void look_for_less(struct guide *g, const struct gene_set *genes, int n, 
     double one[ROWS];
     for (size_t k = 0; k < g->rows; k++)
         one[k] = 1;
-    count_uses(g);
+    memset(g->uses, 0, g->editor->from->lines * sizeof *g->uses);
+    lines_count_uses(g->editor->from, g->uses);
     const double per = saved(g, n);
     lines_dependents(g->run->code, n, g->depends);
     sum_answers(g, n);

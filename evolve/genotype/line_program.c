@@ -77,7 +77,7 @@ static int line_of_gene(struct compiler *c, int gene)
     return *line;
 }
 
-static int *no_lines(size_t n)
+int *no_lines(size_t n)
 {
     int *line = new_array(n, sizeof *line);
     for (size_t i = 0; i < n; i++)
@@ -147,6 +147,20 @@ static void find_powers(struct line_rules *r)
         r->power[f->inputs + k] = (signed char)(stack[0] == NO_POWER ? ANY_POWER : stack[0]);
         free(stack);
     }
+}
+
+void lines_count_uses(const struct lines *c, int *uses)
+{
+    for (size_t i = 0; i < c->lines; i++) {
+        const struct line *x = &c->line[i];
+        if (!c->needed[i] || !line_is_operation(x))
+            continue;
+        uses[x->a]++;
+        if (x->b >= 0)
+            uses[x->b]++;
+    }
+    for (int k = 0; k < 2; k++)
+        uses[c->root[k]]++;
 }
 
 void lines_powers(const struct lines *c, signed char *power)

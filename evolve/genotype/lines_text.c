@@ -86,9 +86,7 @@ bool lines_read(struct lines *c, const struct genome_file *f, const struct genom
                 const struct gene_set *genes, bool called, size_t max, struct tree *t)
 {
     const size_t symbols = f->inputs + f->lets;
-    struct reader r = {c, f, genes, new_array(symbols, sizeof *r.line)};
-    for (size_t i = 0; i < symbols; i++)
-        r.line[i] = -1;
+    struct reader r = {c, f, genes, no_lines(symbols)};
     lines_begin(c);
     size_t argument[2];
     bool good = !called || find_arguments(f, out, argument);
@@ -110,9 +108,7 @@ bool lines_respell(struct lines *c, const struct tree *t, const struct gene_set 
     struct line *from = new_array(n, sizeof *from);
     memcpy(from, c->line, n * sizeof *from);
     int *map = new_array(n, sizeof *map);
-    struct reader r = {c, f, genes, new_array(symbols, sizeof *r.line)};
-    for (size_t i = 0; i < symbols; i++)
-        r.line[i] = -1;
+    struct reader r = {c, f, genes, no_lines(symbols)};
     lines_begin(c);
     bool good = true;
     for (size_t i = 0; i < n && good; i++) {
@@ -135,9 +131,9 @@ bool lines_respell(struct lines *c, const struct tree *t, const struct gene_set 
 struct writer {
     const struct lines *code; /* not owned */
     struct genome_file *file;
-    int *symbol;     /* owned: by line; gene of its let, or 0 */
-    unsigned *users; /* owned: by line */
-    int *gene;       /* owned: the expression under construction */
+    int *symbol; /* owned: by line; gene of its let, or 0 */
+    int *users;  /* owned: by line */
+    int *gene;   /* owned: the expression under construction */
     size_t genes, room;
 };
 
@@ -171,21 +167,6 @@ static void write_line(struct writer *w, int i)
     } else {
         write_operation(w, x);
     }
-}
-
-static void count_users(struct writer *w)
-{
-    const struct lines *c = w->code;
-    for (size_t i = 0; i < c->lines; i++) {
-        const struct line *x = &c->line[i];
-        if (!c->needed[i] || !line_is_operation(x))
-            continue;
-        w->users[x->a]++;
-        if (x->b >= 0)
-            w->users[x->b]++;
-    }
-    w->users[c->root[0]]++;
-    w->users[c->root[1]]++;
 }
 
 /* Append what has been put as a let <name>_<number>, the next number that is free; its gene. */
@@ -290,7 +271,7 @@ void lines_expand(struct lines *c, const struct tree *t, int last, struct genome
     struct writer w = {.code = c, .file = f};
     w.symbol = new_array(c->lines, sizeof *w.symbol);
     w.users = new_array(c->lines, sizeof *w.users);
-    count_users(&w);
+    lines_count_uses(c, w.users);
     write_lets(&w, name);
     for (size_t i = 0; i < c->lines; i++)
         if (c->divides[i] && w.symbol[i])
