@@ -2,8 +2,6 @@
 #include "monomials.h"
 
 #include "../common/decimal.h"
-#include "../eval/columns.h"
-#include "normal_equations.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -30,36 +28,6 @@ struct monomial *monomials_new(const int *symbol, size_t n, size_t degree, size_
     struct monomial *all = new_array(*count, sizeof *all);
     extend(one, symbol, n, 0, degree, all, 0);
     return all;
-}
-
-static void fill(const struct monomial *m, const struct columns *table, size_t row, size_t n, double *to)
-{
-    for (size_t k = 0; k < TAPE_BLOCK; k++)
-        to[k] = k < n ? 1 : 0;
-    for (size_t i = 0; i < m->degree; i++) {
-        const double *x = columns_at(table, (size_t)(m->symbol[i] - GENE_SYMBOL)) + row;
-        for (size_t k = 0; k < n; k++)
-            to[k] *= x[k];
-    }
-}
-
-double *monomials_gram(const struct monomial *m, size_t count, const struct columns *table, size_t target)
-{
-    const size_t all = count + 1;
-    const struct monomial goal = {{GENE_SYMBOL + (int)target}, 1};
-    double *block = new_array(all * TAPE_BLOCK, sizeof *block), *gram = new_array(all * all, sizeof *gram);
-    const struct panel panel = {block, TAPE_BLOCK};
-    struct products p = products_new(all, all);
-    for (size_t row = 0; row < table->n; row += TAPE_BLOCK) {
-        const size_t left = table->n - row, n = left < TAPE_BLOCK ? left : TAPE_BLOCK;
-        for (size_t j = 0; j < all; j++)
-            fill(j < count ? &m[j] : &goal, table, row, n, block + j * TAPE_BLOCK);
-        products_add(&p, panel, panel, TAPE_BLOCK, true);
-    }
-    products_sum(&p, true, gram);
-    products_free(&p);
-    free(block);
-    return gram;
 }
 
 /* A monomial that is left when factors have been taken out, and its coefficient. */

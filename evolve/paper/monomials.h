@@ -1,4 +1,4 @@
-/* Products of symbols up to a degree: their sums of products over samples, and trees of their sums. */
+/* Products of symbols up to a degree, and trees of their sums. */
 #ifndef FOOTPOINT_MONOMIALS_H
 #define FOOTPOINT_MONOMIALS_H
 
@@ -15,10 +15,6 @@ struct monomial {
 /** All monomials of at most that degree (0..MONOMIAL_DEGREE) in n symbols, 1 first; *count of them.  Free with free().
  */
 struct monomial *monomials_new(const int *symbol, size_t n, size_t degree, size_t *count);
-
-/** Products of all monomials and, last, the target column among each other: (count + 1)^2 numbers.  Free with free().
- */
-double *monomials_gram(const struct monomial *m, size_t count, const struct columns *table, size_t target);
 
 /** Genes that monomials_tree may need for n terms. */
 size_t monomials_room(size_t n);

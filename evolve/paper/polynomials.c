@@ -32,12 +32,19 @@ struct polynomials *polynomials_new(const int *symbol, size_t symbols, size_t de
 {
     struct polynomials *p = new_array(1, sizeof *p);
     p->term = monomials_new(symbol, symbols, degree, &p->count);
-    p->gram = monomials_gram(p->term, p->count, table, target);
     p->samples = table->n;
     p->blocks = (table->n + ROWS - 1) / ROWS;
     p->value = new_array(p->blocks * (p->count + 1) * ROWS, sizeof *p->value);
-    for (size_t b = 0; b < p->blocks; b++)
+    const size_t all = p->count + 1;
+    struct products sums = products_new(all, all);
+    for (size_t b = 0; b < p->blocks; b++) {
         fill_block(p, table, target, b);
+        const struct panel panel = {polynomials_column(p, b, 0), ROWS};
+        products_add(&sums, panel, panel, ROWS, true);
+    }
+    p->gram = new_array(all * all, sizeof *p->gram);
+    products_sum(&sums, true, p->gram);
+    products_free(&sums);
     return p;
 }
 
