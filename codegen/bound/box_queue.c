@@ -52,8 +52,7 @@ double boxes_pop(struct boxes *b, struct interval *box)
     b->heap[at] = last;
     if (b->variables > 0)
         memcpy(box, b->side + first.slot * b->variables, b->variables * sizeof *box);
-    grow_array(&b->vacant, b->vacancies, &b->vacant_room, sizeof *b->vacant);
-    b->vacant[b->vacancies++] = first.slot;
+    APPEND(b->vacant, b->vacancies, b->vacant_room) = first.slot;
     return first.key;
 }
 

@@ -133,12 +133,11 @@ static void find_denominators(struct evidence *e, const struct genome_file *f, c
         while (s->op < (int)i)
             s++;
         seen[protects][b] = true;
-        grow_array(&e->denominator, e->denominators, &room, sizeof *e->denominator);
-        grow_array(&e->protected_name, e->protecteds, &protected_room, sizeof *e->protected_name);
+        char *name = denominator_name(r, b, s);
         if (protects)
-            e->protected_name[e->protecteds++] = denominator_name(r, b, s);
+            APPEND(e->protected_name, e->protecteds, protected_room) = name;
         else
-            e->denominator[e->denominators++] = (struct denominator){.op = b, .name = denominator_name(r, b, s)};
+            APPEND(e->denominator, e->denominators, room) = (struct denominator){.op = b, .name = name};
     }
     printer_free(r);
     free(seen[0]);

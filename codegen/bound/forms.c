@@ -28,8 +28,7 @@ static void push(struct choice *c, int op)
     if (op < 0 || c->needed[op])
         return;
     c->needed[op] = c->value[value_of(c->known, op)] = true;
-    grow_array(&c->stack, c->depth, &c->room, sizeof *c->stack);
-    c->stack[c->depth++] = op;
+    APPEND(c->stack, c->depth, c->room) = op;
 }
 
 /* Takes in what `op` depends on; how many operations that was. */

@@ -121,8 +121,7 @@ static void add_steps(struct program *p, const bool *held, int to, struct step_l
             good = charge_operands(&s, i, wanted);
             continue;
         }
-        grow_array(&list->step, list->steps, &list->room, sizeof *list->step);
-        list->step[list->steps++] = (struct step){to, i, s.slope[i], -1};
+        APPEND(list->step, list->steps, list->room) = (struct step){to, i, s.slope[i], -1};
     }
     list->steps = good ? list->steps : before;
     free(wanted);
@@ -176,8 +175,8 @@ static bool alike(const struct step *a, const struct step *b, const int *twin, c
 
 static void add_limit(struct step_limits *s, const struct step *a, const fmpq_t most)
 {
-    grow_array(&s->limit, s->limits, &s->limit_room, sizeof *s->limit);
-    s->limit[s->limits++] = (struct step_limit){a->to, a->from, interval_most(interval_around(most))};
+    APPEND(s->limit, s->limits, s->limit_room) =
+        (struct step_limit){a->to, a->from, interval_most(interval_around(most))};
 }
 
 /* A step of the program is limited where its derivative is a number, mostly 0, or a multiple of a required one.  That it is

@@ -45,6 +45,9 @@ void *new_array(size_t n, size_t size);
 /** Grow *array (n elements used, *room allocated) so that one more fits; exits like new_array. */
 void grow_array(void *array, size_t n, size_t *room, size_t size);
 
+/** A new last element of an array that grow_array() grows; what is put there may not use n. */
+#define APPEND(array, n, room) (*(grow_array(&(array), (n), &(room), sizeof *(array)), &(array)[(n)++]))
+
 /** Copy of n characters of text, NUL-terminated; exits like new_array. */
 char *new_text(const char *text, size_t n);
 

@@ -189,9 +189,7 @@ void genome_add_note(struct genome_note **note, size_t *n, size_t *room, const c
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    grow_array(note, *n, room, sizeof **note);
-    (*note)[*n] = (struct genome_note){new_text(key, strlen(key)), new_text(text, strlen(text))};
-    ++*n;
+    APPEND(*note, *n, *room) = (struct genome_note){new_text(key, strlen(key)), new_text(text, strlen(text))};
 }
 
 const char *genome_find_note(const struct genome_note *note, size_t n, const char *key)
@@ -234,8 +232,7 @@ void genome_add_segment(struct genome_file *f, const struct segment_kind *kind, 
 
 void genome_add_expr(struct genome_expr **e, size_t *n, size_t *room, const char *name, const int *gene, size_t length)
 {
-    grow_array(e, *n, room, sizeof **e);
-    struct genome_expr *x = &(*e)[(*n)++];
+    struct genome_expr *x = &APPEND(*e, *n, *room);
     x->name = new_text(name, strlen(name));
     x->gene = new_array(length, sizeof *x->gene);
     memcpy(x->gene, gene, length * sizeof *gene);
@@ -263,8 +260,7 @@ void genome_add_let(struct genome_file *f, const char *name, const int *gene, si
 
 void genome_add_statement(struct genome_file *f, struct genome_statement s)
 {
-    grow_array(&f->statement, f->statements, &f->statement_room, sizeof *f->statement);
-    f->statement[f->statements++] = s;
+    APPEND(f->statement, f->statements, f->statement_room) = s;
 }
 
 void genome_add_range(struct genome_file *f, size_t input, const char *lo, const char *hi)

@@ -28,8 +28,7 @@ struct derivation {
 
 static void put(struct text *t, int gene)
 {
-    grow_array(&t->gene, t->n, &t->room, sizeof *t->gene);
-    t->gene[t->n++] = gene;
+    APPEND(t->gene, t->n, t->room) = gene;
 }
 
 static void put_all(struct text *t, const int *gene, size_t n)

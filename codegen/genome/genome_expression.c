@@ -115,8 +115,7 @@ bool read_expression(struct reader *r, const char *name, bool more)
             return diag_at(r->d, r->file->path, r->w.word_line, r->w.word_column,
                            "the expression of '%s' ends early: %ld operand%s missing", name, missing,
                            missing == 1 ? " is" : "s are");
-        grow_array(&r->node, r->nodes, &r->node_room, sizeof *r->node);
-        struct node *n = &r->node[r->nodes++];
+        struct node *n = &APPEND(r->node, r->nodes, r->node_room);
         *n = (struct node){.line = r->w.word_line, .column = r->w.word_column};
         if (!read_gene(r, &n->gene))
             return false;
@@ -130,8 +129,7 @@ bool read_expression(struct reader *r, const char *name, bool more)
 
 static void push(struct reader *r, size_t at, int component)
 {
-    grow_array(&r->task, r->tasks, &r->task_room, sizeof *r->task);
-    r->task[r->tasks++] = (struct task){at, component};
+    APPEND(r->task, r->tasks, r->task_room) = (struct task){at, component};
 }
 
 static void push_products(struct reader *r, size_t at, int component)
@@ -155,8 +153,7 @@ static void push_products(struct reader *r, size_t at, int component)
 
 void put_gene(struct reader *r, int gene)
 {
-    grow_array(&r->gene, r->genes, &r->gene_room, sizeof *r->gene);
-    r->gene[r->genes++] = gene;
+    APPEND(r->gene, r->genes, r->gene_room) = gene;
 }
 
 bool expand(struct reader *r, int component)

@@ -13,8 +13,7 @@ static bool read_parameters(struct reader *r, struct genome_function *x)
             return reader_fail(r, "'vector' without a name");
         if (!read_name(r, t.name) || !add_name(r, &t, vector, x->first_let))
             return false;
-        grow_array(&x->parameter, x->parameters, &x->parameter_room, sizeof *x->parameter);
-        x->parameter[x->parameters++] = (struct genome_value){vector, x->first_let};
+        APPEND(x->parameter, x->parameters, x->parameter_room) = (struct genome_value){vector, x->first_let};
         x->first_let += vector ? 3 : 1;
     }
     if (!word_is(&r->w, "->"))
@@ -43,8 +42,7 @@ static bool read_results(struct reader *r, struct genome_function *x)
         const struct name *n = word_copy(&r->w, name, sizeof name) ? names_find(&r->function->names, name) : NULL;
         if (!n)
             return reader_fail(r, "'%s' is no value of the function");
-        grow_array(&x->result, x->results, &x->result_room, sizeof *x->result);
-        x->result[x->results++] = (struct genome_value){n->kind == NAME_VECTOR, n->gene};
+        APPEND(x->result, x->results, x->result_room) = (struct genome_value){n->kind == NAME_VECTOR, n->gene};
     }
     return x->results > 0 || reader_fail(r, "function without values");
 }
@@ -141,8 +139,7 @@ bool read_function(struct reader *r)
         return false;
     }
     names_add(&f->names, name, NAME_FUNCTION, (int)f->functions, f->statements);
-    grow_array(&f->function, f->functions, &f->function_room, sizeof *f->function);
-    f->function[f->functions++] = x;
+    APPEND(f->function, f->functions, f->function_room) = x;
     add_statement(r, "function", name, start, line);
     return true;
 }

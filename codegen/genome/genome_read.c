@@ -22,8 +22,7 @@ static bool read_note(struct reader *r, struct genome_note **note, size_t *n, si
     size_t length = (size_t)(r->w.at - text);
     while (length > 0 && isspace((unsigned char)text[length - 1]))
         length--;
-    grow_array(note, *n, room, sizeof **note);
-    (*note)[(*n)++] = (struct genome_note){new_text(r->w.word, r->w.length), new_text(text, length)};
+    APPEND(*note, *n, *room) = (struct genome_note){new_text(r->w.word, r->w.length), new_text(text, length)};
     return true;
 }
 

@@ -108,10 +108,8 @@ const struct name *find_name(struct reader *r, const char *text)
     if (n)
         return n;
     n = names_find(&r->file->names, text);
-    if (n && n->statement != NO_STATEMENT) {
-        grow_array(&r->need, r->needs, &r->need_room, sizeof *r->need);
-        r->need[r->needs++] = n->statement;
-    }
+    if (n && n->statement != NO_STATEMENT)
+        APPEND(r->need, r->needs, r->need_room) = n->statement;
     return n;
 }
 

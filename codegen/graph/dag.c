@@ -22,8 +22,7 @@ static nmod_t modulus(int k)
 
 void edges_add(struct edges *list, rational coef, int node, int power)
 {
-    grow_array(&list->edge, list->n, &list->room, sizeof *list->edge);
-    list->edge[list->n++] = (struct edge){coef, node, power};
+    APPEND(list->edge, list->n, list->room) = (struct edge){coef, node, power};
 }
 
 void edges_clear(struct edges *list)
@@ -449,8 +448,7 @@ int dag_degree(const struct dag *g)
 
 static void note_removed(struct dag *g, int node)
 {
-    grow_array(&g->removed, g->removals, &g->removal_room, sizeof *g->removed);
-    g->removed[g->removals++] = g->node[node].mark[0];
+    APPEND(g->removed, g->removals, g->removal_room) = g->node[node].mark[0];
 }
 
 void dag_remove(struct dag *g, int node)
@@ -471,10 +469,8 @@ void dag_remove(struct dag *g, int node)
 
 void dag_inherit_removed(struct dag *g, const struct dag *from)
 {
-    for (size_t i = 0; i < from->removals; i++) {
-        grow_array(&g->removed, g->removals, &g->removal_room, sizeof *g->removed);
-        g->removed[g->removals++] = from->removed[i];
-    }
+    for (size_t i = 0; i < from->removals; i++)
+        APPEND(g->removed, g->removals, g->removal_room) = from->removed[i];
 }
 
 static int compare_marks(const void *a, const void *b)

@@ -39,8 +39,7 @@ static rational read_rational(const char *text)
 
 static void push_value(struct builder *b, struct value v)
 {
-    grow_array(&b->stack, b->depth, &b->room, sizeof *b->stack);
-    struct item *it = &b->stack[b->depth++];
+    struct item *it = &APPEND(b->stack, b->depth, b->room);
     *it = (struct item){.product = true};
     fmpq_init(it->coef);
     fmpq_set(it->coef, rational_value(v.coef));

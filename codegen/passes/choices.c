@@ -72,16 +72,14 @@ void record_decision(struct record *r, uint64_t key)
 {
     if (!r)
         return;
-    grow_array(&r->decision, r->decisions, &r->decision_room, sizeof *r->decision);
-    r->decision[r->decisions++] = (struct decision){key, r->alternatives, 0};
+    APPEND(r->decision, r->decisions, r->decision_room) = (struct decision){key, r->alternatives, 0};
 }
 
 void record_alternative(struct record *r, uint64_t what)
 {
     if (!r)
         return;
-    grow_array(&r->alternative, r->alternatives, &r->alternative_room, sizeof *r->alternative);
-    r->alternative[r->alternatives++] = what;
+    APPEND(r->alternative, r->alternatives, r->alternative_room) = what;
     r->decision[r->decisions - 1].alternatives++;
 }
 

@@ -176,8 +176,7 @@ static bool best_pair(struct sharing *s, struct pair *best)
 
 static void add_member(struct sharing *s, int node)
 {
-    grow_array(&s->member, s->members, &s->member_room, sizeof *s->member);
-    s->member[s->members++] = node;
+    APPEND(s->member, s->members, s->member_room) = node;
 }
 
 static int new_pair_node(struct sharing *s, const struct pair *p)

@@ -32,8 +32,7 @@ struct factoring {
 
 static void add_term(struct terms *list, const struct dag *g, rational coef, int node)
 {
-    grow_array(&list->term, list->n, &list->room, sizeof *list->term);
-    struct term *t = &list->term[list->n++];
+    struct term *t = &APPEND(list->term, list->n, list->room);
     *t = (struct term){.coef = coef};
     const struct node *n = &g->node[node];
     if (n->kind == NODE_PRODUCT && !n->kept)
@@ -136,8 +135,7 @@ static int divide_terms(struct terms *list, int node, struct terms *quotient)
             struct edges *factors = &list->term[i].factors;
             *e = factors->edge[--factors->n];
         }
-        grow_array(&quotient->term, quotient->n, &quotient->room, sizeof *quotient->term);
-        quotient->term[quotient->n++] = list->term[i];
+        APPEND(quotient->term, quotient->n, quotient->room) = list->term[i];
     }
     list->n = rest;
     return power;

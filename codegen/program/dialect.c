@@ -129,8 +129,7 @@ struct writer {
 
 static void write_char(struct writer *w, char c)
 {
-    grow_array(&w->text, w->n, &w->room, 1);
-    w->text[w->n++] = c;
+    APPEND(w->text, w->n, w->room) = c;
 }
 
 static void write_text(struct writer *w, const char *s)
@@ -141,8 +140,7 @@ static void write_text(struct writer *w, const char *s)
 
 static void push(struct writer *w, const char *at, int op)
 {
-    grow_array(&w->step, w->steps, &w->step_room, sizeof *w->step);
-    w->step[w->steps++] = (struct step){at, op};
+    APPEND(w->step, w->steps, w->step_room) = (struct step){at, op};
 }
 
 static void begin(struct writer *w, int op, enum level least)

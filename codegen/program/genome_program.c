@@ -50,8 +50,7 @@ int genome_program_add(struct genome_program *b, const struct genome_expr *e)
             const int x = b->stack[--b->depth], y = gene_arity(gene) == 2 ? b->stack[--b->depth] : -1;
             op = program_add(b->program, kind[gene], x, y);
         }
-        grow_array(&b->stack, b->depth, &b->room, sizeof *b->stack);
-        b->stack[b->depth++] = op;
+        APPEND(b->stack, b->depth, b->room) = op;
     }
     return b->stack[0];
 }

@@ -31,9 +31,9 @@ const struct unary *op_unary(enum op_kind kind)
 
 int program_add(struct program *p, enum op_kind kind, int a, int b)
 {
-    grow_array(&p->op, p->ops, &p->op_room, sizeof *p->op);
-    p->op[p->ops] = (struct op){.kind = kind, .a = a, .b = b, .input = -1, .squared = kind == OP_MUL && a == b};
-    return (int)p->ops++;
+    APPEND(p->op, p->ops, p->op_room) =
+        (struct op){.kind = kind, .a = a, .b = b, .input = -1, .squared = kind == OP_MUL && a == b};
+    return (int)p->ops - 1;
 }
 
 int program_add_constant(struct program *p, const fmpq *q, bool quotient)
@@ -240,8 +240,7 @@ static int precedence(int kind)
 
 static void push(int **stack, size_t *n, size_t *room, int what)
 {
-    grow_array(stack, *n, room, sizeof **stack);
-    (*stack)[(*n)++] = what;
+    APPEND(*stack, *n, *room) = what;
 }
 
 static void defer(struct reader *r, int kind)
@@ -343,8 +342,8 @@ static int read_expression(struct reader *r)
 
 void program_add_statement(struct program *p, const char *name, int op, size_t first, long output)
 {
-    grow_array(&p->statement, p->statements, &p->statement_room, sizeof *p->statement);
-    p->statement[p->statements++] = (struct statement){new_text(name, strlen(name)), op, (int)first, output};
+    APPEND(p->statement, p->statements, p->statement_room) =
+        (struct statement){new_text(name, strlen(name)), op, (int)first, output};
 }
 
 /* "*out_NAME" (of a segment "*NAME", of a face "NAME[0]"): the genome's outputs, in its order. */

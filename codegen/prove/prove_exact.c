@@ -51,8 +51,7 @@ static void set_opaque(struct comparison *c, struct ratio *r, enum op_kind kind,
             return;
         }
     }
-    grow_array(&c->opaque, c->opaques, &c->opaque_room, sizeof *c->opaque);
-    struct opaque *o = &c->opaque[c->opaques++];
+    struct opaque *o = &APPEND(c->opaque, c->opaques, c->opaque_room);
     o->kind = kind;
     for (int k = 0; k < 2; k++) {
         ratio_init(&o->argument[k]);

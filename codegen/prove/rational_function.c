@@ -48,8 +48,7 @@ static void push(struct ratio *r, size_t base, slong exponent)
 {
     if (exponent == 0)
         return;
-    grow_array(&r->power, r->n, &r->room, sizeof *r->power);
-    r->power[r->n++] = (struct power){base, exponent};
+    APPEND(r->power, r->n, r->room) = (struct power){base, exponent};
 }
 
 void ratio_set(struct ratio *r, const struct ratio *a)

@@ -35,8 +35,7 @@ static int compare_readings(const void *a, const void *b)
 
 static void add_reading(struct readings *r, struct reading x)
 {
-    grow_array(&r->list, r->n, &r->room, sizeof *r->list);
-    r->list[r->n++] = x;
+    APPEND(r->list, r->n, r->room) = x;
 }
 
 static void read_product(struct readings *r, const struct dag *g, int product, int e, int factor)

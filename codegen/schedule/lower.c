@@ -246,10 +246,9 @@ static int compared_constant(struct lowering *l, rational c)
     size_t i = l->constants > MOST_SEARCHED ? l->constants - MOST_SEARCHED : 0;
     while (i < l->constants && l->constant[i].value != c)
         i++;
-    if (i == l->constants) {
-        grow_array(&l->constant, l->constants, &l->constant_room, sizeof *l->constant);
-        l->constant[l->constants++] = (struct named_constant){c, name_part(l, forest_constant(&l->forest, c))};
-    }
+    if (i == l->constants)
+        APPEND(l->constant, l->constants, l->constant_room) =
+            (struct named_constant){c, name_part(l, forest_constant(&l->forest, c))};
     return l->constant[i].tree;
 }
 

@@ -11,8 +11,7 @@
 struct forest forest_new(const struct genome_file *f, size_t outputs)
 {
     struct forest x = {.file = f, .program = program_new(f, outputs)};
-    grow_array(&x.tree, x.trees, &x.tree_room, sizeof *x.tree);
-    x.tree[x.trees++] = (struct tree){OP_CONSTANT, .level = LEVEL_NAME};
+    APPEND(x.tree, x.trees, x.tree_room) = (struct tree){OP_CONSTANT, .level = LEVEL_NAME};
     return x;
 }
 
@@ -25,9 +24,8 @@ struct program *forest_take(struct forest *x)
 
 static int add(struct forest *x, struct tree t)
 {
-    grow_array(&x->tree, x->trees, &x->tree_room, sizeof *x->tree);
-    x->tree[x->trees] = t;
-    return (int)x->trees++;
+    APPEND(x->tree, x->trees, x->tree_room) = t;
+    return (int)x->trees - 1;
 }
 
 static int name_tree(struct forest *x, int op, size_t width)
@@ -127,8 +125,7 @@ size_t forest_width(const struct forest *x, int tree)
 
 static void wait_for(struct forest *x, int tree)
 {
-    grow_array(&x->waiting, x->waits, &x->wait_room, sizeof *x->waiting);
-    x->waiting[x->waits++] = tree;
+    APPEND(x->waiting, x->waits, x->wait_room) = tree;
 }
 
 /* Appends a tree's operations, operands first.  Sums of any length lean to the left, which takes no recursion. */

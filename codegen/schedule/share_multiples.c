@@ -24,8 +24,7 @@ struct entries {
 
 static void add_entry(struct entries *x, struct entry e)
 {
-    grow_array(&x->list, x->n, &x->room, sizeof *x->list);
-    x->list[x->n++] = e;
+    APPEND(x->list, x->n, x->room) = e;
 }
 
 static void add_sum(struct entries *x, const struct schedule *s, int sum, struct addend *term)

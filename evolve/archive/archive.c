@@ -155,8 +155,7 @@ void archive_free(struct archive *a)
 
 void archive_add_seed(struct archive *a, long tier, int output, const struct tree *t)
 {
-    grow_array(&a->seed, a->seeds, &a->seed_room, sizeof *a->seed);
-    struct archive_seed *s = &a->seed[a->seeds++];
+    struct archive_seed *s = &APPEND(a->seed, a->seeds, a->seed_room);
     *s = (struct archive_seed){tier, output, {new_array(t->length, sizeof *t->gene), 0}};
     tree_copy(t, &s->tree);
 }

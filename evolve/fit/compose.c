@@ -45,8 +45,7 @@ static bool is_new(struct composer *s, uint64_t hash)
     for (size_t i = 0; i < s->seens; i++)
         if (s->seen[i] == hash)
             return false;
-    grow_array(&s->seen, s->seens, &s->room, sizeof *s->seen);
-    s->seen[s->seens++] = hash;
+    APPEND(s->seen, s->seens, s->room) = hash;
     return true;
 }
 
@@ -77,8 +76,7 @@ static void add(struct composer *s, struct candidates *to, size_t parent)
     const bool good = lines_store(s->lines, s->found->max_length, &t);
     fresh.length = t.length;
     if (good && measure(s, &fresh)) {
-        grow_array(&to->c, to->n, &to->room, sizeof *to->c);
-        to->c[to->n++] = fresh;
+        APPEND(to->c, to->n, to->room) = fresh;
     } else {
         free(fresh.gene);
     }
@@ -166,8 +164,7 @@ static void advance(struct composer *s, struct candidates *list)
     choose(list, keep);
     for (size_t i = 0; i < all.n; i++) {
         if (keep[all.c[i].parent]) {
-            grow_array(&next.c, next.n, &next.room, sizeof *next.c);
-            next.c[next.n++] = all.c[i];
+            APPEND(next.c, next.n, next.room) = all.c[i];
         } else {
             free(all.c[i].gene);
         }

@@ -139,8 +139,7 @@ struct writer {
 
 static void put(struct writer *w, int gene)
 {
-    grow_array(&w->gene, w->genes, &w->room, sizeof *w->gene);
-    w->gene[w->genes++] = gene;
+    APPEND(w->gene, w->genes, w->room) = gene;
 }
 
 static void write_line(struct writer *w, int i);

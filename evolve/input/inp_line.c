@@ -120,12 +120,10 @@ static bool push(struct inp_lines *l, const char *path, const struct inp_text *n
             free(text);
             return inp_fail(l, l->place, "including '%s' again makes a cycle", inp_show(*name).s);
         }
-    if (f == l->files) {
-        grow_array(&l->file, l->files, &l->file_room, sizeof *l->file);
-        l->file[l->files++] = (struct inp_file){new_text(path, strlen(path)), status.st_dev, status.st_ino};
-    }
-    grow_array(&l->open, l->depth, &l->open_room, sizeof *l->open);
-    l->open[l->depth++] = (struct inp_open){text, text, text + size, {(int)f, 0}};
+    if (f == l->files)
+        APPEND(l->file, l->files, l->file_room) =
+            (struct inp_file){new_text(path, strlen(path)), status.st_dev, status.st_ino};
+    APPEND(l->open, l->depth, l->open_room) = (struct inp_open){text, text, text + size, {(int)f, 0}};
     const char *nul = memchr(text, '\0', size);
     if (nul) {
         struct inp_place at = {(int)f, 1};
@@ -210,8 +208,7 @@ static void split_keyword(struct inp_lines *l, struct inp_open *f, struct inp_te
             struct inp_parameter p = {.value = cut(&rest, ',')};
             p.key = strip(cut(&p.value, '='));
             p.value = strip(p.value);
-            grow_array(&l->parameter, l->parameters, &l->parameter_room, sizeof p);
-            l->parameter[l->parameters++] = p;
+            APPEND(l->parameter, l->parameters, l->parameter_room) = p;
         }
         const struct inp_open before = *f;
         const bool continued = ends_with_comma(line) && take_line(f, &line);

@@ -40,8 +40,7 @@ static bool read_name(struct reader *r, struct inp_text t, int *name)
 
 static void add_item(struct inp_items *items, struct inp_item item)
 {
-    grow_array(&items->item, items->n, &items->room, sizeof item);
-    items->item[items->n++] = item;
+    APPEND(items->item, items->n, items->room) = item;
 }
 
 /* Member of a set or surface: a number, or the name of a set. */
@@ -144,8 +143,7 @@ static const struct inp_type *other_type(struct inp_model *m, struct inp_text na
     struct inp_type *type = new_array(1, sizeof *type);
     const struct inp_shown shown = inp_show(name);
     type->name = new_text(shown.s, strlen(shown.s));
-    grow_array(&m->other, m->others, &m->other_room, sizeof *m->other);
-    return m->other[m->others++] = type;
+    return APPEND(m->other, m->others, m->other_room) = type;
 }
 
 static bool begin_element(struct reader *r)
@@ -163,8 +161,7 @@ static bool begin_element(struct reader *r)
 
 static void add_connection(struct inp_model *m, struct inp_element *e, int node)
 {
-    grow_array(&m->connectivity, m->connections, &m->connection_room, sizeof node);
-    m->connectivity[m->connections++] = node;
+    APPEND(m->connectivity, m->connections, m->connection_room) = node;
     e->nodes++;
 }
 
@@ -351,8 +348,7 @@ static bool read_pair(struct reader *r)
         return FAIL(r, "contact pair needs a slave and a master surface");
     if (!read_name(r, slave, &pair.slave) || !read_name(r, master, &pair.master))
         return false;
-    grow_array(&m->pair, m->pairs, &m->pair_room, sizeof pair);
-    m->pair[m->pairs++] = pair;
+    APPEND(m->pair, m->pairs, m->pair_room) = pair;
     r->needs_pair = false;
     return true;
 }

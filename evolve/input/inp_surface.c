@@ -20,8 +20,7 @@ struct set_walk {
 
 static void append(struct inp_list *list, size_t value)
 {
-    grow_array(&list->index, list->n, &list->room, sizeof value);
-    list->index[list->n++] = value;
+    APPEND(list->index, list->n, list->room) = value;
 }
 
 static struct set_walk walk_new(struct inp_model *m, enum inp_what what)

@@ -50,13 +50,12 @@ struct survey {
 /* `own` is 0 of outputs. */
 static void add_value(struct survey *s, const struct genome_expr *made, int own)
 {
-    grow_array(&s->value, s->values, &s->value_room, sizeof *s->value);
-    s->value[s->values++] = (struct value){.gene = made->gene,
-                                           .length = own ? 1 : made->length,
-                                           .own = own,
-                                           .made = made,
-                                           .lo = INFINITY,
-                                           .hi = -INFINITY};
+    APPEND(s->value, s->values, s->value_room) = (struct value){.gene = made->gene,
+                                                                .length = own ? 1 : made->length,
+                                                                .own = own,
+                                                                .made = made,
+                                                                .lo = INFINITY,
+                                                                .hi = -INFINITY};
 }
 
 static void find_values(struct survey *s)

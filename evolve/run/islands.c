@@ -60,8 +60,7 @@ static void take_report(struct reports *f, size_t island, int *report)
     const int *at = report + 1;
     f->memory[island] = report;
     for (int k = 0; k < report[0]; k++) {
-        grow_array(&f->found, f->n, &f->room, sizeof *f->found);
-        struct reported *r = &f->found[f->n++];
+        struct reported *r = &APPEND(f->found, f->n, f->room);
         r->island = island;
         at = island_reported(at, &r->tree, &r->error);
     }

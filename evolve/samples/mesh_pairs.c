@@ -91,8 +91,7 @@ static void search(const struct scene *scene, const struct mesh *mesh, const str
             memcpy(pair.s.xs, mesh->xyz[pair.slave], sizeof pair.s.xs);
             if (!surface->foot(surface, &pair.s, lo, hi) || !(fabs(pair.s.gap) < distance))
                 continue;
-            grow_array(&found->pair, found->n, &found->room, sizeof pair);
-            found->pair[found->n++] = pair;
+            APPEND(found->pair, found->n, found->room) = pair;
         }
     }
     free(slave);

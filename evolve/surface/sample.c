@@ -7,8 +7,7 @@
 
 void sample_set_add(struct sample_set *set, const struct sample *s)
 {
-    grow_array(&set->s, set->n, &set->room, sizeof *set->s);
-    set->s[set->n++] = *s;
+    APPEND(set->s, set->n, set->room) = *s;
 }
 
 void sample_set_free(struct sample_set *set)
