@@ -3,6 +3,7 @@
  * one, with any coefficients. */
 #include "addition_chain.h"
 
+#include <flint/ulong_extras.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,17 +23,12 @@ struct search {
     long sets;
 };
 
-static long greatest_divisor(long a, long b)
-{
-    return b == 0 ? labs(a) : greatest_divisor(b, a % b);
-}
-
 bool vector_reduce(struct vector *v, long *divisor)
 {
     long common = 0, first = 0;
     bool small = true;
     for (int i = 0; i < ADDITIONS_POINTS; i++) {
-        common = greatest_divisor(common, v->of[i]);
+        common = (long)n_gcd((ulong)common, (ulong)labs(v->of[i]));
         first = first == 0 ? v->of[i] : first;
     }
     *divisor = first < 0 ? -common : common;
@@ -56,8 +52,7 @@ static bool has(const struct additions *x, const struct vector *v)
     return false;
 }
 
-/* Carries out an addition, all but its divisor. */
-static bool add(const struct additions *x, struct addition *s, struct vector *v)
+bool addition_value(const struct additions *x, struct addition *s, struct vector *v)
 {
     for (int i = 0; i < ADDITIONS_POINTS; i++)
         v->of[i] = s->p * x->value[s->a].of[i] + s->q * x->value[s->b].of[i];
@@ -89,7 +84,7 @@ static bool solve(const struct vector *a, const struct vector *b, const struct v
             for (int n = 0; n < ADDITIONS_POINTS; n++)
                 if (p * a->of[n] + q * b->of[n] != d * v->of[n])
                     return false;
-            const long divisor = greatest_divisor(greatest_divisor(p, q), d);
+            const long divisor = (long)n_gcd(n_gcd((ulong)labs(p), (ulong)labs(q)), (ulong)labs(d));
             s->p = p / divisor;
             s->q = q / divisor;
             s->d = d / divisor;
@@ -161,7 +156,7 @@ static void try_plans(struct search *s, const struct plan *p, const struct addit
     for (size_t i = 0; i < choices && s->sets < MOST_SETS && is_better(s, p); i++) {
         struct addition taken = choice[i];
         struct vector v;
-        if (!add(&p->so_far, &taken, &v) || has(&p->so_far, &v))
+        if (!addition_value(&p->so_far, &taken, &v) || has(&p->so_far, &v))
             continue;
         struct plan more = *p;
         append(s, &more, taken, &v);

@@ -31,6 +31,9 @@ struct additions {
 bool vector_reduce(struct vector *v, long *divisor);
 bool vector_equal(const struct vector *a, const struct vector *b);
 
+/** Carries out an addition, all but its divisor, which it finds; *v is reduced.  False as of vector_reduce. */
+bool addition_value(const struct additions *x, struct addition *s, struct vector *v);
+
 /** Few enough for additions_find. */
 bool additions_few(int points, int vectors);
 

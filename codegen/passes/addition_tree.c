@@ -4,6 +4,7 @@
 #include "addition_chain.h"
 #include "choices.h"
 
+#include <flint/ulong_extras.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,18 +37,11 @@ static uint64_t draw(uint64_t *random, int below)
     return random_of(++*random) % (uint64_t)below;
 }
 
-static long greatest_divisor(long a, long b)
-{
-    return b == 0 ? labs(a) : greatest_divisor(b, a % b);
-}
-
 /* The value (p a + q b) / d, made now or before; -1 if there is no room. */
 static int value_of(struct additions *x, struct addition s)
 {
     struct vector v;
-    for (int i = 0; i < ADDITIONS_POINTS; i++)
-        v.of[i] = s.p * x->value[s.a].of[i] + s.q * x->value[s.b].of[i];
-    if (!vector_reduce(&v, &s.d))
+    if (!addition_value(x, &s, &v))
         return -1;
     for (int i = x->points; i < x->values; i++)
         if (vector_equal(&x->value[i], &v))
@@ -123,7 +117,7 @@ static void write_rows(struct sums *s, const struct tree *t, const struct vector
 
 static struct pair pair_of(const struct row *r, int a, int b)
 {
-    const long common = greatest_divisor(r->of[a], r->of[b]), d = r->of[a] < 0 ? -common : common;
+    const long common = (long)n_gcd((ulong)labs(r->of[a]), (ulong)labs(r->of[b])), d = r->of[a] < 0 ? -common : common;
     return (struct pair){a, b, 1, r->of[a] / d, r->of[b] / d};
 }
 
