@@ -64,6 +64,14 @@ bool output_is_quotient(const struct genome_file *f, const struct genome_expr *o
     return is;
 }
 
+void add_range(struct genome_file *f, size_t input, double lo, double hi)
+{
+    char text[2][32];
+    snprintf(text[0], sizeof text[0], "%.2f", floor(lo * 100) / 100);
+    snprintf(text[1], sizeof text[1], "%.2f", ceil(hi * 100) / 100);
+    genome_add_range(f, input, text[0], text[1]);
+}
+
 void require_magnitude(struct genome_file *f, const int *gene, size_t length, double most)
 {
     char text[32];
@@ -74,5 +82,17 @@ void require_magnitude(struct genome_file *f, const int *gene, size_t length, do
     require[2] = GENE_ABS;
     memcpy(require + 3, gene, length * sizeof *gene);
     genome_add_require(f, require, length + 3);
+    free(require);
+}
+
+void require_sign(struct genome_file *f, const int *gene, size_t length, double nearest)
+{
+    char text[32];
+    int *require = new_array(length + 2, sizeof *require);
+    snprintf(text, sizeof text, "%.2g", nearest);
+    require[0] = GENE_SUB;
+    require[nearest < 0 ? 1 : 1 + length] = -1 - (int)genome_add_constant(f, text);
+    memcpy(require + 1 + (nearest < 0), gene, length * sizeof *gene);
+    genome_add_require(f, require, length + 2);
     free(require);
 }

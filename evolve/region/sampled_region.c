@@ -134,27 +134,6 @@ static struct extremes measure(const struct genome_file *f, const struct sample_
 
 /* ---- what is written ---- */
 
-static void add_range(struct genome_file *f, size_t input, double lo, double hi)
-{
-    char text[2][32];
-    snprintf(text[0], sizeof text[0], "%.2f", floor(lo * 100) / 100);
-    snprintf(text[1], sizeof text[1], "%.2f", ceil(hi * 100) / 100);
-    genome_add_range(f, input, text[0], text[1]);
-}
-
-/* expression > half of the least it is on the samples, in two digits */
-static void require_above(struct genome_file *f, const struct genome_expr *x, double least)
-{
-    char text[32];
-    int *require = new_array(x->length + 2, sizeof *require);
-    snprintf(text, sizeof text, "%.2g", 0.5 * least);
-    require[0] = GENE_SUB;
-    memcpy(require + 1, x->gene, x->length * sizeof *require);
-    require[x->length + 1] = -1 - (int)genome_add_constant(f, text);
-    genome_add_require(f, require, x->length + 2);
-    free(require);
-}
-
 /* |expression| < twice the most it is on the samples */
 static void require_below(struct genome_file *f, const int *gene, size_t length, double most)
 {
@@ -207,7 +186,7 @@ void scene_region_add(struct genome_file *f, const struct sample_set *set, size_
     const double *lo = e.lo + first_least(f);
     for (size_t i = 0; i < f->leasts; i++)
         if (lo[i] > 0 && isfinite(lo[i]) && is_used(f, &f->least[i], used))
-            require_above(f, &f->least[i], lo[i]);
+            require_sign(f, f->least[i].gene, f->least[i].length, 0.5 * lo[i]);
     require_coordinates(f, &e, used);
     free(used);
     free(e.lo);

@@ -289,19 +289,15 @@ static void measure_steps(struct survey *s, const struct sample *sample, size_t 
 
 /* ---- what is written ---- */
 
-/* Widened to two decimals; what does not vary, but for rounding, is 0. */
+/* What does not vary, but for rounding, is 0. */
 static void add_ranges(const struct survey *s)
 {
     struct genome_file *r = s->file->region;
     const size_t numbers = shape_numbers(s->shape);
     for (size_t k = 0; k < numbers; k++) {
         const bool none = fmax(-s->least[k], s->most[k]) < 1e-9;
-        char text[2][32];
-        if (!(s->least[k] <= s->most[k]))
-            continue;
-        snprintf(text[0], sizeof text[0], "%.2f", none ? 0 : floor(s->least[k] * 100) / 100);
-        snprintf(text[1], sizeof text[1], "%.2f", none ? 0 : ceil(s->most[k] * 100) / 100);
-        genome_add_range(r, r->inputs - numbers + k, text[0], text[1]);
+        if (s->least[k] <= s->most[k])
+            add_range(r, r->inputs - numbers + k, none ? 0 : s->least[k], none ? 0 : s->most[k]);
     }
 }
 
@@ -321,20 +317,6 @@ static void require_near(struct genome_file *f, const struct value *v, double fa
     }
     gene[n++] = GENE_LOCAL + (int)mark;
     require_magnitude(f, gene, n, most);
-    free(gene);
-}
-
-/* value > least, or < most where that is below 0 */
-static void require_sign(struct genome_file *f, const struct value *v, double nearest)
-{
-    char text[32];
-    int *gene = new_array(v->length + 2, sizeof *gene);
-    snprintf(text, sizeof text, "%.2g", nearest);
-    const int bound = -1 - (int)genome_add_constant(f, text);
-    gene[0] = GENE_SUB;
-    gene[nearest < 0 ? 1 : 1 + v->length] = bound;
-    memcpy(gene + 1 + (nearest < 0), v->gene, v->length * sizeof *gene);
-    genome_add_require(f, gene, v->length + 2);
     free(gene);
 }
 
@@ -360,7 +342,7 @@ static void require_value(const struct survey *s, const struct value *v)
     } else
         require_magnitude(s->file, v->gene, v->length, 2 * most);
     if (v->lo > 0 || v->hi < 0)
-        require_sign(s->file, v, 0.5 * (v->lo > 0 ? v->lo : v->hi));
+        require_sign(s->file, v->gene, v->length, 0.5 * (v->lo > 0 ? v->lo : v->hi));
 }
 
 bool shape_requires_add(struct genome_file *f, const struct sample_set *set, size_t sets)
