@@ -61,31 +61,19 @@ static bool localise(const double x[4][3], const double xs[3], struct local *l)
     return true;
 }
 
-static struct products multiply(const struct local *l)
+/* With `swap`, of the segment with xi and eta exchanged. */
+static struct products multiply(const struct local *l, bool swap)
 {
-    return (struct products){.c11 = long_dot(l->c1, l->c1),
-                             .c22 = long_dot(l->c2, l->c2),
+    const long double *c1 = swap ? l->c2 : l->c1, *c2 = swap ? l->c1 : l->c2;
+    return (struct products){.c11 = long_dot(c1, c1),
+                             .c22 = long_dot(c2, c2),
                              .c33 = long_dot(l->c3, l->c3),
-                             .c12 = long_dot(l->c1, l->c2),
-                             .c13 = long_dot(l->c1, l->c3),
-                             .c23 = long_dot(l->c2, l->c3),
-                             .d1 = long_dot(l->d, l->c1),
-                             .d2 = long_dot(l->d, l->c2),
+                             .c12 = long_dot(c1, c2),
+                             .c13 = long_dot(c1, l->c3),
+                             .c23 = long_dot(c2, l->c3),
+                             .d1 = long_dot(l->d, c1),
+                             .d2 = long_dot(l->d, c2),
                              .d3 = long_dot(l->d, l->c3)};
-}
-
-/* The same segment with xi and eta exchanged. */
-static struct products exchange(const struct products *p)
-{
-    return (struct products){.c11 = p->c22,
-                             .c22 = p->c11,
-                             .c33 = p->c33,
-                             .c12 = p->c12,
-                             .c13 = p->c23,
-                             .c23 = p->c13,
-                             .d1 = p->d2,
-                             .d2 = p->d1,
-                             .d3 = p->d3};
 }
 
 /* One Newton step on (7), (8) at (xi, eta); false where their derivative is singular. */
@@ -199,14 +187,13 @@ static int insert(struct stationary found[5], int n, const struct stationary *s)
 static int all_stationary(const struct local *l, struct stationary found[5])
 {
     const long double k1 = square_of_cross(l->c1, l->c3), k2 = square_of_cross(l->c2, l->c3);
-    const struct products p = multiply(l), swapped = exchange(&p);
     const bool swap = k2 > k1;
+    const struct products q = multiply(l, swap);
     double root[10];
     int n = 0;
     if (fmaxl(square_of_cross(l->c1, l->c2), fmaxl(k1, k2)) < 1e-28L)
         return -1;
-    const struct products *q = swap ? &swapped : &p;
-    const int roots = quintic_roots(q, root);
+    const int roots = quintic_roots(&q, root);
     for (int i = 0; i < roots; i++) {
         const double re = root[2 * i], im = root[2 * i + 1];
         struct stationary s;
@@ -214,11 +201,11 @@ static int all_stationary(const struct local *l, struct stationary found[5])
             continue;
         /* Rounding may turn two close real roots into a conjugate pair: start on both sides of it. */
         long double v = (long double)re + im, u = 0;
-        const long double e = q->c11 + v * (2 * q->c13 + v * q->c33);
+        const long double e = q.c11 + v * (2 * q.c13 + v * q.c33);
         long double *xi = swap ? &v : &u, *eta = swap ? &u : &v;
         if (!(e > 0))
             continue;
-        u = (q->d1 + v * (q->d3 - q->c12 - q->c23 * v)) / e;
+        u = (q.d1 + v * (q.d3 - q.c12 - q.c23 * v)) / e;
         if (!polish(l, xi, eta, &s.minimum))
             continue;
         s.xi = (double)*xi;
