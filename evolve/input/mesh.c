@@ -18,19 +18,11 @@ static void copy_nodes(const struct inp_model *m, struct mesh *mesh)
     }
 }
 
-static char *copy_name(const struct inp_model *m, int name)
-{
-    const char *text = m->names.name[name].text;
-    return new_text(text, strlen(text));
-}
-
 static bool copy_pair(struct inp_model *m, const struct inp_pair *pair, struct mesh_pair *to)
 {
     struct inp_list slaves = {0}, masters = {0};
     const bool done = inp_slave_nodes(m, pair, &slaves) && inp_master_faces(m, pair, &masters);
     if (done) {
-        to->slave_name = copy_name(m, pair->slave);
-        to->master_name = copy_name(m, pair->master);
         to->slave = new_array(slaves.n, sizeof *to->slave);
         to->master = new_array(masters.n, sizeof *to->master);
         for (to->slaves = 0; to->slaves < slaves.n; to->slaves++)
@@ -100,8 +92,6 @@ void mesh_free(struct mesh *m)
     if (!m)
         return;
     for (size_t i = 0; i < m->pairs; i++) {
-        free(m->pair[i].slave_name);
-        free(m->pair[i].master_name);
         free(m->pair[i].slave);
         free(m->pair[i].master);
     }

@@ -18,8 +18,7 @@ struct mesh {
     int *label;       /* owned; the file's own node numbers */
     size_t nodes;
     struct mesh_pair {
-        char *slave_name, *master_name; /* owned */
-        int *slave;                     /* owned: node indices, ascending by label, each once */
+        int *slave; /* owned: node indices, ascending by label, each once */
         size_t slaves;
         struct mesh_face *master; /* owned */
         size_t masters;
