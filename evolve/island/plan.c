@@ -19,16 +19,6 @@ struct plan plan_default(void)
                          .patience = 200};
 }
 
-struct plan plan_paper(void)
-{
-    struct plan p = plan_default();
-    p.breeding = BREED_PAPER;
-    p.selection = SELECT_ROULETTE;
-    p.prices = (struct prices){.add = 0, .div = 1};
-    p.parsimony = 0;
-    return p;
-}
-
 double plan_fitness(const struct plan *plan, double error, double cost)
 {
     return error * (1 + plan->parsimony * cost);

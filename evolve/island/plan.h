@@ -30,8 +30,6 @@ struct plan {
 
 /** Front breeding with tournaments; a product and a sum cost 1, a quotient 8. */
 struct plan plan_default(void);
-/** The paper's: roulette, no parsimony; products and quotients cost 1, sums nothing. */
-struct plan plan_paper(void);
 
 /** What the choice of one champion minimises: the error, grown by the plan's parsimony for each operation, so that
  *  operations must earn their keep. */

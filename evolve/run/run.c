@@ -234,7 +234,8 @@ static size_t front_limit(const struct problem *p)
 static void make_plan(const struct evolve_options *o, struct problem *p)
 {
     struct plan *plan = &p->plan;
-    *plan = o->breeding == BREED_PAPER ? plan_paper() : plan_default();
+    *plan = plan_default();
+    plan->breeding = o->breeding;
     plan->seed = o->seed;
     plan->population = o->population;
     plan->selection = o->selection;

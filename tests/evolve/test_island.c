@@ -90,9 +90,16 @@ static struct tree known(enum breeding breeding, bool rough)
                                    : (struct tree){program[rough], rough ? 8 : 11};
 }
 
+/* The paper's breeding with its roulette and its prices, and without parsimony. */
 static struct plan plan_of(enum breeding breeding, uint64_t seed, size_t population)
 {
-    struct plan p = breeding == BREED_PAPER ? plan_paper() : plan_default();
+    struct plan p = plan_default();
+    p.breeding = breeding;
+    if (breeding == BREED_PAPER) {
+        p.selection = SELECT_ROULETTE;
+        p.prices = (struct prices){.add = 0, .div = 1};
+        p.parsimony = 0;
+    }
     p.seed = seed;
     p.population = population;
     p.migrants = population / 10;
