@@ -32,6 +32,7 @@ struct guide {
     int *uses;
     size_t rows, lines, room; /* lines: of the program; the set's symbols follow */
     int pool;
+    double one[ROWS]; /* the number 1 as a column */
 };
 
 struct guide *guide_new(const struct line_rules *r, const struct columns *table)
@@ -46,6 +47,8 @@ struct guide *guide_new(const struct line_rules *r, const struct columns *table)
     }
     g->first = new_array(ROWS, sizeof(double));
     g->second = new_array(ROWS, sizeof(double));
+    for (size_t k = 0; k < ROWS; k++)
+        g->one[k] = 1;
     return g;
 }
 
@@ -225,10 +228,10 @@ WIDE static void moments(const double *first, const double *second, const double
 }
 
 static void try_term(const struct guide *g, const struct gene_set *genes, gsl_rng *rng, int n, int x, int y,
-                     const double *one, struct promise *best)
+                     struct promise *best)
 {
     double num, den;
-    moments(g->first, g->second, value_at(g, x), y < 0 ? one : value_at(g, y), g->rows, &num, &den);
+    moments(g->first, g->second, value_at(g, x), y < 0 ? g->one : value_at(g, y), g->rows, &num, &den);
     const double gain = num * num / den;
     if (!(den > 0) || !(gain > best->gain) || !isfinite(gain))
         return;
@@ -239,9 +242,6 @@ static void try_term(const struct guide *g, const struct gene_set *genes, gsl_rn
 
 static void look_for_terms(struct guide *g, const struct gene_set *genes, gsl_rng *rng, int n, struct promise *best)
 {
-    double one[ROWS];
-    for (size_t k = 0; k < g->rows; k++)
-        one[k] = 1;
     lines_dependents(g->run->code, n, g->depends);
     g->depends[n] = false; /* the line itself may be a factor */
     sum_answers(g, n);
@@ -250,12 +250,12 @@ static void look_for_terms(struct guide *g, const struct gene_set *genes, gsl_rn
         return;
     for (int x = 0; x < g->pool; x++)
         if (may_use(g, x) && g->power[x] == power && x != n)
-            try_term(g, genes, rng, n, x, -1, one, best);
+            try_term(g, genes, rng, n, x, -1, best);
     for (int i = 0; i < CANDIDATES; i++) {
         const int x = (int)gsl_rng_uniform_int(rng, (unsigned long)g->pool);
         const int y = (int)gsl_rng_uniform_int(rng, (unsigned long)g->pool);
         if (may_use(g, x) && may_use(g, y) && g->power[x] + g->power[y] == power)
-            try_term(g, genes, rng, n, x, y, one, best);
+            try_term(g, genes, rng, n, x, y, best);
     }
 }
 
@@ -345,9 +345,6 @@ static void try_value(const struct guide *g, int n, const double *m, int operand
 
 static void look_for_less(struct guide *g, const struct gene_set *genes, int n, struct promise *best)
 {
-    double one[ROWS];
-    for (size_t k = 0; k < g->rows; k++)
-        one[k] = 1;
     memset(g->uses, 0, g->editor->from->lines * sizeof *g->uses);
     lines_count_uses(g->editor->from, g->uses);
     const double per = saved(g, n);
@@ -355,7 +352,7 @@ static void look_for_less(struct guide *g, const struct gene_set *genes, int n, 
     sum_answers(g, n);
     try_value(g, n, NULL, -1, per, best);
     if (g->power[n] == 0)
-        try_value(g, n, one, -1, per, best);
+        try_value(g, n, g->one, -1, per, best);
     for (int x = 0; x < g->pool && g->power[n] != ANY_POWER; x++)
         if (may_use(g, x) && g->power[x] == g->power[n])
             try_value(g, n, value_at(g, x), operand_of(g, genes, x), per, best);
