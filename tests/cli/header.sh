@@ -85,8 +85,8 @@ for header in generated/*.h; do
     rm -rf "$work/alone"
 done
 
-# Fresh headers: they compile everywhere, loops over arrays included, and hold their own test points, with and without
-# fused multiply-add.
+# Headers compile everywhere, loops over arrays included, and hold their own test points, with and without fused
+# multiply-add: fresh ones, of two functions of a scene, and with FOOTPOINT_LONG those shipped in place of fresh ones in double.
 cat > "$work/scalars.gen" <<'END'
 footpoint-genome 1
 input x y z
@@ -191,12 +191,17 @@ for file in evolve/genomes/*.gen "$work/scalars.gen" "$work/poles.gen"; do
     name=$(basename "$file" .gen)
     case $name in *-float) continue ;; esac # quad4's
     case $name in parallelogram-quad4 | tri3 | scalars | poles) ;; *) [ -n "$FOOTPOINT_LONG" ] || continue ;; esac
-    case $name in scalars | poles) cp "$file" "$work/fresh/" ;; *) some "$file" > "$work/fresh/$name.gen" ;; esac
+    case $name in scalars | poles) cp "$file" "$work/fresh/" ;; *) (FOOTPOINT_LONG='' && some "$file") > "$work/fresh/$name.gen" ;; esac
     poles=--allow-poles
     [ "$name" != scalars ] || poles=
     for type in double float; do
         header=$work/fresh/$(echo "$name" | tr - _)_$type.h
-        "$BIN/footpoint-codegen" --effort 10 "$work/fresh/$name.gen" $poles --precision $type -o "$header"
+        shipped=generated/footpoint_$(echo "$name" | tr - _).h
+        if [ $type = double ] && [ -n "$FOOTPOINT_LONG" ] && [ -e "$shipped" ]; then
+            cp "$shipped" "$header"
+        else
+            "$BIN/footpoint-codegen" --effort 10 "$work/fresh/$name.gen" $poles --precision $type -o "$header"
+        fi
         use "$header" $type > "$work/fresh/use.c"
         cp "$work/fresh/use.c" "$work/fresh/use.cpp"
         for compiler in "$CC -std=c99" "clang -std=c11 -ffp-contract=off" "$CXX -std=c++11 -O3 $fused" "clang++ -std=c++17"; do
