@@ -8,11 +8,38 @@ size_t islands_count(const struct islands *s)
     return s->rings * s->places;
 }
 
-/* One ring after the other, from the dearest on: each island to the rank with the least to do. */
+/* One ring after the other, from the dearest on: each island to the rank with the least to do, found on
+ * a heap of ranks by load and rank: there may be 100,000 of both, and each rank works this out. */
+struct load {
+    double sum;
+    int rank;
+};
+
+static bool lighter(const struct load *a, const struct load *b)
+{
+    return a->sum < b->sum || (a->sum == b->sum && a->rank < b->rank);
+}
+
+static void sink(struct load *heap, size_t n)
+{
+    for (size_t at = 0, child; (child = 2 * at + 1) < n; at = child) {
+        if (child + 1 < n && lighter(&heap[child + 1], &heap[child]))
+            child++;
+        if (!lighter(&heap[child], &heap[at]))
+            break;
+        const struct load moved = heap[at];
+        heap[at] = heap[child];
+        heap[child] = moved;
+    }
+}
+
 void islands_share(struct islands *s, int size)
 {
-    double *load = new_array((size_t)size, sizeof *load);
+    const size_t ranks = (size_t)size;
+    struct load *heap = new_array(ranks, sizeof *heap);
     bool *shared = new_array(s->rings, sizeof *shared);
+    for (size_t r = 0; r < ranks; r++)
+        heap[r].rank = (int)r;
     for (size_t k = 0; k < s->rings; k++) {
         size_t ring = s->rings;
         for (size_t i = 0; i < s->rings; i++)
@@ -20,16 +47,13 @@ void islands_share(struct islands *s, int size)
                 ring = i;
         shared[ring] = true;
         for (size_t i = 0; i < s->places; i++) {
-            int idlest = 0;
-            for (int rank = 1; rank < size; rank++)
-                if (load[rank] < load[idlest])
-                    idlest = rank;
-            s->owner[ring * s->places + i] = idlest;
-            load[idlest] += s->ring[ring].load;
+            s->owner[ring * s->places + i] = heap[0].rank;
+            heap[0].sum += s->ring[ring].load;
+            sink(heap, ranks);
         }
     }
     free(shared);
-    free(load);
+    free(heap);
 }
 
 bool islands_can_be_tagged(const struct islands *s, const struct team *t, struct diag *d)
