@@ -364,7 +364,7 @@ build-tests: $(isa_parts) all $(TESTS)
 LONGEST := statuses evolve header hard checkpoint bench counts languages
 LONGEST := $(BIN)/tests/test_headers $(LONGEST:%=tests/cli/%.sh)
 in_order = $(LONGEST) $(filter-out $(LONGEST),$(TESTS) $(wildcard tests/cli/*.sh tests/tree/*.sh))
-LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations valgrind vector regenerated hard_cases debian)
+LONGEST_LONG := $(patsubst %,tests/long/%.sh,configurations hard_cases valgrind projects hostile regenerated vector debian)
 long_in_order = $(LONGEST_LONG) $(BIN)/tests/test_header_bounds \
     $(filter-out %/test_header_bounds,$(in_order)) $(filter-out $(LONGEST_LONG),$(wildcard tests/long/*.sh))
 run_tests = BIN=$(BIN) CC=$(CC) CXX=$(CXX) tests/run.sh

@@ -1,6 +1,6 @@
 # The loops over arrays vectorise: their packed operations are counted in the machine code, for gcc and clang with AVX2 in
-# double, for gcc, which vectorises less, with SSE2 in both precisions; their results are those of the function for one
-# point, bit for bit.
+# double, for gcc, which vectorises less, with SSE2, there two functions of a scene in float, too; their results are those
+# of the function for one point, bit for bit.
 . tests/cli/expect.inc
 codegen() { "$BIN/footpoint-codegen" --effort 10 "$@"; } # how the search ends is no matter here
 command -v objdump > /dev/null || { report 1 'skipped: no objdump'; exit 0; }
@@ -20,8 +20,8 @@ packed() {
     report $((!good)) "$case_name, $compiler $*"
 }
 
-# operations FILE: a line "NAME OPERATIONS" for each genome
-operations() { codegen --count "$1" | awk -F, 'NR > 1 { print $1, $2 + $3 + $4 }'; }
+# operations HEADER FUNCTION: products, quotients and sums, as its banner counts them
+operations() { told "$1" "$2" operations | awk '{ print $1 + $3 + $5 }'; }
 
 # loop_flags HEADER FUNCTION: what the header says that its loop needs, beyond -O3
 loop_flags() {
@@ -30,22 +30,29 @@ loop_flags() {
 
 for file in evolve/genomes/*.gen; do
     scene=$(basename "$file" .gen | tr - _)
-    codegen "$file" --allow-poles --precision double -o "$work/$scene.h"
-    codegen "$file" --allow-poles --precision float --prefix "${scene}_f" -o "$work/${scene}_f.h"
-    operations "$file" > "$work/operations"
-    while read -r genome least; do
+    header=$PWD/generated/footpoint_$scene.h
+    if ! grep -q '^ \* precision: double' "$header"; then
+        header=$work/$scene.h
+        codegen "$file" --allow-poles --precision double --prefix "footpoint_$scene" -o "$header"
+    fi
+    (FOOTPOINT_LONG='' && some "$file") > "$work/two.gen"
+    codegen "$work/two.gen" --allow-poles --precision float --prefix "${scene}_f" -o "$work/${scene}_f.h"
+    for genome in $(sed -n 's/^genome //p' "$file"); do
         for type in double float; do
-            suffix=
-            [ $type = double ] || suffix=_f
-            prefix=footpoint_$scene
-            [ $type = double ] || prefix=${scene}_f
+            if [ $type = double ]; then
+                in=$header function=footpoint_${scene}_$genome
+            else
+                grep -q "^genome $genome\$" "$work/two.gen" || continue
+                in=$work/${scene}_f.h function=${scene}_f_$genome
+            fi
             {
-                echo "#include \"$scene$suffix.h\""
+                echo "#include \"$in\""
                 echo "void use(size_t n, const $type *const *x, $type *xi, $type *eta);"
                 echo "void use(size_t n, const $type *const *x, $type *xi, $type *eta)"
-                echo "{ ${prefix}_${genome}_n(n, x, xi, eta); }"
+                echo "{ ${function}_n(n, x, xi, eta); }"
             } > "$work/use.c"
-            flags=$(loop_flags "$work/$scene$suffix.h" "${prefix}_${genome}_n")
+            flags=$(loop_flags "$in" "${function}_n")
+            least=$(operations "$in" "$function")
             for compiler in gcc clang; do
                 # shellcheck disable=SC2086
                 [ $compiler = clang ] || packed "$scene $genome $type" "$least" xmm $flags
@@ -53,7 +60,7 @@ for file in evolve/genomes/*.gen; do
                 [ $type = float ] || packed "$scene $genome $type" "$least" ymm $flags -mavx2 -mprefer-vector-width=256
             done
         done
-    done < "$work/operations"
+    done
 done
 
 # Checked ones, as they are committed: the least and the most accurate of each kind of segment.
@@ -159,8 +166,7 @@ int main(void)
     return 0;
 }
 END
-mv "$work/quad4.h" "$work/footpoint_quad4.h"
 for compiler in gcc clang; do
-    $compiler -std=c99 -O3 -ffp-contract=off $warnings "$work/same.c" -o "$work/same" -lm && "$work/same"
+    $compiler -std=c99 -O3 -ffp-contract=off $warnings -Igenerated "$work/same.c" -o "$work/same" -lm && "$work/same"
     report $((! $?)) "the loop gives what the function gives, $compiler"
 done
