@@ -7,8 +7,18 @@
 
 #include <float.h>
 
+enum { ORDINARY = 100 }; /* powers of 2 that vectors may be long without a product of six of them leaving its range */
+
 /* Where a slave node lies against the angle between two edges. */
 enum place { OUTSIDE, ON_EDGE, INSIDE };
+
+/* Into another unit of length if need be: places and signs below do not depend on lengths. */
+static void bring_into_range(double a[3])
+{
+    const int exponent = vector_exponent(a);
+    for (int i = 0; (exponent > ORDINARY || exponent < -ORDINARY) && i < 3; i++)
+        a[i] = ldexp(a[i], -exponent);
+}
 
 /* The sign of n . (a x b), 0 within rounding. */
 static int side(const double n[3], const double a[3], const double b[3])
@@ -22,9 +32,12 @@ static int side(const double n[3], const double a[3], const double b[3])
     return product > 0.0 ? 1 : -1;
 }
 
-static enum place place_of(const double c1[3], const double c2[3], const double t[3])
+static enum place place_of(double c1[3], double c2[3], double t[3])
 {
     double n[3];
+    bring_into_range(c1);
+    bring_into_range(c2);
+    bring_into_range(t);
     vector_cross(c1, c2, n);
     if (!(vector_dot(n, n) > 0.0))
         return OUTSIDE;
@@ -104,7 +117,7 @@ static int measure(const double *xyz, const int node[4], const double xS[3], dou
         vector_sub(xS, x[k], d);
         if (!vector_finite(d))
             return FOOTPOINT_ERR_NOT_FINITE;
-        *extent = fmax(*extent, sqrt(vector_dot(d, d)));
+        *extent = fmax(*extent, hypot(hypot(d[0], d[1]), d[2])); /* squares of lengths may leave their range */
     }
     status = footpoint_robust(x[0], x[1], x[2], x[3], xS, at, distance);
     if (status == FOOTPOINT_ERR_DOMAIN) /* from so far, the segment is a point */

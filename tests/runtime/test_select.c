@@ -175,6 +175,35 @@ static void test_edges_and_corners(void **state)
     assert_int_equal(chosen, 1);
 }
 
+/* Both choices, in any unit of length from 1e-300 to 1e300. */
+static void test_any_unit(void **state)
+{
+    (void)state;
+    seed = 15;
+    for (int n = 0; n < 100; n++) {
+        const struct fan f = fan_draw(n % 4 * 0.5, 0.3);
+        const double xs[3] = {uniform(-0.7, 0.7), uniform(-0.7, 0.7), uniform(-1, 1)};
+        double least = -1;
+        int by_angle = -1, by_distance = -1;
+        const int status = footpoint_select_segment(f.xyz[0], 0, f.segments, f.seg[0], xs, &by_angle);
+        assert_int_equal(footpoint_select_closest(f.xyz[0], 0, f.segments, f.seg[0], xs, &by_distance, &least), 0);
+        for (int power = -990; power <= 990; power += 90) {
+            struct fan g = f;
+            double x[3], distance = -1;
+            int chosen = -1;
+            for (int k = 0; k < 3 * (1 + 2 * MOST); k++)
+                g.xyz[k / 3][k % 3] = ldexp(f.xyz[k / 3][k % 3], power);
+            for (int k = 0; k < 3; k++)
+                x[k] = ldexp(xs[k], power);
+            assert_int_equal(footpoint_select_segment(g.xyz[0], 0, g.segments, g.seg[0], x, &chosen), status);
+            assert_int_equal(chosen, by_angle);
+            assert_int_equal(footpoint_select_closest(g.xyz[0], 0, g.segments, g.seg[0], x, &chosen, &distance), 0);
+            assert_int_equal(chosen, by_distance);
+            assert_true(fabs(ldexp(distance, -power) - least) <= 1e-11);
+        }
+    }
+}
+
 static void test_closest_refused(void **state)
 {
     seed = 13;
@@ -299,8 +328,8 @@ static void test_forces_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_closest),           cmocka_unit_test(test_fans),
-                                       cmocka_unit_test(test_edges_and_corners), cmocka_unit_test(test_closest_refused),
-                                       cmocka_unit_test(test_forces_balance),    cmocka_unit_test(test_forces_energy),
-                                       cmocka_unit_test(test_forces_refused)};
+                                       cmocka_unit_test(test_edges_and_corners), cmocka_unit_test(test_any_unit),
+                                       cmocka_unit_test(test_closest_refused),   cmocka_unit_test(test_forces_balance),
+                                       cmocka_unit_test(test_forces_energy),     cmocka_unit_test(test_forces_refused)};
     return cmocka_run_group_tests_name("select", tests, NULL, NULL);
 }
