@@ -61,14 +61,18 @@ static inline int vector_exponent(const double a[3])
     return most > 0.0 ? exponent : -1100;
 }
 
-/* n = a x b / |a x b|; FOOTPOINT_ERR_DEGENERATE if that length is 0, not finite, or its square too small for all its digits
- * whatever the unit of length. */
+/* The square of the sine of an angle, below which vectors count as parallel, as in generated/: what is left of their
+ * product then is rounding. */
+#define VECTOR_PARALLEL 1e-20
+
+/* n = a x b / |a x b|; FOOTPOINT_ERR_DEGENERATE if a and b are parallel, to rounding, if one is 0, or if a number is not
+ * finite, whatever the unit of length. */
 static inline int vector_normal(const double a[3], const double b[3], double n[3])
 {
     double c[3], d[3], e[3];
     vector_cross(a, b, c);
-    double square = vector_dot(c, c);
-    if (!number_normal(square)) {
+    double square = vector_dot(c, c), most = vector_dot(a, a) * vector_dot(b, b);
+    if (!number_normal(square) || !number_normal(most)) {
         const int da = vector_exponent(a), db = vector_exponent(b);
         for (int i = 0; i < 3; i++) {
             d[i] = ldexp(a[i], -da);
@@ -76,8 +80,9 @@ static inline int vector_normal(const double a[3], const double b[3], double n[3
         }
         vector_cross(d, e, c);
         square = vector_dot(c, c);
+        most = vector_dot(d, d) * vector_dot(e, e);
     }
-    if (!number_normal(square))
+    if (!number_normal(square) || !number_normal(most) || !(square > VECTOR_PARALLEL * most))
         return FOOTPOINT_ERR_DEGENERATE;
     const double length = sqrt(square);
     for (int i = 0; i < 3; i++)

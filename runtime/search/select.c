@@ -39,7 +39,7 @@ static enum place place_of(double c1[3], double c2[3], double t[3])
     bring_into_range(c2);
     bring_into_range(t);
     vector_cross(c1, c2, n);
-    if (!(vector_dot(n, n) > 0.0))
+    if (!(vector_dot(n, n) > VECTOR_PARALLEL * (vector_dot(c1, c1) * vector_dot(c2, c2))))
         return OUTSIDE;
     const int first = side(n, c1, t), second = side(n, t, c2);
     return first < 0 || second < 0 ? OUTSIDE : first > 0 && second > 0 ? INSIDE : ON_EDGE;

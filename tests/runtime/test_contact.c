@@ -31,6 +31,39 @@ static void test_normal(void **state)
     assert_true(m[0] == UNTOUCHED && m[1] == UNTOUCHED && m[2] == UNTOUCHED);
 }
 
+/* Edges and nodes on a line, of which rounding leaves products other than 0. */
+static void test_parallel(void **state)
+{
+    const double O[3] = {0, 0, 0}, X[3] = {0.1, 0.2, 0.3}, loc[2] = {0.1, 0.2};
+    /* multiples of (-366083, 471023, 59437) */
+    const double line[4][3] = {{-366083. * 40000001, 471023. * 40000001, 59437. * 40000001},
+                               {366083. * 133333333, -471023. * 133333333, -59437. * 133333333},
+                               {-366083. * 7777777, 471023. * 7777777, 59437. * 7777777},
+                               {-366083. * 99999999, 471023. * 99999999, 59437. * 99999999}};
+    double m[3] = {UNTOUCHED, UNTOUCHED, UNTOUCHED}, fs[3] = {UNTOUCHED}, fm[4][3], xyz[5][3] = {{0}};
+    static const int seg[4] = {0, 1, 2, 3};
+    (void)state;
+    for (int i = 1; i < 1000; i++) {
+        const double by = i % 2 ? i / 700. : -i / 700., Y[3] = {by * X[0], by * X[1], by * X[2]};
+        const double xs[3] = {0.2, 0.1 * (i % 5 - 2), 0.05};
+        int chosen = -7;
+        assert_int_equal(footpoint_normal(O, X, Y, m), FOOTPOINT_ERR_DEGENERATE);
+        for (int k = 0; k < 3; k++) {
+            xyz[1][k] = X[k];
+            xyz[3][k] = Y[k];
+        }
+        xyz[2][0] = 0.5;
+        assert_int_equal(footpoint_select_segment(xyz[0], 0, 1, seg, xs, &chosen), FOOTPOINT_ERR_DOMAIN);
+        assert_int_equal(chosen, -7);
+    }
+    for (int i = 0; i < 100; i++) {
+        const double at[2] = {0.02 * i - 1, loc[1]}, xs[3] = {1e13, 2e13 - 1e12 * i, -3e13};
+        const int status = footpoint_force_balanced(line[0], line[1], line[2], line[3], xs, at, 1, fs, fm);
+        assert_int_equal(status, FOOTPOINT_ERR_DEGENERATE);
+    }
+    assert_true(m[0] == UNTOUCHED && m[1] == UNTOUCHED && m[2] == UNTOUCHED && fs[0] == UNTOUCHED);
+}
+
 /* With the segment's own normal, (9) is its signed gap; with another unit vector, the projection of xS - r. */
 static void test_gap(void **state)
 {
@@ -204,10 +237,10 @@ static void test_select_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_normal),         cmocka_unit_test(test_gap),
-                                       cmocka_unit_test(test_forces_balance), cmocka_unit_test(test_force_open),
-                                       cmocka_unit_test(test_force_refused),  cmocka_unit_test(test_select_inside),
-                                       cmocka_unit_test(test_select_ties),    cmocka_unit_test(test_select_turned),
-                                       cmocka_unit_test(test_select_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_normal),        cmocka_unit_test(test_parallel),
+                                       cmocka_unit_test(test_gap),           cmocka_unit_test(test_forces_balance),
+                                       cmocka_unit_test(test_force_open),    cmocka_unit_test(test_force_refused),
+                                       cmocka_unit_test(test_select_inside), cmocka_unit_test(test_select_ties),
+                                       cmocka_unit_test(test_select_turned), cmocka_unit_test(test_select_refused)};
     return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
 }
