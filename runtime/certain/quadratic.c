@@ -325,9 +325,7 @@ int footpoint_quadratic_closest(int nodes, const double *x, const double start[2
         return FOOTPOINT_ERR_DOMAIN;
     double n[3];
     normal_beside(&f, at, n);
-    answer->distance = vector_dot(n, r) > 0.0 ? -distance : distance;
-    if (status == FOOTPOINT_UNPROVED || vector_dot(n, n) > FLAT || !all_on_a_line(&f))
-        return status;
-    answer->distance = distance;
-    return FOOTPOINT_NO_AREA;
+    const int on_a_line = !(vector_dot(n, n) > FLAT) && all_on_a_line(&f);
+    answer->distance = !on_a_line && vector_dot(n, r) > 0.0 ? -distance : distance;
+    return on_a_line && status != FOOTPOINT_UNPROVED ? FOOTPOINT_NO_AREA : status;
 }

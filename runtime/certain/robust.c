@@ -101,7 +101,7 @@ static int is_held(const struct bilinear *f, const double loc[2], const struct b
            !leads_nearer(loc[0], p->f1, error) && !leads_nearer(loc[1], p->f2, error);
 }
 
-/* The nearest point of the edges.  1 if nothing inside is nearer. */
+/* The nearest point of the edges.  1 if nothing inside is nearer, and there is an inside. */
 static int find_edge(const struct bilinear *f, struct answer *answer)
 {
     struct edge_point best, c;
@@ -116,7 +116,8 @@ static int find_edge(const struct bilinear *f, struct answer *answer)
     if ((fabs(best.loc[0]) < 1.0 && !(p.error <= ACCURACY * p.h11)) ||
         (fabs(best.loc[1]) < 1.0 && !(p.error <= ACCURACY * p.h22)))
         return 0; /* rounding may move it that far along the edge */
-    if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP))
+    if (!is_held(f, best.loc, &p) || !footpoint_bilinear_is_nearest(f, &p, best.loc[0], best.loc[1], 0.0, STEEP) ||
+        !footpoint_bilinear_has_area(f))
         return 0;
     answer->loc[0] = best.loc[0];
     answer->loc[1] = best.loc[1];
@@ -246,17 +247,16 @@ static int compare_all(const double *const x[5], const struct bilinear *f, struc
 /* All corners are one. */
 static int nearest_of_point(const double xA[3], const double xS[3], double loc[2], double *dist)
 {
-    double d[3], most = 0.0;
-    for (int i = 0; i < 3; i++) {
-        d[i] = 0.5 * xS[i] - 0.5 * xA[i];
-        most = bilinear_larger(most, fabs(d[i]));
-    }
-    if (most > 0.25 * DBL_MAX)
-        return FOOTPOINT_ERR_DOMAIN;
+    double d[3];
+    vector_sub(xS, xA, d);
+    const double most = bilinear_largest(d);
     for (int i = 0; i < 3; i++)
         d[i] = most > 0.0 ? d[i] / most : 0.0;
+    const double distance = most * sqrt(vector_dot(d, d));
+    if (!isfinite(distance))
+        return FOOTPOINT_ERR_DOMAIN;
     loc[0] = loc[1] = 0.0;
-    *dist = 2.0 * most * sqrt(vector_dot(d, d));
+    *dist = distance;
     return FOOTPOINT_NO_AREA;
 }
 

@@ -309,6 +309,15 @@ static void robust_is_sure_or_says_so(void **state)
             assert_true(status == FOOTPOINT_NO_AREA || (flat && status == FOOTPOINT_UNPROVED));
             expect_near(distance, 5.0, 1e-9, "without area", face);
         }
+        for (int line = 0; line < 15; line++) { /* no normal, no sign */
+            for (int i = 0; i <= f.nodes; i++) {
+                const double step = 1.6 * uniform(&stream) - 0.8;
+                for (int k = 0; k < 3; k++)
+                    x[3 * i + k] = i < f.nodes ? step * (k - 1.3) : uniform(&stream) - 0.5;
+            }
+            const int status = footpoint_face_robust(face, x, loc, &distance, &region);
+            assert_true((status == FOOTPOINT_NO_AREA || status == FOOTPOINT_UNPROVED) && distance > 0.0);
+        }
         for (double far = 1e3; far < 1e12; far *= 1e3) {
             draw(&stream, face, x);
             for (int i = 0; i < 3; i++)

@@ -175,6 +175,33 @@ static void test_no_area(void **state)
     loc[0] = loc[1] = dist = UNTOUCHED;
     assert_int_equal(footpoint_robust(a, b, c, b, far, loc, &dist), FOOTPOINT_ERR_DOMAIN);
     assert_true(loc[0] == UNTOUCHED && loc[1] == UNTOUCHED && dist == UNTOUCHED);
+    /* corners on a line, xS beside it or beyond its end */
+    static const double along[3] = {-2, 1, 3};
+    uint64_t stream = 1;
+    for (int i = 0; i < 3000; i++) {
+        struct quad q = {{{0}}, {0}, 0, 0, 0};
+        double least = 0;
+        int low = 9, high = -9;
+        for (int k = 0; k < 7; k++) {
+            stream = stream * 6364136223846793005u + 1442695040888963407u;
+            const int step = (int)(stream >> 40) % 9 - 4;
+            if (k >= 4)
+                q.xs[k - 4] = 3 * step;
+            low = k < 4 && step < low ? step : low;
+            high = k < 4 && step > high ? step : high;
+            for (int j = 0; k < 4 && j < 3; j++)
+                q.x[k][j] = step * along[j];
+        }
+        const double at = (along[0] * q.xs[0] + along[1] * q.xs[1] + along[2] * q.xs[2]) / 14;
+        const double t = at < low ? low : at > high ? high : at;
+        for (int j = 0; j < 3; j++)
+            least += (q.xs[j] - t * along[j]) * (q.xs[j] - t * along[j]);
+        assert_int_equal(footpoint_robust(NODES(&q), loc, &dist), FOOTPOINT_NO_AREA);
+        assert_true(fabs(dist - sqrt(least)) < 1e-9);
+    }
+    const double tiny[3] = {0x1p-1074, 0, 0};
+    assert_int_equal(footpoint_robust(a, a, a, a, tiny, loc, &dist), FOOTPOINT_NO_AREA);
+    assert_true(dist == 0x1p-1074);
 }
 
 static void test_not_finite(void **state)
