@@ -23,6 +23,8 @@ int footpoint_element_normal(int nodes, double gap, const double *d_gap, const d
         !all_finite(hessian, n * (n + 1) / 2))
         return FOOTPOINT_ERR_NOT_FINITE;
     const double law = multiplier - stiffness * gap, p = law > 0.0 ? law : 0.0, k = law > 0.0 ? stiffness : 0.0;
+    if (!number_finite(p))
+        return FOOTPOINT_ERR_NOT_FINITE;
     for (int r = 0; r < n; r++) {
         force[r] = p * d_gap[r];
         for (int c = 0; c <= r; c++)
@@ -40,39 +42,54 @@ static double weight(const double *phi, int nodes, int k)
     return k < nodes ? -phi[k] : 1.0;
 }
 
-/* The force -factor s on the slave node. */
+/* The force -factor s on the slave node; s is `length` times `along`. */
 struct traction {
-    double s[3], length, factor;
+    double s[3], along[3], length, factor;
     int slides;
 };
 
 /* Its change dt with s and the limit of friction. */
 static void change_of(const struct traction *y, const double ds[3], double d_limit, double dt[3])
 {
-    const double along = y->slides ? vector_dot(y->s, ds) / (y->length * y->length) : 0.0;
+    const double longer = y->slides ? vector_dot(y->along, ds) : 0.0;
     for (int i = 0; i < 3; i++)
-        dt[i] = -y->factor * (ds[i] - along * y->s[i]) - (y->slides ? d_limit * y->s[i] / y->length : 0.0);
+        dt[i] = -y->factor * (ds[i] - longer * y->along[i]) - (y->slides ? d_limit * y->along[i] : 0.0);
 }
 
 /* Return mapping. */
 static void cut_down(struct traction *y, double limit, double tangential)
 {
-    y->length = sqrt(vector_dot(y->s, y->s));
+    y->length = hypot(hypot(y->s[0], y->s[1]), y->s[2]);
+    for (int i = 0; i < 3; i++)
+        y->along[i] = y->length > 0.0 ? y->s[i] / y->length : 0.0;
     y->slides = limit > 0.0 && tangential * y->length > limit;
     y->factor = y->slides ? limit / y->length : limit > 0.0 ? tangential : 0.0;
 }
 
-/* What s has more than its spring, in xi and eta; false: no area. */
+/* a / 2^exponent, of length 1 or so. */
+static void shorten(const double a[3], int *exponent, double b[3])
+{
+    *exponent = vector_exponent(a);
+    for (int i = 0; i < 3; i++)
+        b[i] = ldexp(a[i], -*exponent);
+}
+
+/* What s has more than its spring, in xi and eta, whatever the unit of length; false: no area. */
 static int slip_of(const struct traction *y, double tangential, const double r_xi[3], const double r_eta[3],
                    double slip[2])
 {
-    const double aa = vector_dot(r_xi, r_xi), ab = vector_dot(r_xi, r_eta), bb = vector_dot(r_eta, r_eta);
-    const double u = vector_dot(r_xi, y->s), v = vector_dot(r_eta, y->s), area = aa * bb - ab * ab;
-    const double rest = 1.0 - y->factor / tangential;
-    if (!(area > 0.0))
+    double a[3], b[3], n[3], u[3], v[3];
+    int per_xi, per_eta;
+    shorten(r_xi, &per_xi, a);
+    shorten(r_eta, &per_eta, b);
+    vector_cross(a, b, n);
+    vector_cross(y->along, b, u);
+    vector_cross(a, y->along, v);
+    const double square = vector_dot(n, n), rest = (1.0 - y->factor / tangential) * y->length;
+    if (!(square > VECTOR_PARALLEL * (vector_dot(a, a) * vector_dot(b, b))))
         return 0;
-    slip[0] = rest * (bb * u - ab * v) / area;
-    slip[1] = rest * (aa * v - ab * u) / area;
+    slip[0] = vector_dot(n, u) / square * ldexp(rest, -per_xi);
+    slip[1] = vector_dot(n, v) / square * ldexp(rest, -per_eta);
     return 1;
 }
 
@@ -89,8 +106,9 @@ int footpoint_element_friction(int nodes, const double *x, const double *phi, co
     for (int k = 1; k <= nodes; k++)
         for (int i = 0; i < 3; i++)
             way[i] += weight(phi, nodes, k) * (x[3 * k + i] - x[i]);
-    if (!vector_finite(way) || !number_finite(pressure) || !vector_finite(r_xi) || !vector_finite(r_eta) ||
-        !vector_finite(normal) || !all_finite(d_normal, 3 * n) || !all_finite(d_gap, n))
+    if (!vector_finite(way) || !number_finite(phi[0]) || !number_finite(pressure) || !number_finite(stiffness) ||
+        !number_finite(tangential) || !vector_finite(r_xi) || !vector_finite(r_eta) || !vector_finite(normal) ||
+        !all_finite(d_normal, 3 * n) || !all_finite(d_gap, n))
         return FOOTPOINT_ERR_NOT_FINITE;
     const double height = vector_dot(way, normal);
     for (int i = 0; i < 3; i++)

@@ -223,6 +223,49 @@ static void newton_is_quadratic(void **state)
         }
 }
 
+/* A square of sides 2 * 2^power with the slave node 0.1 below (0.3, 0.1), dragged from the middle; forces stay as they are. */
+static int drag(int power, double eta, double slip[2], double force[15], double tangent[225])
+{
+    const double phi[4] = {0.25, 0.25, 0.25, 0.25}, normal[3] = {0, 0, 1}, square = 0.1;
+    double x[15] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0.3, 0.1, -0.1}, r_xi[3] = {1, 0, 0},
+           r_eta[3] = {1, eta, 0};
+    double d_gap[15] = {0}, d_normal[45] = {0};
+    for (int i = 0; i < 15; i++)
+        x[i] = ldexp(x[i], power);
+    for (int i = 0; i < 3; i++) {
+        r_xi[i] = ldexp(r_xi[i], power);
+        r_eta[i] = ldexp(r_eta[i], power);
+    }
+    for (int k = 0; k < 5; k++)
+        d_gap[3 * k + 2] = k < 4 ? -0.25 : 1;
+    const int status = footpoint_element_friction(4, x, phi, r_xi, r_eta, normal, d_gap, d_normal, 1, ldexp(5, -power),
+                                                  0.5, ldexp(10, -power), slip, force, tangent);
+    if (status == FOOTPOINT_OK) {
+        const double rest = 1 - 0.5 / (10 * sqrt(square));
+        assert_true(fabs(slip[0] - rest * (0.3 - 0.1 / eta)) <= 1e-13 / eta);
+        assert_true(fabs(slip[1] - rest * 0.1 / eta) <= 1e-13 / eta);
+        assert_true(fabs(force[12] + 0.5 * 0.3 / sqrt(square)) + fabs(force[13] + 0.5 * 0.1 / sqrt(square)) <= 1e-14);
+    }
+    return status;
+}
+
+/* In any unit of length from 1e-300 to 1e300, and down to tangents that are next to parallel. */
+static void friction_takes_any_unit(void **state)
+{
+    static double force[15], tangent[225], at_one[225];
+    double slip[2];
+    (void)state;
+    assert_int_equal(drag(0, 1, slip, force, at_one), FOOTPOINT_OK);
+    for (int power = -990; power <= 990; power += 30) {
+        assert_int_equal(drag(power, 1, slip, force, tangent), FOOTPOINT_OK);
+        for (int i = 0; i < 225; i++)
+            assert_true(fabs(ldexp(tangent[i], power) - at_one[i]) <= 1e-13);
+    }
+    for (double eta = 1; eta > 2e-10; eta *= 0.1)
+        assert_int_equal(drag(0, eta, slip, force, tangent), FOOTPOINT_OK);
+    assert_int_equal(drag(0, 1e-11, slip, force, tangent), FOOTPOINT_ERR_DEGENERATE);
+}
+
 static void arguments_are_checked(void **state)
 {
     static double many[C * C], out[C * C], pressure, slip[2];
@@ -237,6 +280,17 @@ static void arguments_are_checked(void **state)
                      FOOTPOINT_ERR_DEGENERATE);
     assert_int_equal(footpoint_element_friction(4, many, many, a, b, c, many, many, 1, 1, 1, 0, slip, out, out),
                      FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_element_normal(4, -1e200, many, many, 1e200, 0, &pressure, out, out),
+                     FOOTPOINT_ERR_NOT_FINITE);
+    assert_int_equal(footpoint_element_normal(4, 1e200, many, many, 1e200, 0, &pressure, out, out), FOOTPOINT_OK);
+    out[0] = slip[0] = 77.25;
+    for (int bad = 0; bad < 3; bad++) { /* each of them went on into an answer */
+        double phi[4] = {bad == 0 ? INFINITY : 0.25, 0.25, 0.25, 0.25};
+        assert_int_equal(footpoint_element_friction(4, many, phi, a, b, c, many, many, 1, bad == 1 ? INFINITY : 1, 1,
+                                                    bad == 2 ? INFINITY : 1, slip, out, out),
+                         FOOTPOINT_ERR_NOT_FINITE);
+    }
+    assert_true(out[0] == 77.25 && slip[0] == 77.25);
     many[4] = INFINITY;
     assert_int_equal(footpoint_element_friction(4, many, many, a, b, c, many, many, 1, 1, 1, 1, slip, out, out),
                      FOOTPOINT_ERR_NOT_FINITE);
@@ -245,9 +299,8 @@ static void arguments_are_checked(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tangents_are_derivatives),
-        cmocka_unit_test(balanced_forces_have_the_same_tangent),
-        cmocka_unit_test(newton_is_quadratic),
+        cmocka_unit_test(tangents_are_derivatives), cmocka_unit_test(balanced_forces_have_the_same_tangent),
+        cmocka_unit_test(newton_is_quadratic),      cmocka_unit_test(friction_takes_any_unit),
         cmocka_unit_test(arguments_are_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
