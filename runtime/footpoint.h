@@ -143,7 +143,7 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
  *  @param[in]  loc        {xi, eta}
  *  @param[out] fs         force on the slave node
  *  @param[out] fm         fm[4][3], forces on A, B, C, D
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT (k < 0) */
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (a force, too), FOOTPOINT_ERR_ARGUMENT (k < 0) */
 int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3],
                     double fm[4][3]);
 
@@ -156,7 +156,7 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
  *  @param[in]  loc        {xi, eta}
  *  @param[in]  stiffness  k >= 0, force per mesh length
  *  @param[out] fs, fm     as in footpoint_force
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_DEGENERATE (no normal),
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (a force, too), FOOTPOINT_ERR_DEGENERATE (no normal),
  *          FOOTPOINT_ERR_ARGUMENT (k < 0) */
 int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
                              const double xS[3], const double loc[2], double stiffness, double fs[3], double fm[4][3]);
@@ -172,7 +172,7 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
  *  @param[out] pressure    force, >= 0
  *  @param[out] force       3 (nodes + 1): on all nodes
  *  @param[out] tangent     -d force / dx, symmetric: element (r, c), r >= c, is [r (r + 1) / 2 + c]
- *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE, FOOTPOINT_ERR_ARGUMENT */
+ *  @return FOOTPOINT_OK, FOOTPOINT_ERR_NOT_FINITE (the pressure, too), FOOTPOINT_ERR_ARGUMENT */
 int footpoint_element_normal(int nodes, double gap, const double *d_gap, const double *hessian, double stiffness,
                              double multiplier, double *pressure, double *force, double *tangent);
 

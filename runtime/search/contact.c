@@ -25,14 +25,22 @@ int footpoint_gap(const double xA[3], const double xB[3], const double xC[3], co
     return FOOTPOINT_OK;
 }
 
-/* fm[i] = -phi_i fs */
-static void react(const double loc[2], const double fs[3], double fm[4][3])
+/* fs = factor d and fm[i] = -phi_i fs; not if one of them is beyond all numbers. */
+static int act(double factor, const double d[3], const double loc[2], double fs[3], double fm[4][3])
 {
-    double phi[4];
+    double phi[4], f[5][3];
+    int finite = 1;
     footpoint_quad4_shape(loc[0], loc[1], phi);
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 3; k++)
-            fm[i][k] = -phi[i] * fs[k];
+    for (int i = 4; i >= 0; i--)
+        for (int k = 0; k < 3; k++) {
+            f[i][k] = i < 4 ? -phi[i] * f[4][k] : factor * d[k];
+            finite = finite && number_finite(f[i][k]);
+        }
+    if (!finite)
+        return FOOTPOINT_ERR_NOT_FINITE;
+    memcpy(fs, f[4], sizeof f[4]);
+    memcpy(fm, f, 4 * sizeof f[0]);
+    return FOOTPOINT_OK;
 }
 
 int footpoint_force(double gap, double stiffness, const double m[3], const double loc[2], double fs[3], double fm[4][3])
@@ -42,11 +50,7 @@ int footpoint_force(double gap, double stiffness, const double m[3], const doubl
         return FOOTPOINT_ERR_NOT_FINITE;
     if (stiffness < 0.0)
         return FOOTPOINT_ERR_ARGUMENT;
-    const double pressure = gap < 0.0 ? -gap * stiffness : 0.0;
-    for (int k = 0; k < 3; k++)
-        fs[k] = pressure * m[k];
-    react(loc, fs, fm);
-    return FOOTPOINT_OK;
+    return act(gap < 0.0 ? -gap * stiffness : 0.0, m, loc, fs, fm);
 }
 
 int footpoint_force_balanced(const double xA[3], const double xB[3], const double xC[3], const double xD[3],
@@ -62,9 +66,5 @@ int footpoint_force_balanced(const double xA[3], const double xB[3], const doubl
     if (status != FOOTPOINT_OK)
         return status;
     footpoint_quad4_offset(xA, xB, xC, xD, xS, loc[0], loc[1], d);
-    const double k = vector_dot(d, n) < 0.0 ? stiffness : 0.0;
-    for (int i = 0; i < 3; i++)
-        fs[i] = -k * d[i];
-    react(loc, fs, fm);
-    return FOOTPOINT_OK;
+    return act(vector_dot(d, n) < 0.0 ? -stiffness : 0.0, d, loc, fs, fm);
 }

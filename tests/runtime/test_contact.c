@@ -13,6 +13,11 @@
 enum { SEGMENTS = 300 };
 #define UNTOUCHED 77.25
 
+/* Four unit squares around node 4, each starting from another corner. */
+static const double patch[9][3] = {{-1, -1, 0}, {0, -1, 0}, {1, -1, 0}, {-1, 0, 0}, {0, 0, 0},
+                                   {1, 0, 0},   {-1, 1, 0}, {0, 1, 0},  {1, 1, 0}};
+static const int around[4][4] = {{4, 5, 8, 7}, {3, 4, 7, 6}, {0, 1, 4, 3}, {5, 4, 1, 2}};
+
 /* ---- normal, gap, forces ---- */
 
 static void test_normal(void **state)
@@ -128,7 +133,7 @@ static void test_force_open(void **state)
 static void test_force_refused(void **state)
 {
     const double m[3] = {0, 0, 1}, loc[2] = {0.5, -0.5}, nan = (double)NAN;
-    const double bad_m[3] = {0, 0, nan}, bad_loc[2] = {(double)INFINITY, 0};
+    const double bad_m[3] = {0, 0, nan}, bad_loc[2] = {(double)INFINITY, 0}, deep[3] = {-0.5, -0.5, -1e200};
     double fs[3] = {UNTOUCHED, UNTOUCHED, UNTOUCHED}, fm[4][3] = {{UNTOUCHED}};
     (void)state;
     assert_int_equal(footpoint_force(nan, 10, m, loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
@@ -136,15 +141,14 @@ static void test_force_refused(void **state)
     assert_int_equal(footpoint_force(-1, 10, bad_m, loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_force(-1, 10, m, bad_loc, fs, fm), FOOTPOINT_ERR_NOT_FINITE);
     assert_int_equal(footpoint_force(-1, -10, m, loc, fs, fm), FOOTPOINT_ERR_ARGUMENT);
+    assert_int_equal(footpoint_force(-1e200, 1e200, m, loc, fs, fm),
+                     FOOTPOINT_ERR_NOT_FINITE); /* a force beyond all numbers */
+    assert_int_equal(footpoint_force_balanced(patch[0], patch[1], patch[4], patch[3], deep, loc, 1e200, fs, fm),
+                     FOOTPOINT_ERR_NOT_FINITE);
     assert_true(fs[0] == UNTOUCHED && fs[2] == UNTOUCHED && fm[0][0] == UNTOUCHED);
 }
 
 /* ---- which segment ---- */
-
-/* Four unit squares around node 4, each starting from another corner. */
-static const double patch[9][3] = {{-1, -1, 0}, {0, -1, 0}, {1, -1, 0}, {-1, 0, 0}, {0, 0, 0},
-                                   {1, 0, 0},   {-1, 1, 0}, {0, 1, 0},  {1, 1, 0}};
-static const int around[4][4] = {{4, 5, 8, 7}, {3, 4, 7, 6}, {0, 1, 4, 3}, {5, 4, 1, 2}};
 
 static void check_chosen(const double *xyz, const double xs[3], int expected)
 {
