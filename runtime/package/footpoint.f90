@@ -36,6 +36,9 @@ module footpoint
   integer(c_int), parameter :: FOOTPOINT_BEZIER = 0
   integer(c_int), parameter :: FOOTPOINT_GREGORY = 1
 
+  ! Points that footpoint_stationary finds at most.
+  integer(c_int), parameter :: FOOTPOINT_STATIONARY_MOST = 5
+
   type, bind(C) :: footpoint_derivatives
     real(c_double) :: phi(4), r_xi(3), r_eta(3), normal(3), gap, d_xi(15), d_eta(15), d_gap(15)
   end type
@@ -160,9 +163,9 @@ module footpoint
     end function
 
     function footpoint_stationary(xA, xB, xC, xD, xS, loc, count) bind(C) result(status)
-      import :: c_int, c_double
+      import :: c_int, c_double, FOOTPOINT_STATIONARY_MOST
       real(c_double), intent(in) :: xA(3), xB(3), xC(3), xD(3), xS(3)
-      real(c_double), intent(inout) :: loc(2, 8)
+      real(c_double), intent(inout) :: loc(2, FOOTPOINT_STATIONARY_MOST)
       integer(c_int), intent(inout) :: count
       integer(c_int) :: status
     end function

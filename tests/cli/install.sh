@@ -109,7 +109,8 @@ program use_footpoint
   use, intrinsic :: iso_c_binding, only: c_double, c_int, c_size_t
   implicit none
   real(c_double) :: xyz(3, 5), loc(2), gap, pairs(2, 2), gaps(2), m(3), fs(3), fm(3, 4)
-  integer(c_int) :: status, statuses(2), iterations, chosen
+  real(c_double) :: points(2, FOOTPOINT_STATIONARY_MOST)
+  integer(c_int) :: status, statuses(2), iterations, chosen, count
   xyz = reshape([0d0, 0d0, 0d0, 2d0, 0d0, 0.1d0, 2.2d0, 1.5d0, 0d0, 0d0, 1.2d0, 0.1d0, 0.7d0, 0.9d0, 0.25d0], [3, 5])
   status = footpoint_locate(xyz(:, 1), xyz(:, 2), xyz(:, 3), xyz(:, 4), xyz(:, 5), loc, gap)
   print '(i0, 3f10.6)', status, loc, gap
@@ -123,6 +124,7 @@ program use_footpoint
   status = footpoint_normal(xyz(:, 1), xyz(:, 2), xyz(:, 4), m)
   status = status + footpoint_gap(xyz(:, 1), xyz(:, 2), xyz(:, 3), xyz(:, 4), xyz(:, 5), loc, m, gap)
   status = status + footpoint_force(-gap, 10d0, m, loc, fs, fm)
+  status = status + footpoint_stationary(xyz(:, 1), xyz(:, 2), xyz(:, 3), xyz(:, 4), xyz(:, 5), points, count)
   print '(i0, l2)', status, all(abs(fs + sum(fm, 2)) < 1d-15) .and. abs(dot_product(fs, m) - 10 * gap) < 1d-14
 end program
 F
@@ -168,6 +170,11 @@ done > "$work/log"
 [ ! -s "$work/log" ]; good=$?
 [ $good = 0 ] || sed 's/^/# not in footpoint.3: /' "$work/log"
 report $((!good)) 'the page of the library has every function'
+grep -hv '^ *[/*#]' "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h "$installed"/include/footpoint_patch.h |
+    tr -s '\n ' ' ' | tr ';{}' '\n\n\n' | sed -n 's/^.*\(footpoint_[a-z0-9_]*\)(\(.*\)) *$/\1, \2/p' | sort > "$work/declared"
+sed -n 's/^\.Fo //p; s/^\.Fa "\(.*\)"$/, \1/p; s/^\.Fc$/;/p' "$installed/share/man/man3/footpoint.3" |
+    tr -d '\n' | tr ';' '\n' | sort > "$work/page"
+logged 'with its arguments' diff "$work/declared" "$work/page"
 if command -v mandoc > /dev/null; then
     expect 'mandoc has no objections' 0 '' '' mandoc -Tlint -Wwarning "$installed"/share/man/man?/footpoint*
 else
