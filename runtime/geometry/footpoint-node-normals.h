@@ -13,7 +13,7 @@ extern "C" {
  *  @param[in]  xyz     nodes x 3, mesh length
  *  @param[in]  seg     segments x 4 node indices A, B, C, D, from 0
  *  @param[out] normal  nodes x 3, dimensionless; 0 at nodes without a normal: of no segment, or where the sum vanishes,
- *                      is not finite, or has a square too small for all its digits
+ *                      is not finite, or has a square beyond double or too small for all its digits
  *  @return FOOTPOINT_OK; FOOTPOINT_ERR_ARGUMENT if an index is out of range, normal is then untouched */
 int footpoint_node_normals(size_t nodes, const double *xyz, size_t segments, const int *seg, double *normal);
 
