@@ -167,8 +167,8 @@ static size_t locate_block(const struct batch *batch, size_t first)
 
 static int kind_of(const struct footpoint_pairs *p)
 {
-    const int triples =
-        p->stride > 2 && (p->x ? p->y == p->x + 1 && p->z == p->x + 2 : p->yf == p->xf + 1 && p->zf == p->xf + 2);
+    const int triples = p->nodes > 0 && p->stride > 2 &&
+                        (p->x ? p->y == p->x + 1 && p->z == p->x + 2 : p->yf == p->xf + 1 && p->zf == p->xf + 2);
     return (p->seg64 ? KIND_WIDE : 0) | (p->x ? 0 : KIND_FLOAT) | (triples ? KIND_TRIPLES : 0);
 }
 
@@ -185,8 +185,8 @@ static void refuse(int *status, size_t n)
 
 static int is_sound(const struct footpoint_pairs *p, enum footpoint_tier tier)
 {
-    const int coordinates = (p->x && p->y && p->z) || (p->xf && p->yf && p->zf) || p->nodes == 0;
-    const int indices = (p->seg && p->slave) || (p->seg64 && p->slave64);
+    const int coordinates = (p->x ? p->y && p->z : p->xf && p->yf && p->zf) || p->nodes == 0;
+    const int indices = p->seg64 ? p->slave64 != NULL : p->seg && p->slave;
     return coordinates && indices && p->stride > 0 && is_tier(tier);
 }
 

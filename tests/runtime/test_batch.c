@@ -291,11 +291,15 @@ static void test_refused(void **state)
     (void)state;
     build(0);
     const struct footpoint_pairs good = pairs_of(0, 100, 0, 0);
-    struct footpoint_pairs p[4] = {good, good, good, good};
+    enum { CASES = 7 };
+    struct footpoint_pairs p[CASES] = {good, good, good, good, good, good, good};
     p[0].x = NULL;
     p[1].stride = 0;
     p[2].slave = NULL;
-    for (int i = 0; i < 4; i++) {
+    p[4].y = NULL, p[4].xf = p[4].yf = p[4].zf = model.xyzf[0]; /* one array of a kind, all of the other */
+    p[5].seg64 = pairs_of(0, 100, 0, 1).seg64;
+    p[6].nodes = 0, p[6].x = p[6].y = p[6].z = NULL;
+    for (int i = 0; i < CASES; i++) {
         const enum footpoint_tier tier = i == 3 ? FOOTPOINT_TIERS : FOOTPOINT_FAST;
         clear();
         assert_int_equal(footpoint_locate_batch(&p[i], tier, got.loc[0], NULL, NULL), 100);
