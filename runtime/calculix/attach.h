@@ -4,7 +4,7 @@
  * Nodes are numbered as CalculiX and Abaqus do it: corners counter-clockwise, then midside nodes, the first of them
  * between corners 1 and 2.  Local coordinates: xi, eta in [-1,1] with corners at (-1,-1), (1,-1), (1,1), (-1,1) for
  * quadrilaterals; xi, eta >= 0, xi + eta <= 1 with corners at (0,0), (1,0), (0,1) for triangles.  Coordinates must be
- * finite, in any one unit of length. */
+ * finite, in any one unit of length in which faces are from 1e-30 to 1e30 long: there no product leaves its range. */
 #ifndef FOOTPOINT_ATTACH_H
 #define FOOTPOINT_ATTACH_H
 

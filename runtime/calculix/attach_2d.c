@@ -14,7 +14,8 @@
  *  ratio(9)     [out]     the first nterms: shape functions at that point
  *  dist         [out]     how far the two points are apart, >= 0
  *  xil, etl     [out]     local coordinates, attach.h
- *  Coordinates that are not finite, or another nterms, give a distance that is not finite. */
+ *  Coordinates that are not finite, or another nterms, give a distance that is not finite; faces are from 1e-30 to 1e30
+ *  long. */
 void attach_2d_(const double pneigh[9][3], double pnode[3], const int *nterms, double ratio[9], double *dist,
                 double *xil, double *etl);
 

@@ -399,6 +399,31 @@ static void faces_alike(void **state)
     gsl_rng_free(r);
 }
 
+/* In any unit of length that attach.h promises. */
+static void any_unit(void **state)
+{
+    (void)state;
+    gsl_rng *const r = stream_new();
+    for (uint64_t k = 0; k < FAMILIES; k++) {
+        if (families[k].spoil)
+            continue;
+        stream_key(r, 12, k, 0, 0);
+        const struct face f = draw(&families[k], r, 0);
+        const struct answer a = answer_of(&f);
+        for (int power = -100; power <= 100; power += 25) {
+            struct face g = f;
+            for (int c = 0; c < 27; c++)
+                g.x[c / 3][c % 3] = ldexp(f.x[c / 3][c % 3], power);
+            for (int c = 0; c < 3; c++)
+                g.xs[c] = ldexp(f.xs[c], power);
+            const double dist = ldexp(answer_of(&g).dist, -power);
+            if (!(fabs(dist - a.dist) <= 1e-9 * (families[k].offset + a.dist + 1)))
+                fail_on(&g, &a, "another distance in another unit of length", dist);
+        }
+    }
+    gsl_rng_free(r);
+}
+
 /* Of which another edge was nearer than the minimum that the iteration comes to: found by `make rivals`. */
 static void nearer_edge(void **state)
 {
@@ -438,10 +463,8 @@ static void hostile_input(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closest_points),
-        cmocka_unit_test(faces_alike),
-        cmocka_unit_test(nearer_edge),
-        cmocka_unit_test(hostile_input),
+        cmocka_unit_test(closest_points), cmocka_unit_test(faces_alike),   cmocka_unit_test(any_unit),
+        cmocka_unit_test(nearer_edge),    cmocka_unit_test(hostile_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
