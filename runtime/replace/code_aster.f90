@@ -16,14 +16,24 @@ subroutine mmnewt(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tol
   real(kind=8), intent(out)     :: ksi1, ksi2, tang_1(3), tang_2(3)
   integer, intent(out)          :: error
   logical, intent(in), optional :: l_reli_
-  external                      :: mmnewt_newton
   type(footpoint_derivatives)   :: at
   real(kind=8) :: loc(2), gap
   integer      :: status
+  interface ! an optional argument takes one
+    subroutine mmnewt_newton(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, &
+                             tang_1, tang_2, error, l_reli_)
+      character(len=8), intent(in)  :: type_elem
+      integer, intent(in)           :: nb_node, nb_dim, iter_maxi
+      real(kind=8), intent(in)      :: elem_coor(27), pt_coor(3), tole_maxi
+      real(kind=8), intent(out)     :: ksi1, ksi2, tang_1(3), tang_2(3)
+      integer, intent(out)          :: error
+      logical, intent(in), optional :: l_reli_
+    end subroutine
+  end interface
 
   if (type_elem /= 'QU4' .or. nb_dim /= 3) then
     call mmnewt_newton(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, &
-                       tang_1, tang_2, error)
+                       tang_1, tang_2, error, l_reli_)
     return
   end if
   associate (a => elem_coor(1:3), b => elem_coor(4:6), c => elem_coor(7:9), d => elem_coor(10:12))

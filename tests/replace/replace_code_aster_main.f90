@@ -1,17 +1,19 @@
 ! mmnewt of runtime/replace/code_aster.f90.
 subroutine mmnewt_newton(type_elem, nb_node, nb_dim, elem_coor, pt_coor, iter_maxi, tole_maxi, ksi1, ksi2, tang_1, &
-                         tang_2, error)
+                         tang_2, error, l_reli_)
   implicit none
-  character(len=8), intent(in) :: type_elem
-  integer, intent(in)          :: nb_node, nb_dim, iter_maxi
-  real(kind=8), intent(in)     :: elem_coor(27), pt_coor(3), tole_maxi
-  real(kind=8), intent(out)    :: ksi1, ksi2, tang_1(3), tang_2(3)
-  integer, intent(out)         :: error
+  character(len=8), intent(in)  :: type_elem
+  integer, intent(in)           :: nb_node, nb_dim, iter_maxi
+  real(kind=8), intent(in)      :: elem_coor(27), pt_coor(3), tole_maxi
+  real(kind=8), intent(out)     :: ksi1, ksi2, tang_1(3), tang_2(3)
+  integer, intent(out)          :: error
+  logical, intent(in), optional :: l_reli_
   ksi1 = sum(elem_coor) + sum(pt_coor) + tole_maxi
   ksi2 = nb_node + nb_dim + iter_maxi + len(type_elem)
   tang_1 = 0
   tang_2 = 0
   error = 7
+  if (present(l_reli_)) error = merge(8, 9, l_reli_)
 end subroutine
 program replace_code_aster
   use replace_points
@@ -44,5 +46,9 @@ program replace_code_aster
   call check('not finite', error == 1)
   call mmnewt('TR3     ', 3, 3, x, slave(loc, 0.1d0), 200, 1d-4, ksi1, ksi2, t1, t2, error)
   call check('other cells', error == 7)
+  call mmnewt('TR3     ', 3, 3, x, slave(loc, 0.1d0), 200, 1d-4, ksi1, ksi2, t1, t2, error, .true.)
+  call check('with a line search', error == 8)
+  call mmnewt('TR3     ', 3, 3, x, slave(loc, 0.1d0), 200, 1d-4, ksi1, ksi2, t1, t2, error, .false.)
+  call check('without', error == 9)
   call finish()
 end program
