@@ -1,6 +1,7 @@
 // ArborX: a callback for BVH queries of slave nodes among boxes of four-node faces, that keeps the nearest face of
 // each slave node.  On a device, too: one thread has all candidates of a query.  Slave nodes are numbered by what is
-// attached to their predicates, faces by their place in the tree.
+// attached to their predicates, faces by their place in the tree.  A face has an answer for slave nodes no farther from
+// it than its longest edge is long, others are passed over.
 #ifndef FOOTPOINT_REPLACE_ARBORX
 #define FOOTPOINT_REPLACE_ARBORX
 
@@ -16,7 +17,7 @@ struct footpoint_nearest_face {
     const int *slaves;        // nodes
     // Of each slave node; distance to be set to a search radius beforehand.
     double *distance; // to the nearest face so far; mesh length, >= 0
-    int *face;        // its number; untouched where none is within that distance
+    int *face;        // its number; untouched where none with an answer is within that distance
     double (*loc)[2]; // xi, eta, in [-1,1]
 
     template <class Query> KOKKOS_FUNCTION void operator()(const Query &query, int j) const

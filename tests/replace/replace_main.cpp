@@ -295,6 +295,10 @@ static void arborx_test()
           which[0] == 1 && near(distance[0], 0.05) && near(loc[0][0], 0.3) && near(loc[0][1], -0.6));
     nearest(Query{0}, 0);
     check("ArborX: it stays", which[0] == 1);
+    slave_at(0.3, -0.6, 5., nodes[6]);
+    distance[0] = 10, which[0] = -1;
+    nearest(Query{0}, 1);
+    check("ArborX: farther away than an edge is long", which[0] == -1 && distance[0] == 10);
 }
 
 int main()
