@@ -477,7 +477,8 @@ to  = '$(DESTDIR)$(1)'
 put = install -d $(call to,$(2)) && install -m $(or $(3),644) $(1) $(call to,$(2))
 # Packages name their folders from their own, so that an installation may be staged and moved.
 from = $$(realpath -m --relative-to='$(1)' '$(2)')
-fill = sed -e "s|@VERSION@|$(VERSION)|; s|@ABI@|$(ABI)|" -e "s|@PREFIX@|$(call from,$(1),$(PREFIX))|" \
+# What is linked statically asks for OpenMP itself.
+fill = sed -e "s|@VERSION@|$(VERSION)|; s|@ABI@|$(ABI)|; s|@THREADS@|$(THREADS)|" -e "s|@PREFIX@|$(call from,$(1),$(PREFIX))|" \
     -e "s|@LIB@|$(call from,$(PREFIX),$(LIBDIR))|; s|@INCLUDE@|$(call from,$(PREFIX),$(INCLUDEDIR))|"
 remove = rm -f $(foreach file,$(notdir $(1)),$(call to,$(2)/$(file)))
 # A folder of ours, unless there is something else in it.

@@ -93,6 +93,16 @@ else
     report 1 'skipped: no pkg-config'
 fi
 
+# What is linked with a static library whose batches have threads asks for OpenMP.
+for threads in 0 1; do
+    make -n install-runtime OPENMP=$threads PREFIX=/opt/footpoint | grep -o 's|@THREADS@|[^|]*|' | sort -u
+done > "$work/log"
+expect 'OPENMP=1 is in the files for pkg-config and CMake' 0 's|@THREADS@||
+s|@THREADS@|-fopenmp|' '' cat "$work/log"
+grep -l '@THREADS@' runtime/package/footpoint.pc.in runtime/package/footpoint-config.cmake.in > "$work/log"
+expect 'both' 0 'runtime/package/footpoint.pc.in
+runtime/package/footpoint-config.cmake.in' '' cat "$work/log"
+
 # ---- Fortran ----
 functions_of "$installed"/include/footpoint.h "$installed"/include/footpoint_face.h "$installed"/include/footpoint_patch.h > "$work/declared"
 module=$include/footpoint/footpoint.f90
