@@ -112,8 +112,7 @@ struct inp_names {
         int surface[2]; /* of nodes, of element faces: index into inp_model.surface, or -1 */
     } * name;           /* owned */
     size_t n, room;
-    int *slot; /* owned: hash table of indices into name, -1 where free */
-    size_t slots;
+    void *tree; /* owned: of names.h, which give indices into name */
 };
 
 /** Index of a name, which is added if it is new. */

@@ -1,18 +1,16 @@
 /* Tables of an input file's numbers and names.  Numbers: sorted once, then found by position where they run without
- * gaps, as most do, and by bisection elsewhere.  Names: open addressing over FNV-1a hashes. */
+ * gaps, as most do, and by bisection elsewhere.  Names: in capitals, in a search tree. */
 #include "inp.h"
 
+#include "../../codegen/genome/names.h"
+
 #include <ctype.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
-#include <strings.h>
 
 void inp_numbers_add(struct inp_numbers *t, int number, struct inp_place at)
 {
-    grow_array(&t->entry, t->n, &t->room, sizeof *t->entry);
-    t->entry[t->n] = (struct inp_entry){number, at, t->n};
-    t->n++;
+    const size_t order = t->n;
+    APPEND(t->entry, t->n, t->room) = (struct inp_entry){number, at, order};
 }
 
 static int by_number(const void *a, const void *b)
@@ -52,47 +50,23 @@ size_t inp_numbers_find(const struct inp_numbers *t, int number)
     return first;
 }
 
-/* Slot of a name without blanks: the one that holds it, or the free one where it belongs. */
-static size_t slot_of(const struct inp_names *t, const char *text)
-{
-    uint64_t hash = 0xcbf29ce484222325u;
-    for (const char *c = text; *c; c++)
-        hash = (hash ^ (uint64_t)toupper((unsigned char)*c)) * 0x100000001b3u;
-    size_t slot = (size_t)(hash % t->slots);
-    while (t->slot[slot] >= 0 && strcasecmp(t->name[t->slot[slot]].text, text) != 0)
-        slot = (slot + 1) % t->slots;
-    return slot;
-}
-
-static void widen(struct inp_names *t)
-{
-    free(t->slot);
-    t->slots = t->slots ? 2 * t->slots : 64;
-    t->slot = new_array(t->slots, sizeof *t->slot);
-    for (size_t i = 0; i < t->slots; i++)
-        t->slot[i] = -1;
-    for (size_t i = 0; i < t->n; i++)
-        t->slot[slot_of(t, t->name[i].text)] = (int)i;
-}
-
 int inp_names_index(struct inp_names *t, struct inp_text name)
 {
-    char *text = new_array(name.n + 1, 1);
+    char *text = new_array(name.n + 1, 2), *key = text + name.n + 1;
     size_t n = 0;
     for (size_t i = 0; i < name.n; i++)
-        if (!isspace((unsigned char)name.s[i]))
-            text[n++] = name.s[i];
-    if (2 * t->n >= t->slots)
-        widen(t);
-    const size_t slot = slot_of(t, text);
-    if (t->slot[slot] >= 0) {
+        if (!isspace((unsigned char)name.s[i])) {
+            text[n] = name.s[i];
+            key[n++] = (char)toupper((unsigned char)name.s[i]);
+        }
+    const struct name *known = names_find(&t->tree, key);
+    if (known) {
         free(text);
-        return t->slot[slot];
+        return known->gene;
     }
-    grow_array(&t->name, t->n, &t->room, sizeof *t->name);
-    t->name[t->n] = (struct inp_name){text, {-1, -1}, {-1, -1}};
-    t->slot[slot] = (int)t->n;
-    return (int)t->n++;
+    names_add(&t->tree, key, NAME_NUMBER, (int)t->n, NO_STATEMENT);
+    APPEND(t->name, t->n, t->room) = (struct inp_name){text, {-1, -1}, {-1, -1}};
+    return (int)t->n - 1;
 }
 
 void inp_names_clear(struct inp_names *t)
@@ -100,5 +74,5 @@ void inp_names_clear(struct inp_names *t)
     for (size_t i = 0; i < t->n; i++)
         free(t->name[i].text);
     free(t->name);
-    free(t->slot);
+    names_free(t->tree);
 }
