@@ -185,9 +185,11 @@ static void set_input(struct forms *w, size_t i, size_t variable)
     forget(w, i);
     if (variable == w->known->variables || !interval_finite(w->range[i]))
         return;
-    const double middle = interval_middle(w->range[i]);
+    const double middle = interval_middle(w->range[i]), half = interval_half(w->range[i], middle);
     set_form(w, i, middle, 0);
-    slopes(w, i)[variable] = w->mass[i] = interval_half(w->range[i], middle);
+    slopes(w, i)[variable] = w->mass[i] = half;
+    w->middle[variable] = middle;
+    w->half[variable] = half;
 }
 
 static void set_operation(struct forms *w, size_t i)
@@ -389,12 +391,12 @@ bool affine_narrow(const struct forms *w, int op, int sign, double bound, struct
         const double steep = fabs(s[k]), least = (need + steep) / steep - 1e-9;
         if (!(steep > 1e-200 && least > -1))
             continue;
-        const double middle = interval_middle(box[k]), half = interval_half(box[k], middle);
-        const double reduced = below(half * (least - 1e-9));
+        /* of the box that was evaluated, whatever was cut off since, and as far as the variable is known to lie in it */
+        const double reduced = below(w->half[k] * (least - 1e-9));
         if (sign * s[k] > 0)
-            box[k].lo = greater(box[k].lo, below(middle + reduced));
+            box[k].lo = greater(box[k].lo, below(w->middle[k] + reduced));
         else
-            box[k].hi = lesser(box[k].hi, above(middle - reduced));
+            box[k].hi = lesser(box[k].hi, above(w->middle[k] - reduced));
         cut = true;
     }
     return cut;

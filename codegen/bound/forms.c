@@ -111,6 +111,8 @@ struct forms *forms_new(const struct known *x, int target)
     w->radius = new_array(rows, sizeof *w->radius);
     w->mass = new_array(rows, sizeof *w->mass);
     w->slope = new_array(w->affine ? rows * x->variables : 0, sizeof *w->slope);
+    w->middle = new_array(x->variables, sizeof *w->middle);
+    w->half = new_array(x->variables, sizeof *w->half);
     return w;
 }
 
@@ -127,5 +129,7 @@ void forms_free(struct forms *w)
     free(w->radius);
     free(w->mass);
     free(w->slope);
+    free(w->middle);
+    free(w->half);
     free(w);
 }

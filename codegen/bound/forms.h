@@ -25,6 +25,7 @@ struct forms {
     double *centre, *radius; /* owned: by row; the radius is infinite where there is no form */
     double *mass;            /* owned: by row, >= sum |slope| */
     double *slope;           /* owned: by row and variable */
+    double *middle, *half;   /* owned: by variable, its number is middle + half e_k */
     bool affine;             /* false: there would be too many slopes; intervals alone */
     bool inside;             /* after an evaluation: all of the box belongs to the region */
 };

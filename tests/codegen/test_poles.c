@@ -234,6 +234,14 @@ static void test_requires(void **state)
         {UNIT_8 "\nlet s = + + + * a b * c d * e f * g h\nlet t = + 1 * s s\nrequire - s * 0.2 t",
          "const double t1 = in_h * in_g + in_f * in_e + in_d * in_c + in_b * in_a;\n*out_r = 1.0 / t1;", POLE_FREE, 0},
         {UNIT_2 "\nrequire - a 2", "*out_r = 1.0 / in_a;", POLE_FREE, 0}, /* the region is empty */
+        /* several cut off parts of one side */
+        {"range a -2 1\nrequire neg a\nrequire - -0.5 a", "*out_r = 1.0 / (in_a + 0.7601);", POLE_EXISTS, 0},
+        {"range a -2 1\nrequire neg a\nrequire - -0.5 a", "*out_r = 1.0 / (in_a + 0.25);", POLE_FREE, 0.25},
+        {"range a -1 2\nrequire a\nrequire - a 0.5\nrequire - a 0.6", "*out_r = 1.0 / (in_a - 0.9301);", POLE_EXISTS,
+         0},
+        /* it is known of a before that it is below -0.47 */
+        {"range a -2 1\nrequire - -0.5 a\nrequire + a 1",
+         "const double t1 = 1.0 / in_a;\n*out_r = 1.0 / (in_a + 0.9801 + 0.0 * t1);", POLE_EXISTS, 0},
     };
     for (size_t i = 0; i < sizeof trials / sizeof *trials; i++)
         check(&trials[i]);
