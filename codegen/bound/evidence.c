@@ -196,6 +196,16 @@ static void compute(struct computed *c, const double *input, uint64_t *contract)
         c->value[p->output[i]] = c->single[p->output[i]];
 }
 
+/* Whether a bound speaks of the coordinates that the program is given: those less the first node's are what the region says
+ * where that is the origin. */
+static bool can_bound(const struct known *x)
+{
+    bool origin = true;
+    for (int i = 0; x->arithmetic.given > 0 && i < 3; i++)
+        origin = origin && interval_is_zero(x->value[known_op(x, i)]);
+    return x->complete && origin;
+}
+
 /* Worst |computed - exact| of each output at random points, of doubles with and without contraction.  A bound above the
  * outputs themselves is none. */
 static void sample_errors(struct evidence *e, struct computed *c, struct region *r, const struct evidence_options *o)
@@ -219,7 +229,7 @@ static void sample_errors(struct evidence *e, struct computed *c, struct region 
         if (!region_limits_steps(r, at) || !point_exact(p, input, exact))
             continue;
         e->samples++;
-        for (size_t i = 0; i < p->outputs && e->samples <= POINTS_BOUNDED; i++)
+        for (size_t i = 0; i < p->outputs && e->samples <= POINTS_BOUNDED && can_bound(r->known); i++)
             e->error[i].points = fmax(e->error[i].points, point_bound_at(bound[i], at));
         for (int contract = 0; contract < 2; contract++) {
             compute(c, input, contract ? &seed : NULL);
@@ -264,7 +274,7 @@ struct evidence *evidence_new(const struct genome_file *f, const struct genome *
         find_pole(&s, &e->denominator[i], e->denominators + p->outputs - i);
     for (size_t i = 0; i < p->outputs; i++)
         e->error[i] = (struct output_error){INFINITY, -1, -1};
-    if (e->region)
+    if (can_bound(r->known))
         bound_errors(&s, e, p);
     struct computed c = computed_new(f, p, options->arithmetic);
     if (e->region)

@@ -38,6 +38,17 @@ for compiler in "$CC -O2" "$CC -O0" 'clang -O2'; do
     report $((! $?)) "computes nothing in double, $compiler"
 done
 
+# Coordinates are those less A's: where A lies elsewhere, a bound for the coordinates as they are would say nothing of them.
+bound() { # range of A, of B and C: how many bounds the banner claims
+    printf '%s\n' 'footpoint-genome 2' 'segment quad4 any' \
+        "range A $1 $1 0 0 0 0, B $2 0 0 0 0, C $2 1 1 0 0, D $1 $1 1 1 0 0, S 0.5 0.6 0.5 0.6 0 0.1" \
+        'genome example' 'xi = / - xC xB - xB xA' 'eta = / - yS yA - yC yA' 'end' > "$work/a.gen"
+    "$codegen" --quiet --effort 10 --samples "$work/f.samples" --precision float "$work/a.gen" -o "$work/a.h" &&
+        grep '^ .   rounding' "$work/a.h" | grep -c proved
+}
+expect 'a bound where A is the origin' 0 1 '' bound 0 '1 1.001'
+expect 'none where it is not' 1 0 '' bound 1 '0 0.001'
+
 # What is refused.
 expect 'samples of double code' 1 '' "$work/f.gen: error: --samples are for C code of a segment in float" \
     "$codegen" --precision double --allow-poles --samples "$work/f.samples" "$work/f.gen" -o "$work/d.h"
