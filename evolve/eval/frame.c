@@ -65,6 +65,14 @@ static char *statement_of_tier(const struct genome_file *frame, size_t k, const 
     return genome_statement_suffixed(frame, k, suffix);
 }
 
+/* Whether what comes behind the program's last statement may share its line: that is a let, too, or whatever it is.  The
+ * first of a frame's line may be there already, and what stands last then anything. */
+static bool may_join(const struct genome_file *program, const char *text)
+{
+    const char *last = program->statements > 0 ? program->statement[program->statements - 1].text : "";
+    return strncmp(last, text, strcspn(text, " ") + 1) == 0;
+}
+
 /* Adds it to the program, unless another frame of the scene has the same one. */
 static bool add_statement(const struct genome_file *frame, size_t k, const struct scene *s, const struct tier *t,
                           struct genome_file *program, struct diag *d)
@@ -73,12 +81,13 @@ static bool add_statement(const struct genome_file *frame, size_t k, const struc
     tier_suffix(t, suffix);
     snprintf(name, sizeof name, "%s%s", frame->statement[k].name, suffix);
     const struct genome_statement *known = genome_find_statement(program, name);
+    const bool joined = frame->statement[k].joined && may_join(program, text);
     const bool good =
         known ? strcmp(known->text, text) == 0 || diag_at(d, frame->path, frame->statement[k].line, 0,
                                                           "'%s' is another value in another frame of the scene", name)
               : genome_read_statement(program, text, d);
     if (good && !known)
-        program->statement[program->statements - 1].joined = frame->statement[k].joined;
+        program->statement[program->statements - 1].joined = joined;
     free(text);
     return good;
 }

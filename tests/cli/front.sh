@@ -11,6 +11,11 @@ costs=$(sed -n 's/^genome both_both_c//p' "$work/front.gen" | tr '\n' ' ')
 echo "$costs" | awk '{ bad = NF < 1 || NF > 3; for (i = 1; i <= NF; i++) bad = bad || $i > 1.06 * 400 || (i > 1 && $i <= $(i - 1)); exit bad }'
 report $((! $?)) "three members at most, within the budget, by cost: $costs"
 grep -q '^range .*C ' "$work/front.gen"; report $((! $?)) 'with the region that they are proved in'
+# Two frames that begin alike: the rest of a line of lets, of which the first are there already, gets a line of its own.
+expect 'a front of two frames' 0 '*' '*' "$evolve" --scene tests/scenes/small.scene --from-scratch --generations 1 --population 20 \
+    --quiet -o "$work/a.gen" --front "$work/two.gen"
+expect 'which is read again' 0 '*' '*' "$evolve" --scene tests/scenes/small.scene --from-scratch --generations 0 --quiet \
+    --seeds "$work/two.gen" -o "$work/b.gen"
 
 # scene,sample,method,ours,mode,mul,div,add,sqrt,ns,ratio,mean_xi,p99_xi,max_xi,mean_eta,p99_eta,max_eta,failures
 method() { # method NAME OURS NS ARRAYS MEAN WORST
