@@ -135,7 +135,11 @@ uint64_t island_evaluations(const struct island *is)
 
 size_t island_report_size(const struct island *is)
 {
-    return 1 + (is->all->limit + 1) * (REPORTED + is->goal.max_length);
+    size_t size = 1;
+    for (size_t c = 0; c <= is->all->limit; c++)
+        if (is->all->member[c].tree.length > 0)
+            size += REPORTED + is->all->member[c].tree.length;
+    return size;
 }
 
 void island_report(const struct island *is, int *report)
