@@ -240,7 +240,7 @@ bool evolve_islands(const struct call *call, const struct problem *p, const stru
                      .problem = p,
                      .islands = islands,
                      .out = out,
-                     .rank0 = {.call = call, .scene = p->scene, .islands = islands},
+                     .rank0 = {.call = call, .scene = p->scene, .frames_sha256 = files->frames_sha256, .islands = islands},
                      .saving = {call->team, islands, call->options->checkpoint, files->start_text, NULL},
                      .base = out->generation,
                      .done = out->generation,

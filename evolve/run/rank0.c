@@ -90,7 +90,7 @@ void rank0_facts(struct rank0 *k, size_t generation, char facts[FACTS])
         complain(k, run_log_sync(&k->log, &d), &k->bad_log, &d);
         mark = run_log_mark(&k->log);
     }
-    resume_facts(facts, k->scene->sha256, generation, &mark);
+    resume_facts(facts, k->scene->sha256, k->frames_sha256, generation, &mark);
     evolve_options_facts(k->call->options, facts, FACTS);
 }
 

@@ -11,6 +11,7 @@
 struct rank0 {
     const struct call *call; /* not owned, as are these */
     const struct scene *scene;
+    const char *frames_sha256;
     const struct islands *islands;
     struct run_log log;
     struct gather rows;

@@ -18,10 +18,12 @@ static const char *machine(void)
     return first ? "little-endian" : "big-endian";
 }
 
-void resume_facts(char text[FACTS], const char *scene_sha256, size_t generation, const struct log_mark *mark)
+void resume_facts(char text[FACTS], const char *scene_sha256, const char *frames_sha256, size_t generation,
+                  const struct log_mark *mark)
 {
-    snprintf(text, FACTS, "version %s\nmachine %s\nscene-sha256 %s\ngeneration %zu\nlog-mark %" PRIu64 " %s\n",
-             FOOTPOINT_VERSION, machine(), scene_sha256, generation, mark->bytes, mark->sha256);
+    snprintf(text, FACTS,
+             "version %s\nmachine %s\nscene-sha256 %s\nframes-sha256 %s\ngeneration %zu\nlog-mark %" PRIu64 " %s\n",
+             FOOTPOINT_VERSION, machine(), scene_sha256, frames_sha256, generation, mark->bytes, mark->sha256);
 }
 
 void saving_prepare(struct saving *s, size_t start_bytes)
@@ -143,6 +145,15 @@ bool resume_suits(const struct resume *r, const char *scene_sha256, size_t gener
     diag_at(d, r->path, 0, 0, "checkpoint of generation %zu, beyond --generations %zu", r->generation, generations);
     d->code = EXIT_USAGE;
     return false;
+}
+
+bool resume_suits_frames(const struct resume *r, const char *frames_sha256, struct diag *d)
+{
+    char sha256[65] = "";
+    checkpoint_fact(r->file.facts, "frames-sha256", sha256, sizeof sha256);
+    return strcmp(sha256, frames_sha256) == 0 ||
+           diag_at(d, r->path, 0, 0, "checkpoint of other frames: SHA-256 %.12s..., not %.12s...", sha256,
+                   frames_sha256);
 }
 
 bool resume_islands(const struct resume *r, const struct team *t, const struct islands *s, struct diag *d)

@@ -35,13 +35,16 @@ struct resume {
 
 enum { FACTS = 16384 };
 /** The facts of a run at a generation but for its options, into text[0..FACTS-1]. */
-void resume_facts(char text[FACTS], const char *scene_sha256, size_t generation, const struct log_mark *mark);
+void resume_facts(char text[FACTS], const char *scene_sha256, const char *frames_sha256, size_t generation,
+                  const struct log_mark *mark);
 
 /** Collective: read on rank 0 and told to all.  False with *d: unreadable, damaged, or of another version or machine.
  */
 bool resume_read(struct resume *r, const struct team *t, const char *path, struct diag *d);
 /** False with *d if the checkpoint is of another scene. */
 bool resume_suits(const struct resume *r, const char *scene_sha256, size_t generations, struct diag *d);
+/** False with *d if its genes are of other frames, or of other tiers of the kind. */
+bool resume_suits_frames(const struct resume *r, const char *frames_sha256, struct diag *d);
 /** Collective: load all islands, each rank its own.  False with *d where a section is damaged, or no state of its
  *  island. */
 bool resume_islands(const struct resume *r, const struct team *t, const struct islands *s, struct diag *d);

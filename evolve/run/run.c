@@ -2,6 +2,7 @@
  * training samples; islands are shared out, and what they find is independent of who computes them. */
 #include "run.h"
 
+#include "../../codegen/genome/text.h"
 #include "../common/data_root.h"
 #include "../eval/frame.h"
 #include "../eval/frame_cost.h"
@@ -80,6 +81,27 @@ static bool keep_start(struct run_files *f, struct diag *d)
     return f->start_text != NULL;
 }
 
+/* Of the values that genes are numbers of, and of the tiers, which may be those of another scene. */
+static void digest_frames(const struct problem *p, char sha256[65])
+{
+    struct memory *m = memory_open();
+    fputs(p->archive->bare, m->stream);
+    for (size_t i = 0; i < p->scene->tiers; i++) {
+        const struct tier *t = &p->scene->tier[i];
+        fprintf(m->stream, "%s %s %zu %.17g %d %s\n", t->name, t->frame, t->max_length, t->budget, t->rational,
+                t->last ? t->last : "-");
+        for (size_t k = 0; k < t->terminals; k++)
+            fprintf(m->stream, " %s", t->terminal[k]);
+        for (size_t k = 0; k < t->functions; k++)
+            fprintf(m->stream, " %s", t->function[k]);
+        for (size_t k = 0; k < t->starts; k++)
+            fprintf(m->stream, " %s %s", t->start[k][0], t->start[k][1]);
+    }
+    char *text = memory_close(m);
+    sha256_hex(text, strlen(text), sha256);
+    free(text);
+}
+
 static bool load_archive(const struct evolve_options *o, const struct run_files *f, struct problem *p, struct diag *d)
 {
     struct genome_file *program = frame_program(o->root, p->scene, f->output, d);
@@ -147,7 +169,10 @@ static bool load(struct run *r, struct diag *d)
                       load_archive(o, &r->files, &r->problem, d);
     if (resume && r->files.start[0])
         unlink(r->files.start);
-    return good;
+    if (!good)
+        return false;
+    digest_frames(&r->problem, r->files.frames_sha256);
+    return !resume || resume_suits_frames(resume, r->files.frames_sha256, d);
 }
 
 /* A value without a number somewhere would make every expression with it hopeless, without a word. */

@@ -23,6 +23,7 @@ struct run_files {
     bool shipped;                   /* start is not the scene's own, but its kind's */
     char *start_text;               /* owned; on rank 0: the start file, for checkpoints */
     size_t start_bytes;
+    char frames_sha256[65]; /* of what genes in checkpoints mean */
 };
 
 /** What it is to find, and what that is measured by: the same on all ranks. */
