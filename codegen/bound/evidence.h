@@ -17,9 +17,9 @@ struct denominator {
 
 /** Rounding error of one output. */
 struct output_error {
-    double bound;   /* proved over the region, with or without contraction to FMA; +infinity: no bound was found, or none
+    double bound;  /* proved over the region, with or without contraction to FMA; +infinity: no bound was found, or none
                      * looked for: of floats that are scaled, where the region does not begin at the origin */
-    double points;  /* the same, proved at the first 200 of the points below; -1: at none */
+    double points; /* the same, proved at the first 200 of the points below; -1: at none */
     double sampled; /* worst seen against MPFR at random points of the region; -1: not sampled */
 };
 

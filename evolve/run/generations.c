@@ -236,15 +236,16 @@ bool evolve_islands(const struct call *call, const struct problem *p, const stru
 {
     const bool over = out->reason != STOP_DONE || islands->rings == 0;
     const size_t end = over ? out->generation : call->options->generations;
-    struct loop l = {.call = call,
-                     .problem = p,
-                     .islands = islands,
-                     .out = out,
-                     .rank0 = {.call = call, .scene = p->scene, .frames_sha256 = files->frames_sha256, .islands = islands},
-                     .saving = {call->team, islands, call->options->checkpoint, files->start_text, NULL},
-                     .base = out->generation,
-                     .done = out->generation,
-                     .end = end};
+    struct loop l = {
+        .call = call,
+        .problem = p,
+        .islands = islands,
+        .out = out,
+        .rank0 = {.call = call, .scene = p->scene, .frames_sha256 = files->frames_sha256, .islands = islands},
+        .saving = {call->team, islands, call->options->checkpoint, files->start_text, NULL},
+        .base = out->generation,
+        .done = out->generation,
+        .end = end};
     const bool good = rank0_open(&l.rank0, out->generation, d);
     if (!team_agree(call->team, good, d)) {
         run_log_close(&l.rank0.log);
