@@ -126,9 +126,8 @@ static void triangles()
 {
     for (int i = 0; i < CASES; i++) {
         const double *const corner[4] = {nodes[i][0], nodes[i][1], nodes[i][2], nodes[i][3]};
-        double r[3] = {0, 0, 0};
-        gap[i] = rival_four_triangles(corner, nodes[i][4], r);
-        at[i][0] = r[0];
+        double r[3];
+        gap[i] = rival_four_triangles(corner, nodes[i][4], at[i], r);
     }
 }
 
