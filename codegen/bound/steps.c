@@ -23,14 +23,14 @@ struct step_list {
 /* For one `to`. */
 struct sweep {
     struct program *program;
-    int *slope; /* owned: by operation, that of `to` by it; 0 (an input): none yet */
+    int *slope; /* owned: by operation, that of `to` by it; < 0: none yet */
     int one;    /* the slope of `to` by itself */
 };
 
 static void charge(struct sweep *s, int operand, int part)
 {
     int *to = &s->slope[operand];
-    *to = *to ? program_add(s->program, OP_ADD, *to, part) : part;
+    *to = *to >= 0 ? program_add(s->program, OP_ADD, *to, part) : part;
 }
 
 static int times(struct sweep *s, int slope, int factor)
@@ -110,12 +110,14 @@ static void add_steps(struct program *p, const bool *held, int to, struct step_l
     struct sweep s = {.program = p, .slope = new_array((size_t)to + 1, sizeof *s.slope)};
     const struct op op = p->op[to];
     const size_t before = list->steps;
+    for (int i = 0; i <= to; i++)
+        s.slope[i] = -1;
     if ((op.a >= 0 && wanted[op.a]) || (op.b >= 0 && wanted[op.b])) {
         s.slope[to] = s.one = number(p, 1, 1);
         good = charge_operands(&s, to, wanted);
     }
-    for (int i = to - 1; i > 0 && good; i--) {
-        if (!s.slope[i])
+    for (int i = to - 1; i >= 0 && good; i--) {
+        if (s.slope[i] < 0)
             continue;
         if (!held[i]) {
             good = charge_operands(&s, i, wanted);

@@ -370,6 +370,24 @@ static void test_steps(void **state)
     assert_true(bound[1] < 0.5 * bound[0] && bound[1] < 8 * worst[1]);
 }
 
+/* The derivative of v1 p by v1 is the first of the operations, p. */
+static void test_step_by_first_input(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "footpoint-genome 2\ninput p q\nregion\ninput p xi\nrange p 1 3, xi 0.5 2\nlet q = * xi p\nend\n"
+        "let v1 = / q p, v2 = * v1 p\nrequire - 2 abs - v1 xi, - 9 abs - v2 xi step 3.5\n"
+        "genome g\nr = v2\nend\n";
+    struct genome_file *f = parse(text);
+    struct program *p = read_program(f, 0, "const double t1 = in_q / in_p;\n*out_r = t1 * in_p;\n");
+    struct subject s = subject_new(text, p);
+    const struct step_limits *limits = &s.region->known->steps;
+    assert_int_equal(limits->limits, 1);
+    assert_true(limits->limit[0].most == 3.5);
+    subject_free(&s);
+    genome_file_free(f);
+}
+
 static void check_row(struct subject *s, const char *row, uint64_t *seed)
 {
     const struct program *p = s->program;
@@ -434,6 +452,7 @@ int main(void)
         cmocka_unit_test(test_known_programs),
         cmocka_unit_test(test_region),
         cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_step_by_first_input),
         cmocka_unit_test(test_rows),
     };
     return cmocka_run_group_tests_name("bound", tests, NULL, NULL);
