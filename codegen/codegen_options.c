@@ -118,13 +118,15 @@ static bool complete(struct codegen_options *o, const bool *given, struct diag *
     return true;
 }
 
-/* The call that a header names: files without their folders, which are others elsewhere, and the output by what its names
- * begin with, so that the same text goes wherever it is written. */
+/* The call that a header names: files without their folders, which are others elsewhere, the output by what its names
+ * begin with, and not how much is said meanwhile, so that the same text goes wherever it is written. */
 static void write_command(int argc, char **argv, struct codegen_options *o)
 {
     const size_t room = sizeof o->command;
     size_t n = (size_t)snprintf(o->command, room, "footpoint-codegen");
     for (int i = 1; i < argc && n < room; i++) {
+        if (strcmp(argv[i], "--quiet") == 0)
+            continue;
         const char *slash = strrchr(argv[i], '/'), *value = strchr(argv[i], '=');
         const int option = argv[i][0] == '-' && value && slash ? (int)(value + 1 - argv[i]) : 0;
         if (argv[i] == o->output)
