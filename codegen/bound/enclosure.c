@@ -133,9 +133,14 @@ bool forms_evaluate(struct forms *w, const struct interval *box)
     return evaluate(w, box, w->affine);
 }
 
+/* The forms are those of another box. */
 bool forms_hold_at(struct forms *w, const struct interval *point)
 {
-    return evaluate(w, point, false) && w->inside;
+    const bool affine = w->affine;
+    w->affine = false;
+    const bool hold = evaluate(w, point, false) && w->inside;
+    w->affine = affine;
+    return hold;
 }
 
 bool box_is_empty(const struct interval *box, size_t variables)

@@ -337,6 +337,22 @@ static void test_region(void **state)
     }
 }
 
+/* Whether a point belongs to the region does not depend on the box that was looked at last. */
+static void test_points(void **state)
+{
+    (void)state;
+    static const char text[] = "footpoint-genome 2\ninput x y\nrange x 0 1, y 0 1\nlet v = * x x\n"
+                               "require - 0.1 abs - v y\nrequire + v 1\ngenome g\nr = 0\nend\n";
+    struct genome_file *f = parse(text);
+    struct program *p = read_program(f, 0, "*out_r = in_x + in_y;\n");
+    struct region *r = region_new(f, p, true);
+    assert_false(region_holds(r, (const struct interval[]){{0, 1}, {0, 0.5}}));
+    assert_true(forms_hold_at(r->required, (const struct interval[]){{1, 1}, {0.97, 0.97}}));
+    region_free(r);
+    program_free(p);
+    genome_file_free(f);
+}
+
 /* Newton's steps to the root xi of v v + p v = q, whose derivatives are small, which enclosures do not know. */
 static void test_steps(void **state)
 {
@@ -451,6 +467,7 @@ int main(void)
         cmocka_unit_test(test_random_programs_with_requires),
         cmocka_unit_test(test_known_programs),
         cmocka_unit_test(test_region),
+        cmocka_unit_test(test_points),
         cmocka_unit_test(test_steps),
         cmocka_unit_test(test_step_by_first_input),
         cmocka_unit_test(test_rows),
