@@ -699,8 +699,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  2dfbf5c8cd4abb8698bf55c26b63b50fc7c04b990173bae82593cdae4f0f0109
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 4.8e-13)
- *   rounding:       xi <= 5.1e-15 proved, 2.8e-15 at points, 7e-16 sampled; eta <= 3.9e-15 proved, 2.8e-15 at points,
- *     9.1e-16 sampled (10000 points)
+ *   rounding:       xi <= 5.1e-15 proved, 3.4e-15 at points, 7e-16 sampled; eta <= 3.9e-15 proved, 2.7e-15 at points,
+ *     7.7e-16 sampled (10000 points)
  *   training_both:  genes 38 mean 2.045e-02
  *   heldout:        xi 1.969e-02 9.741e-02 1.136e-01, eta 1.915e-02 1.013e-01 1.435e-01, samples 315
  *   heldout_random: xi 2.053e-02 1.270e-01 2.670e-01, eta 2.033e-02 1.289e-01 2.504e-01, samples 200000
@@ -853,8 +853,8 @@ static const double footpoint_blocks_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  eb5e0e0fdf187d6d765b9fea8a291daf8227f0e5275e28f811978874ef1cebdc
  *   poles:          t29: proved free of zeros, |t29| >= 2.6e+03 (rounding error <= 4.2e-11)
- *   rounding:       xi <= 1.6e-14 proved, 3.8e-15 at points, 8.9e-16 sampled; eta <= 1.6e-14 proved, 3.3e-15 at
- *     points, 8.7e-16 sampled (10000 points)
+ *   rounding:       xi <= 1.6e-14 proved, 4e-15 at points, 7.8e-16 sampled; eta <= 1.6e-14 proved, 3.3e-15 at points,
+ *     7.7e-16 sampled (10000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 107 mean 2.547e-04
  *   heldout:        xi 1.171e-04 6.579e-04 1.059e-03, eta 1.233e-04 7.176e-04 1.519e-03, samples 315
@@ -1014,8 +1014,8 @@ static const double footpoint_blocks_quad4_coarse_points[][19] = {
  *   genome_sha256:  b4d9a22af4ac83ee9c9373f69a24a311d4f8f37cdd4628f072d23087a1a790dd
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.1e-14)
  *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 4 (rounding error <= 6.9e-13)
- *   rounding:       xi <= 1.8e-13 proved, 4.5e-15 at points, 8.9e-16 sampled; eta <= 1.7e-13 proved, 4.8e-15 at
- *     points, 8.4e-16 sampled (10000 points)
+ *   rounding:       xi <= 1.8e-13 proved, 5.4e-15 at points, 7.8e-16 sampled; eta <= 1.7e-13 proved, 4.6e-15 at
+ *     points, 8.9e-16 sampled (10000 points)
  *   training_both:  genes 143 mean 7.344e-05
  *   heldout:        xi 4.546e-05 5.493e-04 8.993e-04, eta 4.389e-05 4.581e-04 9.931e-04, samples 315
  *   heldout_random: xi 6.865e-05 1.067e-03 8.635e-03, eta 7.057e-05 1.130e-03 9.856e-03, samples 200000
@@ -1177,8 +1177,8 @@ static const double footpoint_blocks_quad4_gauss2_points[][19] = {
  *   genome_sha256:  c8880afba70307436578c47e3492bcdf67622f0fde23c2a1ff898e8ef41e5a4f
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.1e-14)
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 3.6 (rounding error <= 9.8e-13)
- *   rounding:       xi <= 4.2e-14 proved, 5e-15 at points, 8.3e-16 sampled; eta <= 4e-14 proved, 3.7e-15 at points,
- *     7.9e-16 sampled (10000 points)
+ *   rounding:       xi <= 4.2e-14 proved, 3.5e-15 at points, 8.1e-16 sampled; eta <= 4e-14 proved, 3.6e-15 at points,
+ *     8.5e-16 sampled (10000 points)
  *   training_both:  genes 182 mean 1.895e-06
  *   heldout:        xi 5.525e-07 7.418e-06 3.191e-05, eta 4.801e-07 6.210e-06 3.221e-05, samples 315
  *   heldout_random: xi 1.711e-06 2.706e-05 8.783e-04, eta 1.900e-06 2.905e-05 1.042e-03, samples 200000
@@ -1339,10 +1339,10 @@ static const double footpoint_blocks_quad4_medium_points[][19] = {
  *   operations:     83 mul, 2 div, 74 add, 0 sqrt, 0 compare; 51 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  4aabf6236e41d932ca0e66a50e10169f05558906f9b8b6d44f019423c1ad79a1
- *   poles:          t32: proved free of zeros, |t32| >= 2.9e+05 (rounding error <= 3e-08)
+ *   poles:          t32: proved free of zeros, |t32| >= 3e+05 (rounding error <= 3e-08)
  *   poles:          t43 * t44 - t42 * t42: proved free of zeros, |...| >= 4.6 (rounding error <= 4e-12)
- *   rounding:       xi <= 7.5e-13 proved, 5e-15 at points, 8.4e-16 sampled; eta <= 7.1e-13 proved, 5.1e-15 at points,
- *     8.4e-16 sampled (10000 points)
+ *   rounding:       xi <= 7.5e-13 proved, 5e-15 at points, 7.1e-16 sampled; eta <= 7.1e-13 proved, 4.4e-15 at points,
+ *     8.6e-16 sampled (10000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 248 mean 1.268e-08
  *   heldout:        xi 4.077e-09 2.983e-08 1.974e-07, eta 4.300e-09 6.374e-08 1.539e-07, samples 315
@@ -1507,10 +1507,10 @@ static const double footpoint_blocks_quad4_balanced_points[][19] = {
  *   operations:     88 mul, 2 div, 79 add, 0 sqrt, 0 compare; 56 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  f94ce080c20752ecb3fbaaca89acff607a56dcacbdf28068d79e6fa8239977a1
- *   poles:          t32: proved free of zeros, |t32| >= 2.9e+05 (rounding error <= 3e-08)
- *   poles:          t42 * t41 - t45 * t45: proved free of zeros, |...| >= 4.5 (rounding error <= 4e-12)
- *   rounding:       xi <= 7.4e-13 proved, 4.4e-15 at points, 1.1e-15 sampled; eta <= 6.5e-13 proved, 3.8e-15 at
- *     points, 9.2e-16 sampled (10000 points)
+ *   poles:          t32: proved free of zeros, |t32| >= 3e+05 (rounding error <= 3e-08)
+ *   poles:          t42 * t41 - t45 * t45: proved free of zeros, |...| >= 4.6 (rounding error <= 4e-12)
+ *   rounding:       xi <= 7.4e-13 proved, 4.2e-15 at points, 8.1e-16 sampled; eta <= 6.5e-13 proved, 4.8e-15 at
+ *     points, 9.1e-16 sampled (10000 points)
  *   training_both:  genes 284 mean 3.889e-12
  *   heldout:        xi 4.707e-13 5.766e-12 8.425e-11, eta 4.889e-13 1.116e-11 7.345e-11, samples 315
  *   heldout_random: xi 4.184e-12 7.388e-11 3.537e-09, eta 3.822e-12 6.733e-11 4.316e-09, samples 200000
@@ -1675,11 +1675,11 @@ static const double footpoint_blocks_quad4_fine_points[][19] = {
  *   operations:     94 mul, 3 div, 86 add, 0 sqrt, 0 compare; 61 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  3c56a7fd1ef8c91fc1141a5e0716e109b9fe519e64929ad7efbf4e2cf41de0e7
- *   poles:          t32: proved free of zeros, |t32| >= 2.9e+05 (rounding error <= 3.2e-08)
- *   poles:          t43 * t44 - t46 * t46: proved free of zeros, |...| >= 4.5 (rounding error <= 5.2e-12)
+ *   poles:          t32: proved free of zeros, |t32| >= 3e+05 (rounding error <= 3.2e-08)
+ *   poles:          t43 * t44 - t46 * t46: proved free of zeros, |...| >= 4.6 (rounding error <= 5.2e-12)
  *   poles:          t58 * t58 - t56 * t55: proved free of zeros, |...| >= 4.6 (rounding error <= 2.3e-10)
- *   rounding:       xi <= 6.2e-14 proved, 4.9e-15 at points, 8.5e-16 sampled; eta <= 5.8e-14 proved, 4.3e-15 at
- *     points, 8.3e-16 sampled (10000 points)
+ *   rounding:       xi <= 6.2e-14 proved, 5.7e-15 at points, 1.2e-15 sampled; eta <= 5.8e-14 proved, 3.9e-15 at
+ *     points, 1.3e-15 sampled (10000 points)
  *   exact_xi:       nothing evolved, the frame's value is right to rounding
  *   found_eta:      nothing to evolve, chosen among the frame's values
  *   training:       xi genes 1 mean 7.137e-16; eta genes 1 mean 7.242e-16

@@ -650,7 +650,7 @@ static const double footpoint_paper_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  23fbd5330da4520f1e91c8c6aeacd8d9ffd7d4ee8646cd44c82f0980fd439f5a
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
- *   rounding:       xi 9.5e-14 at points, 1.5e-13 sampled; eta 8.8e-14 at points, 1.5e-13 sampled (10000 points)
+ *   rounding:       xi 1.5e-13 at points, 1.5e-13 sampled; eta 8.5e-14 at points, 1.5e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 9.627e-03; eta genes 1 mean 1.285e-02
  *   heldout:        xi 9.592e-03 9.288e-02 6.124e-01, eta 1.280e-02 1.332e-01 8.053e-01, samples 439697
@@ -746,7 +746,7 @@ static const double footpoint_paper_quad4_taper_points[][19] = {
  *   genome_sha256:  6eed2d742950f6c10bdd1ec2d616a93982caa540f063ee720605f79d5fcc2232
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 8.7e-09
- *   rounding:       xi 2.9e-10 at points, 1.2e-08 sampled; eta 3.1e-10 at points, 2e-08 sampled (10000 points)
+ *   rounding:       xi 3.8e-11 at points, 1.2e-08 sampled; eta 4.3e-11 at points, 2e-08 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 3.456e-03; eta genes 1 mean 3.985e-03
  *   heldout:        xi 3.655e-03 5.702e-02 2.370e+00, eta 4.161e-03 7.139e-02 2.686e+00, samples 439697
@@ -943,7 +943,7 @@ static const double footpoint_paper_quad4_coarse_points[][19] = {
  *   genome_sha256:  cee4d0fcd3c844cb307bb6b8a18bd62f6b042c43c2fa6984bc78ff57b0032592
  *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.8e-06 (rounding error <= 7.6e-15)
  *   poles:          t43: proved free of zeros, |t43| >= 8.7e-10
- *   rounding:       xi 2.2e-14 at points, 3.2e-14 sampled; eta 2.5e-14 at points, 1.5e-13 sampled (10000 points)
+ *   rounding:       xi 2e-14 at points, 3.2e-14 sampled; eta 4.1e-14 at points, 1.5e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.409e-03; eta genes 1 mean 2.488e-03
  *   heldout:        xi 2.308e-03 3.562e-02 9.956e-01, eta 2.409e-03 3.396e-02 9.966e-01, samples 439697
@@ -1377,7 +1377,7 @@ static const double footpoint_paper_quad4_fine_points[][19] = {
  *   poles:          t50: proved free of zeros, |t50| >= 9e-10
  *   poles:          t70: proved free of zeros, |t70| >= 1.2e-09
  *   poles:          t90: proved free of zeros, |t90| >= 1.3e-09
- *   rounding:       xi 3e-14 at points, 2.5e-13 sampled; eta 2.6e-14 at points, 6e-14 sampled (10000 points)
+ *   rounding:       xi 3e-14 at points, 2.5e-13 sampled; eta 2.3e-14 at points, 6e-14 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.745e-05; eta genes 1 mean 4.753e-05
  *   heldout:        xi 2.656e-05 4.708e-08 1.775e-01, eta 5.433e-05 6.070e-08 9.688e-01, samples 439697

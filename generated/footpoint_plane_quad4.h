@@ -698,7 +698,7 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  6a9894f107e9fbf034c83071d35de55d22c9469c6a73cef79c3c065ea044b8a4
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 8.6e-13)
- *   rounding:       xi <= 3.4e-14 proved, 1.2e-14 at points, 3.6e-15 sampled; eta <= 1.8e-14 proved, 5.5e-15 at
+ *   rounding:       xi <= 3.4e-14 proved, 1.9e-14 at points, 3.1e-15 sampled; eta <= 1.8e-14 proved, 7.7e-15 at
  *     points, 1.5e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 5.338e-02; eta genes 1 mean 5.313e-02
@@ -853,8 +853,8 @@ static const double footpoint_plane_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  752308dde0899a0420adeb685cc693d3043afc1b218ab617ceb6fa5741f45798
  *   poles:          t29: proved free of zeros, |t29| >= 2e+03 (rounding error <= 1.5e-10)
- *   rounding:       xi <= 9.5e-14 proved, 1.8e-14 at points, 4.3e-15 sampled; eta <= 8.4e-14 proved, 1.1e-14 at
- *     points, 1.6e-15 sampled (10000 points)
+ *   rounding:       xi <= 9.5e-14 proved, 1.7e-14 at points, 5.2e-15 sampled; eta <= 8.4e-14 proved, 1.1e-14 at
+ *     points, 2.1e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.091e-03; eta genes 1 mean 1.084e-03
  *   heldout:        xi 1.135e-03 1.606e-02 7.836e-02, eta 1.140e-03 1.612e-02 8.070e-02, samples 200000
@@ -1012,8 +1012,8 @@ static const double footpoint_plane_quad4_coarse_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  2893dcf78c59459d1eb79a8d5ba9c284660dd64f07e4fd85695497c3f290661c
  *   poles:          t32: proved free of zeros, |t32| >= 3.1e+03 (rounding error <= 6.2e-10)
- *   rounding:       xi <= 1.7e-13 proved, 2.6e-14 at points, 3.6e-15 sampled; eta <= 1.6e-13 proved, 1.2e-14 at
- *     points, 1.5e-15 sampled (10000 points)
+ *   rounding:       xi <= 1.7e-13 proved, 1.6e-14 at points, 4.2e-15 sampled; eta <= 1.6e-13 proved, 7.1e-15 at
+ *     points, 1.7e-15 sampled (10000 points)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 1.587e-16; eta genes 1 mean 1.593e-16
  *   heldout:        xi 1.596e-16 8.882e-16 4.274e-15, eta 1.603e-16 8.882e-16 3.997e-15, samples 200000

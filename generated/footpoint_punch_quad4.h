@@ -699,8 +699,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  ad772fc3586be8a3101aa0dc328b94c15b2f2eec21e59bc3d6756f9c3d622a86
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 6.1e-13)
- *   rounding:       xi <= 6.7e-15 proved, 3.8e-15 at points, 7.7e-16 sampled; eta <= 5e-15 proved, 3.1e-15 at points,
- *     6.8e-16 sampled (10000 points)
+ *   rounding:       xi <= 6.7e-15 proved, 3.4e-15 at points, 7.1e-16 sampled; eta <= 5e-15 proved, 3.1e-15 at points,
+ *     7.4e-16 sampled (10000 points)
  *   training_both:  genes 38 mean 1.453e-02
  *   heldout:        xi 1.714e-02 1.232e-01 1.620e-01, eta 1.740e-02 1.106e-01 1.344e-01, samples 609
  *   heldout_random: xi 1.475e-02 1.180e-01 2.934e-01, eta 1.422e-02 1.132e-01 2.994e-01, samples 200000
@@ -853,8 +853,8 @@ static const double footpoint_punch_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  5e118f0b41014f8e91aa06c6ebd09cda9f8ddb1b888e6cf1f354dd8337db139f
  *   poles:          t29: proved free of zeros, |t29| >= 1.4e+03 (rounding error <= 5.5e-11)
- *   rounding:       xi <= 2.2e-14 proved, 5.7e-15 at points, 7.7e-16 sampled; eta <= 2.2e-14 proved, 4.5e-15 at
- *     points, 8.5e-16 sampled (10000 points)
+ *   rounding:       xi <= 2.2e-14 proved, 4.5e-15 at points, 9.2e-16 sampled; eta <= 2.2e-14 proved, 4.3e-15 at
+ *     points, 1.1e-15 sampled (10000 points)
  *   training_both:  genes 98 mean 4.042e-04
  *   heldout:        xi 2.795e-04 1.628e-03 2.365e-03, eta 2.757e-04 1.627e-03 1.931e-03, samples 609
  *   heldout_random: xi 4.126e-04 2.562e-03 1.062e-02, eta 4.154e-04 2.575e-03 1.865e-02, samples 200000
@@ -1012,7 +1012,7 @@ static const double footpoint_punch_quad4_coarse_points[][19] = {
  *   genome_sha256:  68f975f9c792cba6476b970bb36e2a5b95d48efe7657ca3073a54c7b70c1cd55
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.6e-14)
  *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 3.6 (rounding error <= 1.8e-12)
- *   rounding:       xi <= 5.3e-13 proved, 4.9e-15 at points, 1.3e-15 sampled; eta <= 5.1e-13 proved, 4.4e-15 at
+ *   rounding:       xi <= 5.3e-13 proved, 6.7e-15 at points, 1.3e-15 sampled; eta <= 5.1e-13 proved, 5.4e-15 at
  *     points, 9.9e-16 sampled (10000 points)
  *   training_both:  genes 143 mean 5.234e-05
  *   heldout:        xi 5.895e-05 1.039e-03 2.290e-03, eta 5.769e-05 1.054e-03 2.009e-03, samples 609
@@ -1175,8 +1175,8 @@ static const double footpoint_punch_quad4_gauss2_points[][19] = {
  *   genome_sha256:  5e25798544f5f7b3619b19f679764ba8d69a62fce7e337520b545b6ab9bb5af3
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.6e-14)
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 3.1 (rounding error <= 2.6e-12)
- *   rounding:       xi <= 9.1e-14 proved, 6.7e-15 at points, 1.2e-15 sampled; eta <= 9e-14 proved, 6.8e-15 at points,
- *     1.2e-15 sampled (10000 points)
+ *   rounding:       xi <= 9.1e-14 proved, 5.2e-15 at points, 1.2e-15 sampled; eta <= 8.9e-14 proved, 5.4e-15 at
+ *     points, 1.3e-15 sampled (10000 points)
  *   training_both:  genes 182 mean 1.974e-06
  *   heldout:        xi 1.476e-06 2.793e-05 1.255e-04, eta 1.447e-06 2.304e-05 1.092e-04, samples 609
  *   heldout_random: xi 1.839e-06 2.620e-05 1.453e-03, eta 1.916e-06 2.688e-05 2.543e-03, samples 200000
@@ -1338,8 +1338,8 @@ static const double footpoint_punch_quad4_medium_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  8653707046254251b59b1fcfb7c8c27026b140368afd12612458ff7e90ded75d
  *   poles:          t33: proved free of zeros, |t33| >= 2.7e+05 (rounding error <= 4.4e-08)
- *   poles:          divisor of t49: proved free of zeros, |...| >= 3.2 (rounding error <= 2.2e-11)
- *   rounding:       xi <= 2.8e-12 proved, 5.2e-15 at points, 8.6e-16 sampled; eta <= 2.6e-12 proved, 4.7e-15 at
+ *   poles:          divisor of t49: proved free of zeros, |...| >= 3.5 (rounding error <= 2.2e-11)
+ *   rounding:       xi <= 2.7e-12 proved, 4.9e-15 at points, 8.6e-16 sampled; eta <= 2.6e-12 proved, 4.8e-15 at
  *     points, 9.9e-16 sampled (10000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 233 mean 3.341e-08
@@ -1508,9 +1508,9 @@ static const double footpoint_punch_quad4_balanced_points[][19] = {
  *   genome_sha256:  19a78b94c1c2c23fa005928a05d170d52ac42e0cb689f65e7e21de1ec8b74363
  *   poles:          t19: proved free of zeros, |t19| >= 16 (rounding error <= 3.6e-14)
  *   poles:          divisor of t41: proved free of zeros, |...| >= 3.1 (rounding error <= 4.3e-12)
- *   poles:          t50 * t47 + t49 * t49: proved free of zeros, |...| >= 2.9 (rounding error <= 2.7e-10)
- *   rounding:       xi <= 1.3e-13 proved, 5.4e-15 at points, 1.3e-15 sampled; eta <= 1.2e-13 proved, 5e-15 at points,
- *     9.2e-16 sampled (10000 points)
+ *   poles:          t50 * t47 + t49 * t49: proved free of zeros, |...| >= 3.4 (rounding error <= 2.7e-10)
+ *   rounding:       xi <= 1.2e-13 proved, 5.8e-15 at points, 1.4e-15 sampled; eta <= 1.2e-13 proved, 4.8e-15 at
+ *     points, 9.6e-16 sampled (10000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 323 mean 1.229e-11
  *   heldout:        xi 1.630e-12 4.624e-11 1.258e-10, eta 1.571e-12 3.376e-11 1.327e-10, samples 609
@@ -1679,10 +1679,10 @@ static const double footpoint_punch_quad4_fine_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  d9bd19fbdd27071e7877f95ed05340140c8372ed616c45a4933b0f9db98b001b
  *   poles:          t32: proved free of zeros, |t32| >= 2.7e+05 (rounding error <= 4.8e-08)
- *   poles:          t44 * t43 - t46 * t46: proved free of zeros, |...| >= 3.2 (rounding error <= 3.1e-11)
- *   poles:          t58 * t58 + t55 * t56: proved free of zeros, |...| >= 2.9 (rounding error <= 3.4e-09)
- *   rounding:       xi <= 1.5e-13 proved, 7e-15 at points, 1.1e-15 sampled; eta <= 1.4e-13 proved, 5.1e-15 at points,
- *     1.1e-15 sampled (10000 points)
+ *   poles:          t44 * t43 - t46 * t46: proved free of zeros, |...| >= 3.5 (rounding error <= 3.1e-11)
+ *   poles:          t58 * t58 + t55 * t56: proved free of zeros, |...| >= 3.3 (rounding error <= 3.4e-09)
+ *   rounding:       xi <= 1.5e-13 proved, 5.8e-15 at points, 1.2e-15 sampled; eta <= 1.4e-13 proved, 4.8e-15 at
+ *     points, 9.9e-16 sampled (10000 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 341 mean 1.742e-14
  *   heldout:        xi 2.381e-15 4.052e-14 4.536e-13, eta 9.427e-16 1.166e-14 1.763e-13, samples 609

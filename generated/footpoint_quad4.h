@@ -701,8 +701,8 @@ FOOTPOINT_PART int footpoint_detail_quad4_closest_of(footpoint_detail_nearest *n
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  e8eca58069094e29f4de50f79136eade92e35aca83d38a84de895cf254ce80e3
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 1.1e-12)
- *   rounding:       xi <= 3.6e-14 proved, 1.1e-14 at points, 3.6e-15 sampled; eta <= 2.2e-14 proved, 7.4e-15 at
- *     points, 2.1e-15 sampled (10000 points)
+ *   rounding:       xi <= 3.6e-14 proved, 1.3e-14 at points, 4.3e-15 sampled; eta <= 2.2e-14 proved, 5.7e-15 at
+ *     points, 1.7e-15 sampled (10000 points)
  *   training_both:  genes 38 mean 5.347e-02
  *   heldout:        xi 5.327e-02 2.778e-01 4.769e-01, eta 5.346e-02 2.788e-01 4.327e-01, samples 200000
  *   heldout_random: xi 5.334e-02 2.767e-01 4.259e-01, eta 5.338e-02 2.767e-01 4.459e-01, samples 200000
@@ -850,8 +850,8 @@ static const double footpoint_quad4_fast_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  1cc4189de0cd3a8f248fa9724baa212055048dda73c0555a25c4be678cd9da18
  *   poles:          t29: proved free of zeros, |t29| >= 1.1e+03 (rounding error <= 2.2e-10)
- *   rounding:       xi <= 3.7e-13 proved, 1.5e-14 at points, 3.9e-15 sampled; eta <= 3e-13 proved, 8.9e-15 at points,
- *     2.2e-15 sampled (10000 points)
+ *   rounding:       xi <= 3.7e-13 proved, 1.3e-14 at points, 3.8e-15 sampled; eta <= 3e-13 proved, 1.5e-14 at points,
+ *     1.7e-15 sampled (10000 points)
  *   training_both:  genes 98 mean 4.821e-03
  *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, samples 200000
  *   heldout_random: xi 4.847e-03 3.710e-02 1.822e-01, eta 4.846e-03 3.716e-02 1.537e-01, samples 200000
@@ -1007,8 +1007,8 @@ static const double footpoint_quad4_coarse_points[][19] = {
  *   genome_sha256:  9a7ef06b09480e33295d1067e841d6dca35b7c4ad32de7f15f2da4e6a8aa6dd5
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 6.4e-14)
  *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 2.3 (rounding error <= 1.1e-10)
- *   rounding:       xi <= 7.2e-11 proved, 7.5e-14 at points, 9.5e-15 sampled; eta <= 5.8e-11 proved, 3e-14 at points,
- *     9.8e-15 sampled (10000 points)
+ *   rounding:       xi <= 7.2e-11 proved, 4.3e-14 at points, 1.1e-14 sampled; eta <= 5.8e-11 proved, 2.3e-14 at
+ *     points, 7.7e-15 sampled (10000 points)
  *   training_both:  genes 143 mean 1.266e-03
  *   heldout:        xi 1.257e-03 1.604e-02 1.483e-01, eta 1.254e-03 1.613e-02 1.093e-01, samples 200000
  *   heldout_random: xi 1.261e-03 1.604e-02 1.218e-01, eta 1.266e-03 1.613e-02 1.140e-01, samples 200000
@@ -1168,7 +1168,7 @@ static const double footpoint_quad4_gauss2_points[][19] = {
  *   genome_sha256:  55a5ad109cade8b89424e77aa7b4a92f76f1da1bd4ddba5b330eef0fa340e26b
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 6.4e-14)
  *   poles:          t36 * t34 - t35 * t35: proved free of zeros, |...| >= 1.5 (rounding error <= 3.1e-10)
- *   rounding:       xi <= 1.3e-11 proved, 3.5e-14 at points, 1.7e-14 sampled; eta <= 8.9e-12 proved, 2.2e-14 at
+ *   rounding:       xi <= 1.3e-11 proved, 4.2e-14 at points, 1.7e-14 sampled; eta <= 8.9e-12 proved, 1.9e-14 at
  *     points, 7.1e-15 sampled (10000 points)
  *   training_both:  genes 182 mean 1.914e-04
  *   heldout:        xi 1.919e-04 2.962e-03 9.525e-02, eta 1.913e-04 3.013e-03 6.393e-02, samples 200000
@@ -1330,9 +1330,9 @@ static const double footpoint_quad4_medium_points[][19] = {
  *   genome_sha256:  7a529b2d59e23324ae567505642a361d7e5fb0a24b308390d1e87883a5a76024
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 16 (rounding error <= 7.6e-14)
  *   poles:          t33 * t32 - t31 * t31: proved free of zeros, |...| >= 2 (rounding error <= 2.6e-10)
- *   poles:          t42 * t42 + t44 * t43: proved free of zeros, |...| >= 1 (rounding error <= 6.8e-07)
- *   rounding:       xi <= 1.6e-10 proved, 7.3e-14 at points, 8.9e-15 sampled; eta <= 1.5e-10 proved, 3.4e-14 at
- *     points, 6e-15 sampled (10000 points)
+ *   poles:          t42 * t42 + t44 * t43: proved free of zeros, |...| >= 1 (rounding error <= 6.6e-07)
+ *   rounding:       xi <= 1.6e-10 proved, 5.6e-14 at points, 9.7e-15 sampled; eta <= 1.5e-10 proved, 4.3e-14 at
+ *     points, 7e-15 sampled (10000 points)
  *   found_both:     seed 2 generations 200 islands 2
  *   training_both:  genes 251 mean 1.688e-05
  *   heldout:        xi 1.778e-05 2.394e-04 3.570e-02, eta 1.746e-05 2.368e-04 2.201e-02, samples 200000
@@ -1499,8 +1499,8 @@ static const double footpoint_quad4_balanced_points[][19] = {
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 6.9e-14)
  *   poles:          t37 * t40 - t42 * t42: proved free of zeros, |...| >= 1.2 (rounding error <= 5.5e-10)
  *   poles:          t51 * t50 - t53 * t53: proved free of zeros, |...| >= 1 (rounding error <= 2.7e-07)
- *   rounding:       xi <= 1.2e-10 proved, 7.7e-14 at points, 1.2e-14 sampled; eta <= 2.1e-10 proved, 2.6e-14 at
- *     points, 4.3e-15 sampled (10000 points)
+ *   rounding:       xi <= 1.2e-10 proved, 3.5e-14 at points, 1.2e-14 sampled; eta <= 2.1e-10 proved, 3.6e-14 at
+ *     points, 5.4e-15 sampled (10000 points)
  *   found_both:     seed 2 generations 200 islands 2
  *   training_both:  genes 335 mean 3.144e-07
  *   heldout:        xi 5.165e-07 3.374e-06 8.499e-03, eta 4.304e-07 3.063e-06 4.708e-03, samples 200000
@@ -1669,8 +1669,8 @@ static const double footpoint_quad4_fine_points[][19] = {
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 6.9e-14)
  *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 5.4e-10)
  *   poles:          t50 * t50 - t47 * t46: proved free of zeros, |...| >= 1 (rounding error <= 5.6e-08)
- *   rounding:       xi <= 6.1e-08 proved, 4.8e-14 at points, 1.5e-14 sampled; eta <= 3.2e-10 proved, 4.3e-14 at
- *     points, 8e-15 sampled (10000 points)
+ *   rounding:       xi <= 6e-08 proved, 4.5e-14 at points, 1.5e-14 sampled; eta <= 3.2e-10 proved, 2.2e-14 at points,
+ *     1.3e-14 sampled (10000 points)
  *   found_both:     seed 2 generations 200 islands 2
  *   training_both:  genes 365 mean 9.970e-09
  *   heldout:        xi 2.424e-08 4.192e-08 8.866e-04, eta 2.543e-08 3.301e-08 1.407e-03, samples 200000
@@ -1843,8 +1843,8 @@ static const double footpoint_quad4_precise_points[][19] = {
  *   poles:          t45 * t47 - t48 * t48: proved free of zeros, |...| >= 0.99 (rounding error <= 5.9e-08)
  *   poles:          t57 * t58 - t60 * t60: proved free of zeros, |...| >= 0.99 (rounding error <= 0.00059)
  *   poles:          t72 * t72 - t68 * t70: proved free of zeros, |...| >= 0.99 (rounding error <= 0.88)
- *   rounding:       xi <= 0.0004 proved, 8.6e-14 at points, 1.4e-14 sampled; eta <= 0.00052 proved, 3.5e-14 at
- *     points, 7.8e-15 sampled (10000 points)
+ *   rounding:       xi <= 0.00032 proved, 7.6e-14 at points, 1.7e-14 sampled; eta <= 0.0003 proved, 5.4e-14 at
+ *     points, 7.2e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.634e-11; eta genes 1 mean 1.998e-11
  *   heldout:        xi 2.669e-10 2.842e-14 1.921e-05, eta 2.485e-10 2.776e-14 2.219e-05, samples 200000
@@ -2019,10 +2019,10 @@ static const double footpoint_quad4_accurate_points[][19] = {
  *   genome_sha256:  276e0baaf18e6efa167a6d97d120ee53305f76f6189c8386521af4e417c6cccd
  *   poles:          t31: proved free of zeros, |t31| >= 1.2e+05 (rounding error <= 4.5e-07)
  *   poles:          t42 * t43 - t45 * t45: proved free of zeros, |...| >= 0.99 (rounding error <= 2.1e-08)
- *   poles:          t54 * t55 - t57 * t57: proved free of zeros, |...| >= 0.99 (rounding error <= 0.00037)
+ *   poles:          t54 * t55 - t57 * t57: proved free of zeros, |...| >= 0.99 (rounding error <= 0.00036)
  *   poles:          t66 * t67 - t69 * t69: proved free of zeros, |...| >= 0.99 (rounding error <= 0.25)
  *   poles:          t81 * t81 - t79 * t78: proved free of zeros, |...| >= 0.99
- *   rounding:       xi 9.2e-14 at points, 1.2e-14 sampled; eta 3.6e-14 at points, 9.9e-15 sampled (10000 points)
+ *   rounding:       xi 5.3e-14 at points, 1.2e-14 sampled; eta 2e-14 at points, 5.8e-15 sampled (10000 points)
  *   exact:          nothing evolved, the frame's value is right to rounding
  *   training:       xi genes 1 mean 2.142e-16; eta genes 1 mean 2.127e-16
  *   heldout:        xi 1.073e-14 1.749e-15 1.175e-09, eta 1.277e-14 1.669e-15 1.973e-09, samples 200000

@@ -801,8 +801,8 @@ FOOTPOINT_PART int footpoint_detail_f_quad4_closest_of(footpoint_detail_f_neares
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c61599b2c27bb111c3453f6ebc8e9a9d3eabf7e04907ee3eb531b7160fec8e71
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 2.5e+02 (rounding error <= 0.0014)
- *   rounding:       xi <= 3.9e-05 proved, 9e-06 at points, 2.4e-06 sampled; eta <= 2.1e-05 proved, 3.4e-06 at points,
- *     8.8e-07 sampled (10000 points)
+ *   rounding:       xi <= 3.9e-05 proved, 1.1e-05 at points, 2.4e-06 sampled; eta <= 2.1e-05 proved, 3.4e-06 at
+ *     points, 8.8e-07 sampled (10000 points)
  *   training_both:  genes 38 mean 5.347e-02
  *   heldout:        xi 5.327e-02 2.778e-01 4.769e-01, eta 5.346e-02 2.788e-01 4.327e-01, samples 200000
  *   heldout_random: xi 5.334e-02 2.767e-01 4.259e-01, eta 5.338e-02 2.767e-01 4.459e-01, samples 200000
@@ -936,7 +936,7 @@ FOOTPOINT_FN int footpoint_quad4_float_fast_closest_of(size_t n, const float *co
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  93f59704bfe4e1ab366f87b74adaf5ebf4b0d6aeb8e45a6d05bd4663f2dd06d9
  *   poles:          t29: proved free of zeros, |t29| >= 1.1e+03 (rounding error <= 0.3)
- *   rounding:       xi <= 0.00057 proved, 9.9e-06 at points, 2.5e-06 sampled; eta <= 0.00044 proved, 6.6e-06 at
+ *   rounding:       xi <= 0.00057 proved, 8.8e-06 at points, 2.5e-06 sampled; eta <= 0.00044 proved, 6.6e-06 at
  *     points, 1.2e-06 sampled (10000 points)
  *   training_both:  genes 98 mean 4.821e-03
  *   heldout:        xi 4.809e-03 3.647e-02 2.267e-01, eta 4.808e-03 3.653e-02 1.656e-01, samples 200000
@@ -1074,7 +1074,7 @@ FOOTPOINT_FN int footpoint_quad4_float_coarse_closest_of(size_t n, const float *
  *   genome_sha256:  051241b77b83d932c2ecfddb534f7261af24f24480bd5ebc137f45a564ac780c
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.5e-05)
  *   poles:          t32 * t32 - t33 * t31: proved free of zeros, |...| >= 2.3 (rounding error <= 0.16)
- *   rounding:       xi 3.4e-05 at points, 6.5e-06 sampled; eta <= 0.61 proved, 1.5e-05 at points, 4.1e-06 sampled
+ *   rounding:       xi 3.4e-05 at points, 6.5e-06 sampled; eta <= 0.61 proved, 1.5e-05 at points, 3.8e-06 sampled
  *     (10000 points)
  *   training_both:  genes 143 mean 1.266e-03
  *   heldout:        xi 1.257e-03 1.604e-02 1.483e-01, eta 1.254e-03 1.613e-02 1.093e-01, samples 200000
@@ -1660,7 +1660,7 @@ FOOTPOINT_FN int footpoint_quad4_float_fine_closest_of(size_t n, const float *co
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  a0b6127b394c3991620839e05c5aab9b81de7bf270f2a3b91d1ce603b0215a3e
  *   poles:          t18 * t17 - t16 * t16: proved free of zeros, |...| >= 16 (rounding error <= 8.6e-05)
- *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 0.71)
+ *   poles:          t37 * t37 - t38 * t36: proved free of zeros, |...| >= 1.2 (rounding error <= 0.7)
  *   poles:          t50 * t50 - t47 * t46: proved free of zeros, |...| >= 1
  *   rounding:       xi 3.6e-05 at points, 7.9e-06 sampled; eta 2.1e-05 at points, 5.1e-06 sampled (10000 points)
  *   found_both:     seed 2 generations 200 islands 2 in scene quad4

@@ -778,7 +778,7 @@ FOOTPOINT_PART int footpoint_detail_quad8_closest_of(footpoint_detail_nearest *n
  *   proof:          equal to the genome at 2 random points modulo a 128-bit prime: chance of error below 2^-112
  *   genome_sha256:  2ba33049e8aece64d2971bc12199528cab5a1f02fd0d201cf21ae76d63637944
  *   poles:          t17 * t17 - t15 * t16: proved free of zeros, |...| >= 16 (rounding error <= 3.8e-14)
- *   rounding:       xi <= 3.4e-13 proved, 1.4e-14 at points, 3e-15 sampled; eta <= 2e-13 proved, 6.2e-15 at points,
+ *   rounding:       xi <= 3.4e-13 proved, 1.1e-14 at points, 3e-15 sampled; eta <= 2e-13 proved, 6.2e-15 at points,
  *     2.2e-15 sampled (10000 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 95 mean 2.048e-02
@@ -918,8 +918,8 @@ static const double footpoint_quad8_fast_points[][31] = {
  *   genome_sha256:  3f9f7759a2d97a62378fc29ad603439d4d9fa1f258d5305ac5bc7304438f6a9a
  *   poles:          t30 * t30 - t28 * t29: proved free of zeros, |...| >= 16 (rounding error <= 3.8e-14)
  *   poles:          t70 * t71 - t69 * t69: proved free of zeros, |...| >= 1.6 (rounding error <= 4.8e-07)
- *   rounding:       xi <= 0.12 proved, 1.9e-14 at points, 3.4e-15 sampled; eta <= 0.12 proved, 8.1e-15 at points,
- *     1.8e-15 sampled (10000 points)
+ *   rounding:       xi <= 0.12 proved, 1.6e-14 at points, 5.3e-15 sampled; eta <= 0.12 proved, 6.8e-15 at points,
+ *     1.9e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.848e-03; eta genes 1 mean 1.843e-03
  *   heldout:        xi 1.848e-03 2.147e-02 1.596e-01, eta 1.810e-03 2.066e-02 2.395e-01, samples 50000
@@ -1076,7 +1076,7 @@ static const double footpoint_quad8_coarse_points[][31] = {
  *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 3.8e-14)
  *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 5.4e-07)
  *   poles:          t111 * t111 - t110 * t112: proved free of zeros, |...| >= 0.52
- *   rounding:       xi 1.1e-14 at points, 2.3e-15 sampled; eta 7.3e-15 at points, 1.3e-15 sampled (10000 points)
+ *   rounding:       xi 1.2e-14 at points, 2.3e-15 sampled; eta 5.9e-15 at points, 1.3e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 9.159e-05; eta genes 1 mean 9.528e-05
  *   heldout:        xi 9.183e-05 1.328e-03 2.870e-01, eta 9.511e-05 1.263e-03 4.863e-01, samples 50000
@@ -1247,7 +1247,7 @@ static const double footpoint_quad8_medium_points[][31] = {
  *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 3.8e-14)
  *   poles:          t84 * t85 - t83 * t83: proved free of zeros, |...| >= 0.74 (rounding error <= 1.5e-06)
  *   poles:          t128 * t129 - t127 * t127: proved free of zeros, |...| >= 0.81
- *   rounding:       xi 1.7e-14 at points, 4.8e-15 sampled; eta 6.3e-15 at points, 1.7e-15 sampled (9779 points)
+ *   rounding:       xi 1.7e-14 at points, 4.8e-15 sampled; eta 2.2e-14 at points, 1.7e-15 sampled (9779 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 101 mean 6.936e-06
  *   heldout:        xi 5.462e-06 3.558e-05 1.439e-02, eta 5.772e-06 3.410e-05 2.296e-02, samples 50000
@@ -1428,7 +1428,7 @@ static const double footpoint_quad8_balanced_points[][31] = {
  *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 6e-07)
  *   poles:          t126 * t127 - t125 * t125: proved free of zeros, |...| >= 1.3
  *   poles:          t136 * t140 - t139 * t139: proved free of zeros, |...| >= 0.74
- *   rounding:       xi 2.8e-14 at points, 5.1e-15 sampled; eta 8e-15 at points, 1.7e-15 sampled (8639 points)
+ *   rounding:       xi 1.2e-14 at points, 2.6e-15 sampled; eta 4.4e-15 at points, 1.7e-15 sampled (8639 points)
  *   found_both:     a seed, composed of the frame's functions or given
  *   training_both:  genes 38 mean 1.548e-06
  *   heldout:        xi 7.310e-07 3.117e-06 4.516e-03, eta 8.240e-07 3.214e-06 7.647e-03, samples 50000
@@ -1609,10 +1609,10 @@ static const double footpoint_quad8_fine_points[][31] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  1c9e7fb56bcc0b71421c48ba9151f899a48acf39a9dc562a53b7367bab038296
  *   poles:          t30 * t31 - t29 * t29: proved free of zeros, |...| >= 16 (rounding error <= 3.9e-14)
- *   poles:          t87 * t88 - t86 * t86: proved free of zeros, |...| >= 0.68 (rounding error <= 0.00042)
+ *   poles:          t87 * t88 - t86 * t86: proved free of zeros, |...| >= 0.68 (rounding error <= 0.00041)
  *   poles:          t138 * t137 - t136 * t136: proved free of zeros, |...| >= 0.68
  *   poles:          t147 * t151 - t150 * t150: proved free of zeros, |...| >= 0.54
- *   rounding:       xi 2e-14 at points, 3.9e-15 sampled; eta 7e-15 at points, 1.5e-15 sampled (7692 points)
+ *   rounding:       xi 1.1e-14 at points, 3.9e-15 sampled; eta 8e-15 at points, 1.6e-15 sampled (7692 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 146 mean 2.627e-07
  *   heldout:        xi 2.788e-07 1.729e-07 2.963e-03, eta 3.220e-07 1.647e-07 5.525e-03, samples 50000
@@ -2017,8 +2017,8 @@ static const double footpoint_quad8_sharp_points[][31] = {
  *   operations:     406 mul, 7 div, 423 add, 0 sqrt, 0 compare; 271 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  f0414a0c42f7edb168cd88b5d1be33a88a2f9fb70d3b0f9d6903b04f8dd1b9a7
- *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 4.3e-14)
- *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 1.2e-06)
+ *   poles:          t26 * t27 - t25 * t25: proved free of zeros, |...| >= 16 (rounding error <= 4.2e-14)
+ *   poles:          t76 * t77 - t75 * t75: proved free of zeros, |...| >= 1.6 (rounding error <= 1.1e-06)
  *   poles:          t127 * t126 + t125 * t125: proved free of zeros, |...| >= 1.3
  *   poles:          t139 * t139 + t136 * t140: proved free of zeros, |...| >= 0.74
  *   poles:          t188 * t188 - t190 * t189: proved free of zeros, |...| >= 0.54

@@ -913,7 +913,7 @@ static const double footpoint_quad9_fast_points[][34] = {
  *   genome_sha256:  62840551e9fb47cd72a1f5e892d7e9cbba5a2fd9a65792ab3d456080994e0c46
  *   poles:          t7 * t7 - t9 * t8: proved free of zeros, |...| >= 16 (rounding error <= 3.8e-14)
  *   poles:          t73 * t74 - t72 * t72: proved free of zeros, |...| >= 1.4 (rounding error <= 9.9e-06)
- *   rounding:       xi 1.2e-14 at points, 5.2e-15 sampled; eta 1.2e-14 at points, 2.8e-15 sampled (10000 points)
+ *   rounding:       xi 1.1e-14 at points, 5.2e-15 sampled; eta 9.2e-15 at points, 2.2e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.136e-03; eta genes 1 mean 2.137e-03
  *   heldout:        xi 2.155e-03 2.526e-02 1.601e-01, eta 2.165e-03 2.492e-02 3.183e-01, samples 50000
@@ -1072,7 +1072,7 @@ static const double footpoint_quad9_coarse_points[][34] = {
  *   poles:          0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 8 (rounding error <= 2e-14)
  *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 1.2e-05)
  *   poles:          t126 * t127 - t125 * t125: proved free of zeros, |...| >= 0.93
- *   rounding:       xi 1.8e-14 at points, 4e-15 sampled; eta 7.4e-15 at points, 1.8e-15 sampled (10000 points)
+ *   rounding:       xi 1.2e-14 at points, 4e-15 sampled; eta 8.6e-15 at points, 1.8e-15 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.326e-04; eta genes 1 mean 1.274e-04
  *   heldout:        xi 1.258e-04 1.857e-03 1.707e-01, eta 1.290e-04 1.798e-03 2.467e-01, samples 50000
@@ -1246,7 +1246,7 @@ static const double footpoint_quad9_medium_points[][34] = {
  *   poles:          t18 * t19 - t17 * t17: proved free of zeros, |...| >= 16 (rounding error <= 3.9e-14)
  *   poles:          t92 * t93 - t91 * t91: proved free of zeros, |...| >= 0.93 (rounding error <= 2.4e-05)
  *   poles:          t143 * t142 - t141 * t146: proved free of zeros, |...| >= 0.37
- *   rounding:       xi 1.7e-14 at points, 4.4e-15 sampled; eta 1.4e-14 at points, 3e-15 sampled (8928 points)
+ *   rounding:       xi 1.4e-14 at points, 4.4e-15 sampled; eta 8.6e-15 at points, 3e-15 sampled (8928 points)
  *   found_both:     seed 1 generations 40 islands 2
  *   training_both:  genes 92 mean 9.092e-06
  *   heldout:        xi 9.042e-06 7.068e-05 2.680e-02, eta 9.910e-06 6.726e-05 3.897e-02, samples 50000
@@ -1431,7 +1431,7 @@ static const double footpoint_quad9_balanced_points[][34] = {
  *   poles:          t87 * t88 - t86 * t86: proved free of zeros, |...| >= 1.1 (rounding error <= 5.4e-05)
  *   poles:          t149 * t150 - t148 * t148: proved free of zeros, |...| >= 0.81
  *   poles:          t159 * t163 - t162 * t162: proved free of zeros, |...| >= 0.29
- *   rounding:       xi 1.9e-14 at points, 2.2e-14 sampled; eta 9.5e-15 at points, 1.8e-15 sampled (7782 points)
+ *   rounding:       xi 1.5e-14 at points, 2.2e-14 sampled; eta 9.5e-15 at points, 1.8e-15 sampled (7782 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 62 mean 8.922e-07
  *   heldout:        xi 1.170e-06 2.868e-06 1.936e-02, eta 1.568e-06 3.614e-06 3.111e-02, samples 50000
@@ -1618,10 +1618,10 @@ static const double footpoint_quad9_fine_points[][34] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  a8fbe5e316191446a4f06b0693463db755bba80a6b00e6af42ff76619a531089
  *   poles:          2.0 * (t17 * t18 - t16 * t16): proved free of zeros, |...| >= 32 (rounding error <= 7.9e-14)
- *   poles:          t99 * t100 - t98 * t98: proved free of zeros, |...| >= 0.74 (rounding error <= 0.00046)
+ *   poles:          t99 * t100 - t98 * t98: proved free of zeros, |...| >= 0.74 (rounding error <= 0.00021)
  *   poles:          t161 * t162 - t160 * t160: undecided
  *   poles:          t175 * t171 - t174 * t174: undecided
- *   rounding:       xi 2.1e-14 at points, 4.5e-15 sampled; eta 1.5e-14 at points, 2.6e-15 sampled (7092 points)
+ *   rounding:       xi 1.3e-14 at points, 5.1e-15 sampled; eta 1.2e-14 at points, 1.3e-14 sampled (7092 points)
  *   found_both:     seed 1 generations 60 islands 2
  *   training_both:  genes 146 mean 2.860e-07
  *   heldout:        xi 4.524e-07 3.276e-07 5.925e-03, eta 5.905e-07 3.171e-07 7.683e-03, samples 50000
@@ -1815,8 +1815,8 @@ static const double footpoint_quad9_accurate_points[][34] = {
  *   operations:     324 mul, 6 div, 355 add, 0 sqrt, 0 compare; 244 temporaries
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  cde6ed7f16fb94eb94fe514a17496f83be31b9eb66a1561706dc903b92068955
- *   poles:          0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 8 (rounding error <= 2.2e-14)
- *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 2.1e-05)
+ *   poles:          0.5 * (t8 * t9 - t7 * t7): proved free of zeros, |...| >= 8 (rounding error <= 2.1e-14)
+ *   poles:          t85 * t86 - t84 * t84: proved free of zeros, |...| >= 1.4 (rounding error <= 2e-05)
  *   poles:          t147 * t148 - t146 * t146: proved free of zeros, |...| >= 1.1
  *   poles:          t161 * t157 - t160 * t160: proved free of zeros, |...| >= 0.5
  *   poles:          t222 * t223 - t221 * t221: proved free of zeros, |...| >= 0.4

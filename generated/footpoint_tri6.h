@@ -766,7 +766,7 @@ FOOTPOINT_PART int footpoint_detail_tri6_closest_of(footpoint_detail_nearest *ne
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  c65c8f389a9d70f079858174d827a0c174fe680e60fd2bdc086d806790906162
  *   poles:          t16 * t16 - t17 * t18: proved free of zeros, |...| >= 81 (rounding error <= 4.4e-13)
- *   rounding:       xi <= 1e-13 proved, 6.7e-15 at points, 2e-15 sampled; eta <= 4.7e-14 proved, 3e-15 at points,
+ *   rounding:       xi <= 1e-13 proved, 1.4e-14 at points, 2e-15 sampled; eta <= 4.7e-14 proved, 3.1e-15 at points,
  *     8.7e-16 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 8.306e-03; eta genes 1 mean 8.267e-03
@@ -903,7 +903,7 @@ static const double footpoint_tri6_fast_points[][25] = {
  *   genome_sha256:  1cd4117891e15ddd8346ea6f64aee60fab8d76adbb10401b08dc02064c8cfd39
  *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 4.6e-13)
  *   poles:          t61 * t62 - t60 * t60: proved free of zeros, |...| >= 17 (rounding error <= 7.7e-08)
- *   rounding:       xi <= 6.4e-05 proved, 8.4e-15 at points, 1.1e-15 sampled; eta <= 5e-05 proved, 2e-15 at points,
+ *   rounding:       xi <= 6.3e-05 proved, 8.4e-15 at points, 1.1e-15 sampled; eta <= 5e-05 proved, 2e-15 at points,
  *     5.1e-16 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.070e-04; eta genes 1 mean 2.092e-04
@@ -1053,8 +1053,8 @@ static const double footpoint_tri6_coarse_points[][25] = {
  *   genome_sha256:  89c4b1c1c1b18f641a125c6297f24319a0b1b86dbf71e8a0e60afb91455b0368
  *   poles:          t30 * t29 - t28 * t28: proved free of zeros, |...| >= 81 (rounding error <= 3.7e-13)
  *   poles:          t67 * t67 + t66 * t68: proved free of zeros, |...| >= 17 (rounding error <= 5.4e-08)
- *   rounding:       xi <= 3.7e-05 proved, 1.2e-14 at points, 1.2e-15 sampled; eta <= 2.4e-05 proved, 3.2e-15 at
- *     points, 5e-16 sampled (10000 points)
+ *   rounding:       xi <= 3.7e-05 proved, 7.3e-15 at points, 1.2e-15 sampled; eta <= 2.4e-05 proved, 3e-15 at points,
+ *     5e-16 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 6.473e-05; eta genes 1 mean 6.522e-05
  *   heldout:        xi 6.290e-05 9.235e-04 1.520e-02, eta 6.437e-05 9.683e-04 1.520e-02, samples 50000
@@ -1203,9 +1203,9 @@ static const double footpoint_tri6_medium_points[][25] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  b181a78e2c24b356495067ac2ab3c616e995497cef41e8681758401ac5390f18
  *   poles:          t36 * t35 - t34 * t34: proved free of zeros, |...| >= 81 (rounding error <= 3.9e-13)
- *   poles:          t67 * t67 - t69 * t68: proved free of zeros, |...| >= 16 (rounding error <= 2.3e-07)
+ *   poles:          t67 * t67 - t69 * t68: proved free of zeros, |...| >= 16 (rounding error <= 2.1e-07)
  *   poles:          t81 * t81 - t82 * t78: proved free of zeros, |...| >= 14
- *   rounding:       xi 6e-15 at points, 1e-15 sampled; eta 2.9e-15 at points, 4.9e-16 sampled (10000 points)
+ *   rounding:       xi 4.5e-15 at points, 1e-15 sampled; eta 2.3e-15 at points, 4.9e-16 sampled (10000 points)
  *   found_both:     seed 1 generations 120 islands 2
  *   training_both:  genes 53 mean 6.602e-07
  *   heldout:        xi 7.292e-07 1.092e-05 1.382e-03, eta 7.498e-07 1.144e-05 9.046e-04, samples 50000
@@ -1366,7 +1366,7 @@ static const double footpoint_tri6_balanced_points[][25] = {
  *   poles:          divisor of t35: proved free of zeros, |...| >= 79 (rounding error <= 4.1e-13)
  *   poles:          t69 * t69 + t68 * t70: proved free of zeros, |...| >= 16 (rounding error <= 2.1e-07)
  *   poles:          t83 * t83 + t82 * t79: proved free of zeros, |...| >= 14
- *   rounding:       xi 5.1e-15 at points, 1.4e-15 sampled; eta 2e-15 at points, 4.1e-16 sampled (9803 points)
+ *   rounding:       xi 3.9e-15 at points, 1.4e-15 sampled; eta 2.4e-15 at points, 4.1e-16 sampled (9803 points)
  *   found_both:     seed 1 generations 120 islands 2
  *   training_both:  genes 56 mean 1.580e-09
  *   heldout:        xi 2.979e-09 8.205e-09 5.028e-05, eta 2.487e-09 8.563e-09 2.554e-05, samples 50000
@@ -1536,7 +1536,7 @@ static const double footpoint_tri6_fine_points[][25] = {
  *   poles:          t67 * t68 - t66 * t66: proved free of zeros, |...| >= 1.1 (rounding error <= 5.2e-09)
  *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93
  *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87
- *   rounding:       xi 3.2e-15 at points, 1.8e-15 sampled; eta 2e-15 at points, 5.3e-16 sampled (8888 points)
+ *   rounding:       xi 6.5e-15 at points, 1.8e-15 sampled; eta 1.8e-15 at points, 4e-16 sampled (8888 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.017e-09; eta genes 1 mean 2.301e-09
  *   heldout:        xi 4.317e-11 2.577e-12 6.948e-07, eta 4.709e-11 2.299e-12 8.576e-07, samples 50000
@@ -1713,7 +1713,7 @@ static const double footpoint_tri6_precise_points[][25] = {
  *   poles:          t96 * t96 + t95 * t97: proved free of zeros, |...| >= 0.93
  *   poles:          t125 * t125 + t124 * t126: proved free of zeros, |...| >= 0.87
  *   poles:          t154 * t154 + t153 * t155: proved free of zeros, |...| >= 0.87
- *   rounding:       xi 4.7e-15 at points, 9.7e-16 sampled; eta 2.3e-15 at points, 5.5e-16 sampled (7220 points)
+ *   rounding:       xi 3.6e-15 at points, 1.4e-15 sampled; eta 2.1e-15 at points, 5.5e-16 sampled (7220 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 2.098e-13; eta genes 1 mean 2.456e-13
  *   heldout:        xi 8.914e-17 2.220e-16 1.602e-12, eta 1.006e-16 2.220e-16 1.977e-12, samples 50000

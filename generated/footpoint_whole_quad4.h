@@ -747,7 +747,7 @@ static const double footpoint_whole_quad4_taper_points[][19] = {
  *   genome_sha256:  e336aca5f1b818a7b167ed4860dbf27fae23f7f72cd50866f64438e23b2a6605
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t31 * t33 - t32 * t32: proved free of zeros, |...| >= 5.4e-08
- *   rounding:       xi 1.6e-11 at points, 1.8e-09 sampled; eta 2.9e-11 at points, 2.6e-09 sampled (10000 points)
+ *   rounding:       xi 1.4e-11 at points, 1.8e-09 sampled; eta 2.9e-11 at points, 2.6e-09 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 5.372e-03; eta genes 1 mean 6.157e-03
  *   heldout:        xi 5.925e-03 8.599e-02 5.221e+00, eta 6.386e-03 1.039e-01 3.872e+00, samples 857751
@@ -843,7 +843,7 @@ static const double footpoint_whole_quad4_gauss2_points[][19] = {
  *   proof:          proved equal to the genome as rational functions over Q
  *   genome_sha256:  075eb63078cc88a7e18cb0acd32c16fdcf0e2283c143d816cdd1b86d1c27dbcb
  *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 8.5e-05 (rounding error <= 1.5e-14)
- *   rounding:       xi 5.4e-13 at points, 8.6e-13 sampled; eta 1.1e-13 at points, 1.3e-12 sampled (10000 points)
+ *   rounding:       xi 5.4e-13 at points, 8.6e-13 sampled; eta 5.5e-13 at points, 1.3e-12 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 9.355e-03; eta genes 1 mean 1.069e-02
  *   heldout:        xi 9.476e-03 1.153e-01 1.005e+00, eta 1.096e-02 1.287e-01 1.492e+00, samples 857751
@@ -946,7 +946,7 @@ static const double footpoint_whole_quad4_coarse_points[][19] = {
  *   genome_sha256:  6b8a5b999a683b0fe338a3b8d051d2cea819c4e9e43c575db977a6d7091fc035
  *   poles:          t16 * t18 - t17 * t17: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t43: proved free of zeros, |t43| >= 6e-09
- *   rounding:       xi 8.9e-14 at points, 4e-13 sampled; eta 3.4e-13 at points, 8.6e-13 sampled (10000 points)
+ *   rounding:       xi 2.9e-13 at points, 4e-13 sampled; eta 4e-14 at points, 8.6e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 7.428e-03; eta genes 1 mean 7.247e-03
  *   heldout:        xi 7.382e-03 1.215e-01 1.982e+00, eta 7.550e-03 1.069e-01 1.736e+00, samples 857751
@@ -1049,7 +1049,7 @@ static const double footpoint_whole_quad4_newton_points[][19] = {
  *   genome_sha256:  5810276b487e96b349ba006b98dddf146130e11aa565696d2fd114a01e745890
  *   poles:          t17 * t18 - t16 * t16: proved free of zeros, |...| >= 7.7e-05 (rounding error <= 1.3e-14)
  *   poles:          t47: proved free of zeros, |t47| >= 5.7e-09
- *   rounding:       xi 1.7e-13 at points, 2.8e-12 sampled; eta 8.1e-13 at points, 3.3e-13 sampled (10000 points)
+ *   rounding:       xi 7.3e-14 at points, 2.8e-12 sampled; eta 4.2e-13 at points, 3.3e-13 sampled (10000 points)
  *   found:          seed 1 generations 0 islands 2
  *   training:       xi genes 1 mean 1.824e-03; eta genes 1 mean 1.771e-03
  *   heldout:        xi 1.841e-03 3.282e-02 1.982e+00, eta 1.861e-03 2.544e-02 1.276e+00, samples 857751

@@ -339,6 +339,58 @@ static void statuses_are_right(void **state)
     gsl_rng_free(stream);
 }
 
+/* The slope along xi or eta, which is 0 or 1, of how far the face on a line is along it. */
+static quadruple slope_on_line(const struct exact_face *f, const quadruple *at, const double along[3],
+                               const double loc[2], int variable)
+{
+    quadruple r[2][3], normal[3], slope = 0;
+    for (int side = 0; side < 2; side++) {
+        quadruple place[2] = {loc[0], loc[1]};
+        place[variable] += side ? STEP : -STEP;
+        exact_point(f, at, place[0], place[1], r[side], normal);
+    }
+    for (int i = 0; i < 3; i++)
+        slope += (r[1][i] - r[0][i]) * along[i];
+    return slope;
+}
+
+/* Nodes on a line as far as rounding goes, in any order, and places where, if there are such, one tangent vanishes, as it
+ * does where the face turns back; rounding leaves some area there. */
+static void lines_have_no_normal(void **state)
+{
+    (void)state;
+    gsl_rng *stream = stream_new();
+    stream_key(stream, 20245, 0, 0, 0);
+    for (const struct kind *k = kinds; k < kinds + KINDS; k++) {
+        const struct exact_face f = exact_face_of(k->nodes);
+        for (int face = 0; face < 2000; face++) {
+            double x[MOST_NODES + 1][3], loc[2], along[3], from[3];
+            quadruple at[C];
+            draw(stream, &f, 0.1, x, loc);
+            for (int i = 0; i < 3; i++) {
+                along[i] = gsl_rng_uniform(stream) - 0.5;
+                from[i] = 2 * gsl_rng_uniform(stream) - 1;
+            }
+            for (int node = 0; node < k->nodes; node++) {
+                const double t = 2 * gsl_rng_uniform(stream) - 1;
+                for (int i = 0; i < 3; i++)
+                    at[3 * node + i] = x[node][i] = from[i] + t * along[i];
+            }
+            const int variable = face % 2;
+            double end[2][2] = {{loc[0], loc[1]}, {loc[0], loc[1]}};
+            end[0][variable] = -1.5;
+            end[1][variable] = 1.5;
+            const int rises = slope_on_line(&f, at, along, end[1], variable) > 0;
+            for (int halves = 0; halves < 60; halves++) {
+                loc[variable] = 0.5 * (end[0][variable] + end[1][variable]);
+                end[(slope_on_line(&f, at, along, loc, variable) > 0) == rises][variable] = loc[variable];
+            }
+            expect_status(k, x, loc, FOOTPOINT_ERR_DEGENERATE);
+        }
+    }
+    gsl_rng_free(stream);
+}
+
 /* A Hessian alone is the same, and in another unit of length all goes with its power of lengths. */
 static void rows_and_sizes(void **state)
 {
@@ -416,9 +468,8 @@ static void arrays_are_the_same(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(derivatives_are_right),
-        cmocka_unit_test(statuses_are_right),
-        cmocka_unit_test(rows_and_sizes),
+        cmocka_unit_test(derivatives_are_right), cmocka_unit_test(statuses_are_right),
+        cmocka_unit_test(lines_have_no_normal),  cmocka_unit_test(rows_and_sizes),
         cmocka_unit_test(arrays_are_the_same),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
