@@ -268,7 +268,7 @@ $(OBJ)/rival_counts.inc: tests/rivals/count_rivals.cpp $(wildcard tests/rivals/r
 # fused multiply-add, which takes one.
 of_headers := test_headers test_digits header_functions headers_long
 $(foreach file,$(of_headers),$(eval CFLAGS_$(file) := -I$(OBJ)))
-$(foreach file,header_functions headers_long test_closest test_curved,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
+$(foreach file,header_functions headers_long test_closest test_curved test_joined test_patch_place,$(eval CFLAGS_$(file) += $(if $(filter fma,$(CONFIG)),-O1,-O0)))
 $(of_headers:%=$(OBJ)/tests/generated/%.o): $(OBJ)/methods.h $(OBJ)/methods.inc
 
 # The methods of the bench, as code that is built for its machine: once for each instruction set, all alike, and
